@@ -1,0 +1,1 @@
+namespace talus { void app_stub(); void app_stub() {} }

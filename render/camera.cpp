@@ -1,0 +1,51 @@
+#include "render/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace talus {
+
+CameraRays camera_rays(const Camera& camera, double width, double height) {
+    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+    const double level = std::hypot(forward.x, forward.y);
+    const glm::dvec3 right =
+        level > 1e-9 ? glm::dvec3(forward.y / level, -forward.x / level, 0) : glm::dvec3(1, 0, 0);
+    const glm::dvec3 up = glm::cross(right, forward);
+    const double reach = std::tan(camera.fov_deg * std::numbers::pi / 360);
+    return {forward, right * (reach * width / height), up * reach};
+}
+
+CastOrigin cast_origin(const Grid& grid, glm::dvec3 point) {
+    const double column = std::clamp(grid.column_of(point.x), -1e9, 1e9);
+    const double row = std::clamp(grid.row_of(point.y), -1e9, 1e9);
+    return {glm::ivec2(std::floor(column), std::floor(row)),
+            glm::dvec2(column - std::floor(column), row - std::floor(row)), point.z};
+}
+
+Camera overview(const Grid& grid, double lowest_m, double highest_m) {
+    const double extent = std::max(grid.width_m(), grid.height_m());
+    const glm::dvec3 middle(grid.width_m() / 2, grid.height_m() / 2, (lowest_m + highest_m) / 2);
+    Camera camera;
+    camera.eye = middle + glm::dvec3(-0.42, -0.72, 0.42) * extent;
+    camera.eye.z = std::max(camera.eye.z, highest_m + 0.1 * extent);
+    camera.target = middle - glm::dvec3(0, 0, 0.02 * extent);
+    return camera;
+}
+
+void set_camera(gpu::Program& program, const Grid& grid, const Camera& camera, int width, int height) {
+    const CameraRays rays = camera_rays(camera, width, height);
+    const CastOrigin origin = cast_origin(grid, camera.eye);
+    const auto high = static_cast<float>(origin.height_m);
+    program.set("picture_size", glm::vec2(width, height));
+    program.set("ray_forward", glm::vec3(rays.forward));
+    program.set("ray_right", glm::vec3(rays.right));
+    program.set("ray_up", glm::vec3(rays.up));
+    program.set("cell_m", glm::vec2(grid.dx, grid.dy));
+    program.set("patches", glm::ivec2(grid.nx - 1, grid.ny - 1));
+    program.set("origin_cell", origin.cell);
+    program.set("origin_fraction", glm::vec2(origin.fraction));
+    program.set("origin_height_m", glm::vec2(high, origin.height_m - high));
+}
+
+}  // namespace talus

@@ -1,0 +1,93 @@
+#pragma once
+#include <vector>
+
+#include "render/camera.h"
+#include "shaders/maths/twin.h"
+
+namespace talus::maths {
+
+/// The CPU twin of the exact caster: the same maths over heights in main memory. In double it is the reference that
+/// every method is measured against (law 1).
+template <typename Real>
+struct CastTwin {
+    TALUS_TWIN_NAMES(Real)
+
+    int2 patches{0};
+    int top_level = 0;
+    real2 cell_m{1};
+    real3 ray_forward{0};
+    real3 ray_right{0};
+    real3 ray_up{0};
+    real origin_height_m{0};
+    std::vector<float> heights;
+    std::vector<std::vector<float>> tops;  // by level - 1, rows of tops_width >> (level - 1)
+    int tops_width = 0;
+
+    CastTwin(const Grid& grid, std::vector<float> ground) : heights(std::move(ground)) {
+        patches = int2(grid.nx - 1, grid.ny - 1);
+        cell_m = real2(grid.dx, grid.dy);
+        const int side = max(patches.x, patches.y);
+        while ((1 << top_level) < side && top_level < 8) ++top_level;
+        top_level = max(top_level, 1);
+        const int block = 1 << top_level;
+        tops_width = (patches.x + block - 1) / block * block / 2;
+        int rows = (patches.y + block - 1) / block * block / 2;
+        for (int level = 1; level <= top_level; ++level, rows /= 2) {
+            const int width = tops_width >> (level - 1);
+            std::vector<float> cells(static_cast<std::size_t>(width) * rows, -HUGE_VALF);
+            for (int y = 0; y < rows; ++y)
+                for (int x = 0; x < width; ++x) cells[static_cast<std::size_t>(y) * width + x] = highest_below(level, x, y);
+            tops.push_back(std::move(cells));
+        }
+    }
+
+    float highest_below(int level, int x, int y) const {
+        float bound = -HUGE_VALF;
+        if (level > 1) {
+            const int width = tops_width >> (level - 2);
+            for (int i = 0; i < 4; ++i)
+                bound = max(bound, tops[level - 2][static_cast<std::size_t>(2 * y + i / 2) * width + 2 * x + i % 2]);
+            return bound;
+        }
+        if (2 * x >= patches.x || 2 * y >= patches.y) return bound;
+        for (int i = 0; i < 9; ++i) {
+            const int column = min(2 * x + i % 3, patches.x);
+            const int row = min(2 * y + i / 3, patches.y);
+            bound = max(bound, heights[static_cast<std::size_t>(row) * (patches.x + 1) + column]);
+        }
+        return bound;
+    }
+
+    real load_top(int2 cell, int level) const {
+        return real(tops[level - 1][static_cast<std::size_t>(cell.y) * (tops_width >> (level - 1)) + cell.x]) - origin_height_m;
+    }
+    real4 load_corners(int2 at) const {
+        const float* row = heights.data() + static_cast<std::size_t>(at.y) * (patches.x + 1) + at.x;
+        const float* below = row + patches.x + 1;
+        return real4(row[0], row[1], below[0], below[1]) - origin_height_m;
+    }
+
+#include "maths/cast.glsl"
+#include "maths/pixel_ray.glsl"
+
+    /// Sets the camera for a picture; its pixels are then cast by position.
+    void look(const Grid& grid, const Camera& camera, int width, int height) {
+        const CameraRays rays = camera_rays(camera, width, height);
+        const CastOrigin origin = cast_origin(grid, camera.eye);
+        ray_forward = real3(rays.forward);
+        ray_right = real3(rays.right);
+        ray_up = real3(rays.up);
+        origin_height_m = real(origin.height_m);
+        cell_ = origin.cell;
+        fraction_ = real2(origin.fraction);
+    }
+
+    /// The hit of the ray through a point of the picture, -1 to 1 from left to right and from bottom to top.
+    CastHit cast_pixel(real x, real y) { return cast_ray(cell_, fraction_, pixel_ray(real2(x, y)), real(0), 5); }
+
+  private:
+    int2 cell_{0};
+    real2 fraction_{0};
+};
+
+}  // namespace talus::maths

@@ -1,0 +1,9 @@
+// Where a fragment lies in the picture, from its pixel centre: interpolated values would differ by driver.
+uniform real2 picture_size;
+
+uniform real3 ray_forward;
+uniform real3 ray_right;
+uniform real3 ray_up;
+#include "maths/pixel_ray.glsl"
+
+real2 picture_position() { return real2(2.0 * gl_FragCoord.x / picture_size.x - 1.0, 2.0 * gl_FragCoord.y / picture_size.y - 1.0); }

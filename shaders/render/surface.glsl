@@ -1,0 +1,21 @@
+// The surface as shaders of render read it: ground samples and the max pyramid over the patches between them.
+#include "maths/glsl_types.glsl"
+
+layout(binding = 0) uniform sampler2D ground;
+layout(binding = 1) uniform sampler2D tops;   // mip level l - 1 holds pyramid level l
+
+uniform int2 patches;
+uniform int top_level;
+uniform real2 cell_m;
+uniform int2 origin_cell;       // the eye's patch (column, row), and where in it
+uniform real2 origin_fraction;
+uniform real2 origin_height_m;  // the eye's height, two words
+
+real load_top(int2 cell, int level) {
+    return (texelFetch(tops, cell, level - 1).r - origin_height_m.x) - origin_height_m.y;
+}
+
+real4 load_corners(int2 at) {
+    real4 z = textureGather(ground, vec2(at + 1) / vec2(patches + 1)).wzxy;
+    return (z - origin_height_m.x) - origin_height_m.y;
+}

@@ -1,0 +1,36 @@
+// Sums of a tile in double: metres of solid now, and of ground moved from where it was at the start.
+layout(local_size_x = 64) in;
+#include "maths/glsl_types.glsl"
+
+layout(binding = 0, rg32f) uniform readonly image2D bedrock_in;
+layout(binding = 1, rg32f) uniform readonly image2D regolith_in;
+layout(binding = 2, rg32f) uniform readonly image2D start_in;   // ground at the start, two words
+layout(binding = 0, std430) writeonly buffer TileSums { dvec2 tile_sums[]; };  // solid, |ground - start|
+
+uniform int2 samples;
+uniform int2 tiles;
+
+shared dvec2 column_sums[64];
+
+void main() {
+    int2 tile = int2(gl_WorkGroupID.xy);
+    int column = tile.x * 64 + int(gl_LocalInvocationIndex);
+    dvec2 sum = dvec2(0.0);
+    if (column < samples.x) {
+        for (int row = tile.y * 64; row < min(tile.y * 64 + 64, samples.y); ++row) {
+            int2 at = int2(column, row);
+            dvec2 bedrock = dvec2(imageLoad(bedrock_in, at).xy);
+            dvec2 regolith = dvec2(imageLoad(regolith_in, at).xy);
+            dvec2 start = dvec2(imageLoad(start_in, at).xy);
+            double solid = (bedrock.x + regolith.x) + (bedrock.y + regolith.y);
+            sum += dvec2(solid, abs(solid - (start.x + start.y)));
+        }
+    }
+    column_sums[gl_LocalInvocationIndex] = sum;
+    barrier();
+    if (gl_LocalInvocationIndex == 0u) {
+        dvec2 total = dvec2(0.0);
+        for (int i = 0; i < 64; ++i) total += column_sums[i];
+        tile_sums[tile.y * tiles.x + tile.x] = total;
+    }
+}

@@ -1,0 +1,26 @@
+// One sub-step of thermal erosion on the listed tiles: 16 groups of 16 x 16 samples a tile.
+layout(local_size_x = 16, local_size_y = 16) in;
+#include "sim/samples.glsl"
+
+layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
+
+uniform real2 cell_m;
+uniform real repose_slope;
+uniform real2 face_share;
+#include "maths/thermal.glsl"
+
+void main() {
+    int tile = int(listed_tiles[gl_WorkGroupID.y]);
+    int block = int(gl_WorkGroupID.x);
+    int2 at = int2(tile % tiles.x, tile / tiles.x) * 64 + int2(block & 3, block >> 2) * 16 + int2(gl_LocalInvocationID.xy);
+    if (at.x >= samples.x || at.y >= samples.y) return;
+    real4 before = load_solid(at);
+    real4 after = thermal_sample(at);
+    imageStore(bedrock_out, at, vec4(after.xy, 0.0, 0.0));
+    imageStore(regolith_out, at, vec4(after.zw, 0.0, 0.0));
+    if (floatBitsToUint(after.x) != floatBitsToUint(before.x) || floatBitsToUint(after.y) != floatBitsToUint(before.y) ||
+        floatBitsToUint(after.z) != floatBitsToUint(before.z) || floatBitsToUint(after.w) != floatBitsToUint(before.w)) {
+        imageStore(ground_out, at, vec4(ground_height(after)));
+        mark_tile(at);
+    }
+}

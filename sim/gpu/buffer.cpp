@@ -1,0 +1,44 @@
+#include "sim/gpu/buffer.h"
+
+#include <epoxy/gl.h>
+
+#include "sim/gpu/debug.h"
+
+namespace talus::gpu {
+
+void delete_buffer(unsigned name) { glDeleteBuffers(1, &name); }
+
+Buffer::Buffer(const std::string& label, std::size_t bytes) : bytes_(bytes) {
+    GLuint name = 0;
+    glCreateBuffers(1, &name);
+    handle_ = Handle<delete_buffer>(name);
+    glObjectLabel(GL_BUFFER, name, static_cast<GLsizei>(label.size()), label.data());
+    glNamedBufferStorage(name, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    raise_errors();
+}
+
+void Buffer::fill(std::uint32_t word) {
+    glClearNamedBufferData(handle_, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &word);
+    raise_errors();
+}
+
+void Buffer::write(std::size_t offset, std::span<const std::byte> data) {
+    glNamedBufferSubData(handle_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(data.size()), data.data());
+    raise_errors();
+}
+
+void Buffer::read(std::size_t offset, std::span<std::byte> data) const {
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glGetNamedBufferSubData(handle_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(data.size()), data.data());
+    raise_errors();
+}
+
+void Buffer::copy_from(const Buffer& other) {
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glCopyNamedBufferSubData(other.handle_, handle_, 0, 0, static_cast<GLsizeiptr>(bytes_));
+    raise_errors();
+}
+
+void Buffer::bind_storage(unsigned index) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, index, handle_); }
+
+}  // namespace talus::gpu

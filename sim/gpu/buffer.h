@@ -1,0 +1,54 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/gpu/handle.h"
+
+namespace talus::gpu {
+
+void delete_buffer(unsigned name);
+
+/// Memory on the device, of a fixed size. The label shows in debuggers and error messages.
+///
+///     Buffer flags("tile flags", count * sizeof(std::uint32_t));
+///     flags.fill(1);
+///     flags.bind_storage(0);
+class Buffer {
+  public:
+    Buffer() = default;
+    Buffer(const std::string& label, std::size_t bytes);
+
+    std::size_t bytes() const { return bytes_; }
+    unsigned name() const { return handle_; }
+
+    /// Sets every 32-bit word to the value.
+    void fill(std::uint32_t word);
+    void write(std::size_t offset, std::span<const std::byte> data);
+    /// Waits for the device. Not for use within a frame (law 7).
+    void read(std::size_t offset, std::span<std::byte> data) const;
+
+    template <typename T>
+    void write_all(const std::vector<T>& values) {
+        write(0, std::as_bytes(std::span(values)));
+    }
+    template <typename T>
+    std::vector<T> read_all() const {
+        std::vector<T> values(bytes_ / sizeof(T));
+        read(0, std::as_writable_bytes(std::span(values)));
+        return values;
+    }
+
+    /// Device to device, without waiting: all bytes of a buffer of the same size.
+    void copy_from(const Buffer& other);
+
+    void bind_storage(unsigned index) const;
+
+  private:
+    Handle<delete_buffer> handle_;
+    std::size_t bytes_ = 0;
+};
+
+}  // namespace talus::gpu

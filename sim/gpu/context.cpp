@@ -1,0 +1,150 @@
+#include "sim/gpu/context.h"
+
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "sim/gpu/debug.h"
+#include "sim/gpu/error.h"
+
+namespace talus::gpu {
+namespace {
+
+struct Candidate {
+    EGLDisplay display = EGL_NO_DISPLAY;
+    std::string route;
+    bool software = false;
+};
+
+bool has_word(const char* words, std::string_view word) {
+    return words && std::string_view(words).find(word) != std::string_view::npos;
+}
+
+// Hardware devices first, software devices after them, the surfaceless platform last.
+std::vector<Candidate> list_candidates() {
+    std::vector<Candidate> candidates;
+    const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    if (has_word(client, "EGL_EXT_device_base") ||
+        (has_word(client, "EGL_EXT_device_enumeration") && has_word(client, "EGL_EXT_device_query"))) {
+        std::array<EGLDeviceEXT, 64> devices{};
+        EGLint count = 0;
+        if (eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count)) {
+            for (int i = 0; i < count; ++i) {
+                const bool software =
+                    has_word(eglQueryDeviceStringEXT(devices[i], EGL_EXTENSIONS), "EGL_MESA_device_software");
+                candidates.push_back({eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr),
+                                      fmt::format("EGL device {}", i), software});
+            }
+        }
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.software < b.software; });
+    if (has_word(client, "EGL_MESA_platform_surfaceless"))
+        candidates.push_back(
+            {eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr),
+             "EGL surfaceless", false});
+    return candidates;
+}
+
+EGLContext make_current(EGLDisplay display) {
+    EGLint major = 0;
+    EGLint minor = 0;
+    if (display == EGL_NO_DISPLAY || !eglInitialize(display, &major, &minor)) return EGL_NO_CONTEXT;
+    eglBindAPI(EGL_OPENGL_API);
+    const std::array<EGLint, 11> attributes = {EGL_CONTEXT_MAJOR_VERSION,
+                                               4,
+                                               EGL_CONTEXT_MINOR_VERSION,
+                                               5,
+                                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                               EGL_CONTEXT_OPENGL_DEBUG,
+                                               EGL_TRUE,
+                                               EGL_NONE};
+    EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
+    if (context != EGL_NO_CONTEXT && !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
+        eglDestroyContext(display, context);
+        context = EGL_NO_CONTEXT;
+    }
+    return context;
+}
+
+}  // namespace
+
+std::string describe(const Device& device) {
+    return fmt::format("{} · {} · OpenGL {} · {}{}", device.vendor, device.renderer, device.version, device.route,
+                       device.software ? " (software)" : "");
+}
+
+Device adopt_current_context(const std::string& route) {
+    const int version = epoxy_gl_version();
+    Device device;
+    const auto text = [](GLenum name) {
+        const auto* value = reinterpret_cast<const char*>(glGetString(name));
+        return std::string(value ? value : "unknown");
+    };
+    device.vendor = text(GL_VENDOR);
+    device.renderer = text(GL_RENDERER);
+    device.version = text(GL_VERSION);
+    device.route = route;
+    device.software = has_word(device.renderer.c_str(), "llvmpipe") || has_word(device.renderer.c_str(), "softpipe");
+    if (version < 45)
+        throw Error(fmt::format("{} offers OpenGL {} where Talus needs 4.5", device.renderer, device.version));
+    watch_errors();
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glDisable(GL_DITHER);
+    return device;
+}
+
+Context::Context(const ContextChoice& choice) {
+    const std::vector<Candidate> candidates = list_candidates();
+    const int count = static_cast<int>(candidates.size());
+    if (choice.gpu && (*choice.gpu < 0 || *choice.gpu >= count))
+        throw Error(fmt::format("--gpu {} names no device, there are {} (0 to {})", *choice.gpu, count, count - 1));
+    for (int i = 0; i < count; ++i) {
+        if (choice.gpu && *choice.gpu != i) continue;
+        EGLContext context = make_current(candidates[i].display);
+        if (context == EGL_NO_CONTEXT) continue;
+        display_ = candidates[i].display;
+        context_ = context;
+        bool usable = false;
+        try {
+            device_ = adopt_current_context(candidates[i].route);
+            usable = !(choice.require_hardware && device_.software);
+        } catch (const Error&) {
+            if (choice.gpu) throw;
+        }
+        if (usable) return;
+        eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        eglDestroyContext(display_, context_);
+        context_ = nullptr;
+    }
+    throw Error(choice.require_hardware
+                    ? "--require-hardware: no hardware device gives OpenGL 4.5 here, leave the option out to render in software"
+                    : "no EGL device gives OpenGL 4.5 here, install Mesa (libegl1, libgl1-mesa-dri) or a driver");
+}
+
+Context::~Context() {
+    if (!context_) return;
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroyContext(display_, context_);
+}
+
+Context::Context(Context&& other) noexcept
+    : display_(std::exchange(other.display_, nullptr)),
+      context_(std::exchange(other.context_, nullptr)),
+      device_(std::move(other.device_)) {}
+
+Context& Context::operator=(Context&& other) noexcept {
+    std::swap(display_, other.display_);
+    std::swap(context_, other.context_);
+    std::swap(device_, other.device_);
+    return *this;
+}
+
+}  // namespace talus::gpu

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace talus::gpu {
+
+/// Turns on synchronous KHR_debug output for the current context. Messages of type ERROR or severity HIGH are
+/// kept until the next raise_errors().
+void watch_errors();
+
+/// Throws talus::Error with the first message kept since the last call. Every wrapper of this room ends with it.
+/// (The driver's callback itself may not throw: the exception would unwind the driver's own frames.)
+void raise_errors();
+
+}  // namespace talus::gpu

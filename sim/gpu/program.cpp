@@ -1,0 +1,258 @@
+#include "sim/gpu/program.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "sim/gpu/debug.h"
+#include "sim/gpu/embedded_text.h"
+#include "sim/gpu/error.h"
+
+namespace talus::gpu {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Folder {
+    fs::path root;
+    unsigned generation = 1;
+    fs::file_time_type newest{};
+    std::function<void(const std::string&)> receive = [](const std::string& message) {
+        fmt::print(stderr, "{}\n", message);
+    };
+};
+
+Folder& folder() {
+    static Folder instance;
+    return instance;
+}
+
+fs::file_time_type newest_below(const fs::path& root) {
+    fs::file_time_type newest{};
+    for (const auto& entry : fs::recursive_directory_iterator(root))
+        if (entry.is_regular_file()) newest = std::max(newest, entry.last_write_time());
+    return newest;
+}
+
+std::string load_text(const std::string& path) {
+    if (!folder().root.empty()) {
+        std::ifstream file(folder().root / path, std::ios::binary);
+        if (!file) throw Error(fmt::format("shader '{}' is not in the folder {}", path, folder().root.string()));
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    const auto found = embedded_shaders().find(path);
+    if (found == embedded_shaders().end()) throw Error(fmt::format("shader '{}' was not built in", path));
+    return std::string(found->second);
+}
+
+// Expands includes. #line directives carry a number per file, so that messages can be led back to it.
+void expand(const std::string& path, std::vector<std::string>& files, std::string& out) {
+    const auto number = files.size();
+    files.push_back(path);
+    out += fmt::format("#line 1 {}\n", number);
+    std::istringstream lines(load_text(path));
+    std::string line;
+    for (int at = 1; std::getline(lines, line); ++at) {
+        if (!line.starts_with("#include")) {
+            out += line + '\n';
+            continue;
+        }
+        const auto first = line.find('"');
+        const auto last = line.rfind('"');
+        if (first == std::string::npos || last <= first)
+            throw Error(fmt::format("{}:{}: #include needs a path in double quotes", path, at));
+        const std::string included = line.substr(first + 1, last - first - 1);
+        if (std::find(files.begin(), files.end(), included) == files.end()) expand(included, files, out);
+        out += fmt::format("#line {} {}\n", at + 1, number);
+    }
+}
+
+// Drivers write "2:17(5): error: …" (Mesa) or "2(17) : error …" (NVIDIA); people want "maths/patch.glsl:17: …".
+std::string name_files(const std::string& log, const std::vector<std::string>& files) {
+    static const std::regex place(R"(^(\d+)(?::(\d+)\(\d+\)|\((\d+)\)) ?: ?)");
+    std::istringstream lines(log);
+    std::string line;
+    std::string out;
+    while (std::getline(lines, line)) {
+        std::smatch match;
+        if (std::regex_search(line, match, place)) {
+            const std::size_t file = std::stoul(match[1]);
+            const std::string at = match[2].matched ? match[2] : match[3];
+            if (file < files.size())
+                line = fmt::format("shaders/{}:{}: {}", files[file], at, std::string(match.suffix()));
+        }
+        if (line.find_first_not_of(" \r\n\t") != std::string::npos) out += (out.empty() ? "" : "\n") + line;
+    }
+    return out;
+}
+
+GLenum stage_of(const std::string& path) {
+    if (path.ends_with(".comp")) return GL_COMPUTE_SHADER;
+    if (path.ends_with(".vert")) return GL_VERTEX_SHADER;
+    if (path.ends_with(".frag")) return GL_FRAGMENT_SHADER;
+    throw Error(fmt::format("shader '{}' should end in .comp, .vert or .frag", path));
+}
+
+template <auto Get, auto GetLog>
+std::string log_of(GLuint object) {
+    GLint length = 0;
+    Get(object, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+    GLsizei written = 0;
+    GetLog(object, static_cast<GLsizei>(log.size()), &written, log.data());
+    log.resize(static_cast<std::size_t>(written));
+    return log;
+}
+
+void delete_shader(unsigned name) { glDeleteShader(name); }
+
+Handle<delete_shader> compile(const std::string& path, const std::vector<std::string>& defines) {
+    std::vector<std::string> files;
+    std::string body;
+    expand(path, files, body);
+    std::string text = "#version 450 core\n";
+    for (const std::string& define : defines) text += "#define " + define + "\n";
+    text += body;
+    Handle<delete_shader> shader(glCreateShader(stage_of(path)));
+    const char* source = text.c_str();
+    glShaderSource(shader, 1, &source, nullptr);
+    glCompileShader(shader);
+    GLint ok = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+    if (!ok) {
+        const std::string log = log_of<[](GLuint s, GLenum p, GLint* v) { glGetShaderiv(s, p, v); },
+                                       [](GLuint s, GLsizei n, GLsizei* w, GLchar* t) { glGetShaderInfoLog(s, n, w, t); }>(shader);
+        throw Error(name_files(log, files));
+    }
+    return shader;
+}
+
+}  // namespace
+
+void delete_program(unsigned name) { glDeleteProgram(name); }
+
+void use_shader_folder(const fs::path& root) {
+    if (!fs::is_directory(root / "maths"))
+        throw Error(fmt::format("--shader-dir '{}' is not a folder of Talus shaders: it has no folder 'maths'", root.string()));
+    folder().root = root;
+    folder().newest = newest_below(root);
+    ++folder().generation;
+}
+
+bool poll_shader_folder() {
+    Folder& watched = folder();
+    if (watched.root.empty()) return false;
+    const auto newest = newest_below(watched.root);
+    if (newest == watched.newest) return false;
+    watched.newest = newest;
+    ++watched.generation;
+    return true;
+}
+
+void on_shader_message(std::function<void(const std::string&)> receive) { folder().receive = std::move(receive); }
+
+Program::Program(std::vector<std::string> paths, std::vector<std::string> defines)
+    : paths_(std::move(paths)), defines_(std::move(defines)) {
+    build();
+}
+
+void Program::build() {
+    generation_ = folder().generation;
+    Handle<delete_program> fresh(glCreateProgram());
+    std::vector<Handle<delete_shader>> shaders;
+    for (const std::string& path : paths_) {
+        shaders.push_back(compile(path, defines_));
+        glAttachShader(fresh, shaders.back());
+    }
+    glLinkProgram(fresh);
+    GLint ok = 0;
+    glGetProgramiv(fresh, GL_LINK_STATUS, &ok);
+    if (!ok)
+        throw Error(fmt::format("shaders/{}: {}", paths_.back(),
+                                log_of<[](GLuint s, GLenum p, GLint* v) { glGetProgramiv(s, p, v); },
+                                       [](GLuint s, GLsizei n, GLsizei* w, GLchar* t) { glGetProgramInfoLog(s, n, w, t); }>(fresh)));
+    glObjectLabel(GL_PROGRAM, fresh, static_cast<GLsizei>(paths_.back().size()), paths_.back().data());
+    handle_ = std::move(fresh);
+    locations_.clear();
+    for (const auto& [name, value] : values_) upload(name, value);
+    raise_errors();
+}
+
+void Program::use() {
+    if (generation_ != folder().generation) {
+        try {
+            build();
+        } catch (const Error& error) {
+            folder().receive(fmt::format("kept the old program: {}", error.what()));
+        }
+    }
+    glUseProgram(handle_);
+}
+
+void Program::upload(std::string_view name, const Value& value) {
+    auto found = locations_.find(name);
+    if (found == locations_.end()) {
+        const std::string text(name);
+        found = locations_.emplace(text, glGetUniformLocation(handle_, text.c_str())).first;
+    }
+    const GLint at = found->second;
+    switch (value.kind) {
+        case 1: glProgramUniform1fv(handle_, at, 1, value.real.data()); break;
+        case 2: glProgramUniform2fv(handle_, at, 1, value.real.data()); break;
+        case 3: glProgramUniform3fv(handle_, at, 1, value.real.data()); break;
+        case 4: glProgramUniform4fv(handle_, at, 1, value.real.data()); break;
+        case 5: glProgramUniform1iv(handle_, at, 1, value.whole.data()); break;
+        case 6: glProgramUniform2iv(handle_, at, 1, value.whole.data()); break;
+        default: glProgramUniform1ui(handle_, at, static_cast<GLuint>(value.whole[0])); break;
+    }
+}
+
+void Program::remember(std::string_view name, const Value& value) {
+    const auto found = values_.find(name);
+    if (found == values_.end())
+        values_.emplace(std::string(name), value);
+    else
+        found->second = value;
+    upload(name, value);
+}
+
+void Program::set(std::string_view name, float value) { remember(name, {1, {value}, {}}); }
+void Program::set(std::string_view name, glm::vec2 v) { remember(name, {2, {v.x, v.y}, {}}); }
+void Program::set(std::string_view name, glm::vec3 v) { remember(name, {3, {v.x, v.y, v.z}, {}}); }
+void Program::set(std::string_view name, glm::vec4 v) { remember(name, {4, {v.x, v.y, v.z, v.w}, {}}); }
+void Program::set(std::string_view name, int value) { remember(name, {5, {}, {value}}); }
+void Program::set(std::string_view name, glm::ivec2 v) { remember(name, {6, {}, {v.x, v.y}}); }
+void Program::set(std::string_view name, unsigned value) { remember(name, {7, {}, {static_cast<int>(value)}}); }
+
+void Program::dispatch(int groups_x, int groups_y, int groups_z) {
+    use();
+    glDispatchCompute(static_cast<GLuint>(groups_x), static_cast<GLuint>(groups_y), static_cast<GLuint>(groups_z));
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    raise_errors();
+}
+
+void Program::dispatch_indirect(const Buffer& arguments, std::size_t offset) {
+    use();
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, arguments.name());
+    glDispatchComputeIndirect(static_cast<GLintptr>(offset));
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    raise_errors();
+}
+
+void Program::draw_fullscreen() {
+    use();
+    // OpenGL's core profile draws nothing without a vertex array, so each draw brings an empty one.
+    GLuint array = 0;
+    glCreateVertexArrays(1, &array);
+    glBindVertexArray(array);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
+    glDeleteVertexArrays(1, &array);
+    raise_errors();
+}
+
+}  // namespace talus::gpu

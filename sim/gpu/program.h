@@ -1,0 +1,78 @@
+#pragma once
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <glm/glm.hpp>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/gpu/buffer.h"
+#include "sim/gpu/handle.h"
+
+namespace talus::gpu {
+
+void delete_program(unsigned name);
+
+/// Where shader text comes from: the files built in or, after use_shader_folder(), a folder that is watched.
+/// A program built from a folder follows its files: the next use after a change rebuilds it, and keeps the old
+/// program when the new one does not compile.
+void use_shader_folder(const std::filesystem::path& folder);
+
+/// Looks at the watched folder's files once; cheap, for the window's idle moments. True when any file changed.
+bool poll_shader_folder();
+
+/// Messages of programs that could not be rebuilt go here (default: stderr), one line each: file, line, message.
+void on_shader_message(std::function<void(const std::string&)> receive);
+
+/// A linked program of GLSL files below shaders/. `#include "maths/patch.glsl"` is resolved below shaders/, each
+/// file at most once. Throws talus::Error that names file and line when a shader does not compile.
+///
+///     Program thermal("sim/thermal.comp");
+///     thermal.set("cell_m", glm::vec2(30, 30));
+///     thermal.dispatch(8, 8);
+class Program {
+  public:
+    Program() = default;
+    /// One path ending in .comp, or two ending in .vert and .frag. `defines` are lines such as "NAME 1".
+    explicit Program(std::vector<std::string> paths, std::vector<std::string> defines = {});
+    explicit Program(const char* path) : Program(std::vector<std::string>{path}) {}
+
+    /// Uniforms keep their values across a rebuild. A name that the shader optimised away is ignored.
+    void set(std::string_view name, float value);
+    void set(std::string_view name, int value);
+    void set(std::string_view name, unsigned value);
+    void set(std::string_view name, glm::vec2 value);
+    void set(std::string_view name, glm::vec3 value);
+    void set(std::string_view name, glm::vec4 value);
+    void set(std::string_view name, glm::ivec2 value);
+
+    /// Runs compute groups; what they write is visible to everything after.
+    void dispatch(int groups_x, int groups_y = 1, int groups_z = 1);
+    /// The same with the three group counts read on the device from the buffer at the offset (bytes).
+    void dispatch_indirect(const Buffer& arguments, std::size_t offset = 0);
+    /// Draws one triangle that covers the viewport.
+    void draw_fullscreen();
+
+  private:
+    struct Value {
+        int kind = 0;
+        std::array<float, 4> real{};
+        std::array<int, 2> whole{};
+    };
+
+    void build();
+    void use();
+    void upload(std::string_view name, const Value& value);
+    void remember(std::string_view name, const Value& value);
+
+    std::vector<std::string> paths_;
+    std::vector<std::string> defines_;
+    Handle<delete_program> handle_;
+    unsigned generation_ = 0;
+    std::map<std::string, int, std::less<>> locations_;
+    std::map<std::string, Value, std::less<>> values_;
+};
+
+}  // namespace talus::gpu

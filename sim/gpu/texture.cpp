@@ -1,0 +1,162 @@
+#include "sim/gpu/texture.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "sim/gpu/debug.h"
+#include "sim/gpu/error.h"
+
+namespace talus::gpu {
+namespace {
+
+struct Layout {
+    GLenum internal;
+    GLenum format;
+    GLenum type;
+    std::size_t bytes;
+};
+
+Layout layout_of(Format format) {
+    switch (format) {
+        case Format::r32f: return {GL_R32F, GL_RED, GL_FLOAT, 4};
+        case Format::rg32f: return {GL_RG32F, GL_RG, GL_FLOAT, 8};
+        case Format::rgba8: return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
+        case Format::rgba32f: return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
+    }
+    throw Error("a texture has no such format");
+}
+
+// Offsets into a bound pixel buffer travel as pointers in OpenGL's interface.
+void* as_offset(std::size_t offset) { return reinterpret_cast<void*>(offset); }  // NOLINT(performance-no-int-to-ptr)
+
+}  // namespace
+
+void delete_texture(unsigned name) { glDeleteTextures(1, &name); }
+void delete_framebuffer(unsigned name) { glDeleteFramebuffers(1, &name); }
+std::size_t texel_bytes(Format format) { return layout_of(format).bytes; }
+
+Texture::Texture(const std::string& label, Format format, int width, int height, int levels)
+    : format_(format), width_(width), height_(height), levels_(levels) {
+    GLuint name = 0;
+    glCreateTextures(GL_TEXTURE_2D, 1, &name);
+    handle_ = Handle<delete_texture>(name);
+    glObjectLabel(GL_TEXTURE, name, static_cast<GLsizei>(label.size()), label.data());
+    glTextureStorage2D(name, levels, layout_of(format).internal, width, height);
+    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST);
+    glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    raise_errors();
+}
+
+void Texture::fill(float value) {
+    const std::array<float, 4> texel = {value, value, value, value};
+    for (int level = 0; level < levels_; ++level)
+        glClearTexImage(handle_, level, layout_of(format_).format, GL_FLOAT, texel.data());
+    raise_errors();
+}
+
+void Texture::write(const Region& region, std::span<const std::byte> texels, int level) {
+    const Layout layout = layout_of(format_);
+    glTextureSubImage2D(handle_, level, region.x, region.y, region.width, region.height, layout.format, layout.type,
+                        texels.data());
+    raise_errors();
+}
+
+void Texture::read(const Region& region, std::span<std::byte> texels, int level) const {
+    const Layout layout = layout_of(format_);
+    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+    glGetTextureSubImage(handle_, level, region.x, region.y, 0, region.width, region.height, 1, layout.format,
+                         layout.type, static_cast<GLsizei>(texels.size()), texels.data());
+    raise_errors();
+}
+
+void Texture::copy_to(const Buffer& buffer, std::size_t offset, const Region& region) const {
+    const Layout layout = layout_of(format_);
+    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer.name());
+    glGetTextureSubImage(handle_, 0, region.x, region.y, 0, region.width, region.height, 1, layout.format,
+                         layout.type, static_cast<GLsizei>(buffer.bytes() - offset), as_offset(offset));
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    raise_errors();
+}
+
+void Texture::copy_from(const Buffer& buffer, std::size_t offset, const Region& region) {
+    const Layout layout = layout_of(format_);
+    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer.name());
+    glTextureSubImage2D(handle_, 0, region.x, region.y, region.width, region.height, layout.format, layout.type,
+                        as_offset(offset));
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    raise_errors();
+}
+
+void Texture::copy_from(const Texture& other, const Region& region) {
+    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    glCopyImageSubData(other.handle_, GL_TEXTURE_2D, 0, region.x, region.y, 0, handle_, GL_TEXTURE_2D, 0, region.x,
+                       region.y, 0, region.width, region.height, 1);
+    raise_errors();
+}
+
+void Texture::bind_sampled(unsigned unit) const { glBindTextureUnit(unit, handle_); }
+
+void Texture::bind_image(unsigned unit, Access access, int level) const {
+    const GLenum mode = access == Access::read    ? GL_READ_ONLY
+                        : access == Access::write ? GL_WRITE_ONLY
+                                                  : GL_READ_WRITE;
+    glBindImageTexture(unit, handle_, level, GL_FALSE, 0, mode, layout_of(format_).internal);
+}
+
+Framebuffer::Framebuffer(const std::string& label, std::span<const Texture* const> colours) {
+    GLuint name = 0;
+    glCreateFramebuffers(1, &name);
+    handle_ = Handle<delete_framebuffer>(name);
+    glObjectLabel(GL_FRAMEBUFFER, name, static_cast<GLsizei>(label.size()), label.data());
+    std::vector<GLenum> targets;
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        targets.push_back(static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + i));
+        glNamedFramebufferTexture(name, targets.back(), colours[i]->name(), 0);
+    }
+    glNamedFramebufferDrawBuffers(name, static_cast<GLsizei>(targets.size()), targets.data());
+    glNamedFramebufferReadBuffer(name, GL_COLOR_ATTACHMENT0);
+    raise_errors();
+    if (glCheckNamedFramebufferStatus(name, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw Error(fmt::format("framebuffer '{}' is not complete on this driver", label));
+}
+
+void Framebuffer::bind(const Region& viewport) const {
+    glBindFramebuffer(GL_FRAMEBUFFER, handle_);
+    glViewport(viewport.x, viewport.y, viewport.width, viewport.height);
+}
+
+void Framebuffer::blit_to_window(const Region& source, const Region& target) const {
+    const bool same = source.width == target.width && source.height == target.height;
+    glBlitNamedFramebuffer(handle_, 0, source.x, source.y, source.x + source.width, source.y + source.height,
+                           target.x, target.y, target.x + target.width, target.y + target.height,
+                           GL_COLOR_BUFFER_BIT, same ? GL_NEAREST : GL_LINEAR);
+    raise_errors();
+}
+
+void bind_window(int width, int height) {
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, width, height);
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
+std::vector<std::uint8_t> read_window(int width, int height) {
+    std::vector<std::uint8_t> bottom_up(static_cast<std::size_t>(width) * height * 3);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, bottom_up.data());
+    raise_errors();
+    std::vector<std::uint8_t> rows(bottom_up.size());
+    const std::size_t stride = static_cast<std::size_t>(width) * 3;
+    for (int y = 0; y < height; ++y)
+        std::copy_n(bottom_up.begin() + (height - 1 - y) * stride, stride, rows.begin() + y * stride);
+    return rows;
+}
+
+}  // namespace talus::gpu

@@ -1,0 +1,34 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+
+#include "sim/gpu/handle.h"
+
+namespace talus::gpu {
+
+void delete_query(unsigned name);
+
+/// The device time between begin() and end(), in milliseconds, read when it is ready and never waited for.
+/// (Pairs of GL_TIMESTAMP: GL_TIME_ELAPSED reads 0 for compute work on llvmpipe.)
+class Timestamp {
+  public:
+    explicit Timestamp(const std::string& label);
+
+    void begin();
+    void end();
+    /// The newest span whose end the device has passed; none before the first.
+    std::optional<double> milliseconds();
+
+  private:
+    struct Span {
+        Handle<delete_query> first;
+        Handle<delete_query> last;
+        bool pending = false;
+    };
+    std::array<Span, 4> spans_;
+    int next_ = 0;
+    std::optional<double> latest_;
+};
+
+}  // namespace talus::gpu

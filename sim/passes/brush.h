@@ -1,0 +1,58 @@
+#pragma once
+#include <vector>
+
+#include "sim/gpu/buffer.h"
+#include "sim/gpu/program.h"
+#include "sim/terrain/terrain.h"
+
+namespace talus {
+
+enum class BrushMode { raise = 0, lower = 1, smooth = 2, flatten = 3 };
+
+/// One dab: what a brush does to the ground in one moment. World coordinates, metres.
+struct Dab {
+    BrushMode mode = BrushMode::raise;
+    double x_m = 0;
+    double y_m = 0;
+    double radius_m = 1;
+    double falloff = 1;      ///< 0 hard edge … 1 soft all the way
+    double amount_m = 0;     ///< raise, lower: metres in the middle
+    double blend = 0;        ///< smooth, flatten: share of the way in the middle, 0 … 1
+    double target_m = 0;     ///< flatten: the height to reach
+    bool on_regolith = false;  ///< raise adds regolith instead of bedrock
+    bool operator==(const Dab&) const = default;
+};
+
+/// A dab in the units of shaders/maths/brush.glsl. The twin takes the same numbers.
+struct DabStep {
+    glm::vec2 cell_m{1};
+    glm::ivec2 sample{0};
+    glm::vec2 offset{0};
+    float radius_m = 0;
+    float falloff = 0;
+    int mode = 0;
+    float amount_m = 0;
+    float blend = 0;
+    glm::vec2 target_m{0};
+    int on_regolith = 0;
+};
+DabStep dab_step(const Grid& grid, const Dab& dab);
+
+/// The samples that a dab can change; may reach beyond the terrain.
+gpu::Region dab_region(const Grid& grid, const Dab& dab);
+
+/// Applies dabs, and books per tile what they add and take (law 3).
+class Brush {
+  public:
+    explicit Brush(const Terrain& terrain);
+    /// Touches only the tiles that the dab reaches.
+    void dab(Terrain& terrain, const Dab& dab);
+
+    /// Metres of solid in and out, a pair of doubles a tile.
+    gpu::Buffer books;
+
+  private:
+    gpu::Program program_;
+};
+
+}  // namespace talus

@@ -1,0 +1,52 @@
+#include "sim/passes/thermal.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "sim/gpu/error.h"
+
+namespace talus {
+namespace {
+
+constexpr int max_substeps = 10000;
+
+double inverse_squares(const Grid& grid) { return 1 / (grid.dx * grid.dx) + 1 / (grid.dy * grid.dy); }
+
+}  // namespace
+
+int thermal_substeps(const Grid& grid, const ThermalSettings& settings, double span_s) {
+    const double needed = std::ceil(settings.rate_m2_per_s * span_s * inverse_squares(grid) / 0.5);
+    if (needed > max_substeps)
+        throw Error(fmt::format("thermal.rate_m2_per_s = {} needs {:.0f} sub-steps a tick on cells of {} m, at most {} are "
+                                "run: lower it or time.tick_s",
+                                settings.rate_m2_per_s, needed, std::min(grid.dx, grid.dy), max_substeps));
+    return std::max(1, static_cast<int>(needed));
+}
+
+ThermalStep thermal_step(const Grid& grid, const ThermalSettings& settings, double span_s, int substeps) {
+    const double dt = span_s / substeps;
+    ThermalStep step;
+    step.repose_slope = static_cast<float>(std::tan(settings.repose_deg * std::numbers::pi / 180));
+    step.cell_m = glm::vec2(grid.dx, grid.dy);
+    step.face_share = glm::vec2(settings.rate_m2_per_s * dt / grid.dx, settings.rate_m2_per_s * dt / grid.dy);
+    return step;
+}
+
+double natural_thermal_rate(const Grid& grid, double span_s) { return 0.4 / (span_s * inverse_squares(grid)); }
+
+Thermal::Thermal(const Terrain& terrain) : program_("sim/thermal.comp"), active_(terrain.tiles.count()) {}
+
+void Thermal::substep(Terrain& terrain, const ThermalStep& step) {
+    terrain.tiles.take(Tiles::activity, -1, 1, 16, active_);
+    terrain.bind(program_);
+    active_.buffer.bind_storage(1);
+    program_.set("cell_m", step.cell_m);
+    program_.set("repose_slope", step.repose_slope);
+    program_.set("face_share", step.face_share);
+    program_.dispatch_indirect(active_.buffer);
+    terrain.swap();
+}
+
+}  // namespace talus

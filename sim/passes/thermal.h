@@ -1,0 +1,43 @@
+#pragma once
+#include "sim/gpu/program.h"
+#include "sim/terrain/terrain.h"
+
+namespace talus {
+
+/// What a sub-step of thermal erosion is made with, in the units of shaders/maths/thermal.glsl. The twin takes the
+/// same numbers.
+struct ThermalStep {
+    float repose_slope = 0;  ///< tangent of the angle of repose
+    glm::vec2 cell_m{1};
+    glm::vec2 face_share{0};  ///< rate (m²/s) * sub-step (s) / spacing (m)
+};
+
+/// Thermal erosion settings with units.
+struct ThermalSettings {
+    double repose_deg = 33;
+    double rate_m2_per_s = 0;
+};
+
+/// Sub-steps that a span of time needs: rate * dt * (1/dx² + 1/dy²) <= 1/2 in each (docs/numerics.md).
+/// Throws talus::Error when there would be more than 10,000.
+int thermal_substeps(const Grid& grid, const ThermalSettings& settings, double span_s);
+
+/// One of `substeps` equal parts of the span.
+ThermalStep thermal_step(const Grid& grid, const ThermalSettings& settings, double span_s, int substeps);
+
+/// The largest rate (m²/s) whose tick is a single sub-step at four fifths of the stable length.
+double natural_thermal_rate(const Grid& grid, double span_s);
+
+/// Runs thermal erosion on the tiles that changed in the last sub-step, and their neighbours: the others would keep
+/// their bits (law 2).
+class Thermal {
+  public:
+    explicit Thermal(const Terrain& terrain);
+    void substep(Terrain& terrain, const ThermalStep& step);
+
+  private:
+    gpu::Program program_;
+    TileList active_;
+};
+
+}  // namespace talus

@@ -1,0 +1,38 @@
+#pragma once
+#include <vector>
+
+#include "shaders/maths/twin.h"
+#include "sim/terrain/grid.h"
+
+namespace talus::maths {
+
+/// The CPU twin of shaders/sim/thermal.comp: one sub-step over the whole terrain. In float it agrees with llvmpipe
+/// bit for bit; in double it says what float costs. Samples are (bedrock high, low, regolith high, low), metres.
+template <typename Real>
+struct ThermalTwin {
+    TALUS_TWIN_NAMES(Real)
+
+    int nx = 0;
+    int ny = 0;
+    real2 cell_m{1};
+    real repose_slope{1};
+    real2 face_share{0};
+    std::vector<real4> samples;
+
+    real4 load_solid(int2 at) const {
+        const int x = at.x < 0 ? 0 : (at.x >= nx ? nx - 1 : at.x);
+        const int y = at.y < 0 ? 0 : (at.y >= ny ? ny - 1 : at.y);
+        return samples[static_cast<std::size_t>(y) * nx + x];
+    }
+
+#include "maths/thermal.glsl"
+
+    void step() {
+        std::vector<real4> next(samples.size());
+        for (int y = 0; y < ny; ++y)
+            for (int x = 0; x < nx; ++x) next[static_cast<std::size_t>(y) * nx + x] = thermal_sample(int2(x, y));
+        samples.swap(next);
+    }
+};
+
+}  // namespace talus::maths

@@ -1,0 +1,24 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/terrain/grid.h"
+
+namespace talus {
+
+/// How a generated terrain looks.
+struct GeneratorSettings {
+    std::string kind = "mountains";  ///< one of generator_kinds()
+    std::uint32_t seed = 1;
+    double relief_m = 1000;  ///< from the lowest to the highest sample
+};
+
+/// mountains (ridged noise, its detail damped on slopes, domain warped), hills (fBm), flat (all 0).
+const std::vector<std::string>& generator_kinds();
+
+/// Heights in metres, row 0 north, lowest sample 0, highest relief_m. The same terrain at every grid of the same
+/// extent, and the same bits on every machine: + - * / sqrt floor and whole numbers only.
+std::vector<float> generate_heights(const Grid& grid, const GeneratorSettings& settings);
+
+}  // namespace talus

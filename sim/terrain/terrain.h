@@ -1,0 +1,73 @@
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "sim/gpu/program.h"
+#include "sim/gpu/texture.h"
+#include "sim/terrain/grid.h"
+#include "sim/terrain/tiles.h"
+
+namespace talus {
+
+/// Simulated time since the start.
+struct Clock {
+    std::int64_t ticks = 0;
+    double simulated_s = 0;
+    bool operator==(const Clock&) const = default;
+};
+
+/// Everything that a run continues from, in main memory: rows of samples, row 0 north, heights in metres as two
+/// words (high, low). What the document stores.
+struct TerrainState {
+    Grid grid;
+    std::vector<glm::vec2> bedrock;
+    std::vector<glm::vec2> regolith;
+    Clock clock;
+
+    /// Ground = bedrock + regolith, rounded to one float a sample.
+    std::vector<float> ground() const;
+};
+
+/// A terrain of one layer of bedrock. Throws talus::Error when the grid cannot be used.
+TerrainState bedrock_terrain(const Grid& grid, const std::vector<float>& heights_m);
+
+/// A hash of all bits of a state: grid, layers with their low words, clock.
+std::uint64_t state_hash(const TerrainState& state);
+
+/// A layer on the device: passes read `front` and write `back`. Both hold the same bits in tiles at rest.
+struct Layer {
+    gpu::Texture front;
+    gpu::Texture back;
+};
+
+/// The layers on the device, the ground that follows them, and the set of changed tiles.
+class Terrain {
+  public:
+    explicit Terrain(const TerrainState& state);
+
+    const Grid& grid() const { return grid_; }
+    Layer bedrock;         ///< m, two words
+    Layer regolith;        ///< m, two words
+    gpu::Texture ground;   ///< m, one float: what the eye sees; every pass that writes layers writes it too
+    gpu::Texture start;    ///< m, two words: the ground when the terrain was made, for the ledger
+    Tiles tiles;
+
+    /// Binds layers, ground and flags as shaders/sim/samples.glsl expects them, and sets its uniforms.
+    void bind(gpu::Program& program) const;
+    /// The back images become the front ones.
+    void swap();
+    /// After back was written in these samples outside of a swap: front gets the same bits.
+    void settle(const gpu::Region& samples);
+    /// After layers were written from outside in these samples: front and back hold them, ground follows.
+    void refresh(const gpu::Region& samples);
+
+    /// Reads the layers back. Waits for the device. The clock is left at 0.
+    TerrainState read() const;
+
+  private:
+    Grid grid_;
+    gpu::Program ground_program_;
+};
+
+}  // namespace talus

@@ -1,0 +1,52 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "sim/gpu/buffer.h"
+#include "sim/gpu/program.h"
+#include "sim/gpu/texture.h"
+#include "sim/terrain/grid.h"
+
+namespace talus {
+
+/// A list of tiles on the device, made there: the arguments of an indirect dispatch, then the tiles' indices.
+struct TileList {
+    explicit TileList(int tile_count);
+    gpu::Buffer buffer;
+};
+
+/// The one set of changed tiles. Whatever writes samples marks their tile for all readers at once; each reader
+/// lists and clears its own mark, so that work follows what changed and nothing is read back.
+class Tiles {
+  public:
+    enum Mark : std::uint32_t { surface = 1, activity = 2, undo = 4 };
+
+    explicit Tiles(const Grid& grid);
+
+    int columns() const { return columns_; }
+    int rows() const { return rows_; }
+    int count() const { return columns_ * rows_; }
+    /// The samples of a tile, cut at the terrain's edge.
+    gpu::Region region(int tile) const;
+    /// The tiles that a rectangle of samples touches, cut at the terrain's edge; empty when it lies outside.
+    std::vector<int> touched_by(const gpu::Region& samples) const;
+
+    const gpu::Buffer& flags() const { return flags_; }
+    void mark_all() { flags_.fill(surface | activity | undo); }
+    /// Lists the tiles that carry the mark, or have a neighbour at an offset from reach_low to reach_high that does,
+    /// then clears the mark everywhere. The list's dispatch is groups_per_tile x tiles x 1.
+    void take(Mark mark, int reach_low, int reach_high, int groups_per_tile, TileList& list);
+    void clear(Mark mark);
+    /// Which tiles carry the mark. Waits for the device.
+    std::vector<bool> read(Mark mark) const;
+
+  private:
+    Grid grid_;
+    int columns_;
+    int rows_;
+    gpu::Buffer flags_;
+    gpu::Program list_program_;
+    gpu::Program clear_program_;
+};
+
+}  // namespace talus
