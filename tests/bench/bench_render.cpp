@@ -1,0 +1,148 @@
+// The exact caster against Embree's grid geometry, same rays, same threads.
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <thread>
+
+#include "render/methods/method.h"
+#include "sim/terrain/generate.h"
+#include "tests/bench/measure.h"
+
+namespace talus::bench {
+namespace {
+
+constexpr int width = 1280;
+constexpr int height = 720;
+
+class EmbreeGrid {
+  public:
+    EmbreeGrid(const Grid& grid, const std::vector<float>& heights) : grid_(grid) {
+        device_ = rtcNewDevice("threads=2");
+        scene_ = rtcNewScene(device_);
+        RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_GRID);
+        auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                                     3 * sizeof(float), grid.count()));
+        for (int row = 0; row < grid.ny; ++row)
+            for (int column = 0; column < grid.nx; ++column) {
+                const std::size_t i = static_cast<std::size_t>(row) * grid.nx + column;
+                vertices[3 * i] = static_cast<float>(column * grid.dx);
+                vertices[3 * i + 1] = static_cast<float>((grid.ny - 1 - row) * grid.dy);
+                vertices[3 * i + 2] = heights[i];
+            }
+        auto* grids = static_cast<RTCGrid*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_GRID, 0, RTC_FORMAT_GRID, sizeof(RTCGrid), 1));
+        grids[0] = {0, static_cast<unsigned>(grid.nx), static_cast<unsigned short>(grid.nx),
+                    static_cast<unsigned short>(grid.ny)};
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(scene_, geometry);
+        rtcReleaseGeometry(geometry);
+        rtcCommitScene(scene_);
+    }
+    ~EmbreeGrid() {
+        rtcReleaseScene(scene_);
+        rtcReleaseDevice(device_);
+    }
+    EmbreeGrid(const EmbreeGrid&) = delete;
+    EmbreeGrid& operator=(const EmbreeGrid&) = delete;
+
+    int cast(const Camera& camera) const {
+        const CameraRays rays = camera_rays(camera, width, height);
+        std::array<int, 2> hits{};
+        std::array<std::thread, 2> threads;
+        for (int t = 0; t < 2; ++t)
+            threads[t] = std::thread([&, t] {
+                for (int y = t; y < height / 2; y += 2)
+                    for (int x = 0; x < width; x += 4) hits[t] += packet(camera, rays, x, 2 * y);
+            });
+        for (std::thread& thread : threads) thread.join();
+        return hits[0] + hits[1];
+    }
+
+  private:
+    // 4 x 2 pixels.
+    int packet(const Camera& camera, const CameraRays& rays, int x0, int y0) const {
+        alignas(32) const std::array<int, 8> valid = {-1, -1, -1, -1, -1, -1, -1, -1};
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+        RTCRayHit8 r;
+        for (int i = 0; i < 8; ++i) {
+            const float sx = 2.0F * (static_cast<float>(x0 + i % 4) + 0.5F) / width - 1;
+            const float sy = 2.0F * (static_cast<float>(y0 + i / 4) + 0.5F) / height - 1;
+            const glm::vec3 d = glm::normalize(glm::vec3(rays.forward) + sx * glm::vec3(rays.right) + sy * glm::vec3(rays.up));
+            r.ray.org_x[i] = static_cast<float>(camera.eye.x);
+            r.ray.org_y[i] = static_cast<float>(camera.eye.y);
+            r.ray.org_z[i] = static_cast<float>(camera.eye.z);
+            r.ray.dir_x[i] = d.x;
+            r.ray.dir_y[i] = d.y;
+            r.ray.dir_z[i] = d.z;
+            r.ray.tnear[i] = 0;
+            r.ray.tfar[i] = HUGE_VALF;
+            r.ray.mask[i] = ~0U;
+            r.ray.flags[i] = 0;
+            r.ray.time[i] = 0;
+            r.ray.id[i] = 0;
+            r.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+            r.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+        }
+        rtcIntersect8(valid.data(), scene_, &context, &r);
+        int hits = 0;
+        for (int i = 0; i < 8; ++i) hits += r.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID ? 1 : 0;
+        return hits;
+    }
+
+    Grid grid_;
+    RTCDevice device_;
+    RTCScene scene_;
+};
+
+}  // namespace
+
+void bench_render() {
+    const Grid grid{2049, 2049, 10, 10};
+    const std::vector<float> heights = generate_heights(grid, {"mountains", 4, 2500});
+    Terrain terrain(bedrock_terrain(grid, heights));
+    Pyramid pyramid(terrain);
+    pyramid.refresh(terrain);
+    const EmbreeGrid embree(grid, heights);
+    const gpu::Texture hits("hits", gpu::Format::rg32f, width, height);
+    const std::array<const gpu::Texture*, 1> colours = {&hits};
+    const gpu::Framebuffer framebuffer("hits", colours);
+    const Method exact = make_exact();
+
+    const double extent = grid.width_m();
+    const double middle = heights[grid.count() / 2];
+    const std::vector<std::pair<std::string, Camera>> views = {
+        {"grazing", {{0.5 * extent, 0.5 * extent, middle + 60}, {0.9 * extent, 0.95 * extent, middle + 40}, 60}},
+        {"fly", {{0.15 * extent, 0.1 * extent, 3600}, {0.55 * extent, 0.6 * extent, 800}, 55}},
+        {"straight down", {{0.5 * extent, 0.5 * extent, 12000}, {0.5 * extent, 0.5 * extent, 0}, 60}},
+    };
+    fmt::print("pyramid: {:.2f} bytes a sample\n", static_cast<double>(pyramid.bytes()) / static_cast<double>(grid.count()));
+    fmt::print("{:<14} {:>14} {:>14} {:>8} {:>12} {:>12} {:>10}\n", "view", "Talus Mrays/s", "Embree Mrays/s", "ratio",
+               "Talus hits", "Embree hits", "steps");
+    for (const auto& [name, camera] : views) {
+        int embree_hits = 0;
+        const std::vector<double> seconds = interleave(
+            {{"talus",
+              [&] {
+                  exact({terrain, pyramid, camera, width, height, framebuffer});
+                  float texel[2];
+                  hits.read({0, 0, 1, 1}, std::as_writable_bytes(std::span(texel)));
+              }},
+             {"embree", [&] { embree_hits = embree.cast(camera); }}},
+            9);
+        int talus_hits = 0;
+        double steps = 0;
+        for (const glm::vec2 hit : hits.read_all<glm::vec2>()) {
+            talus_hits += std::isinf(hit.x) ? 0 : 1;
+            steps += hit.y;
+        }
+        const double rays = static_cast<double>(width) * height * 1e-6;
+        fmt::print("{:<14} {:>14.2f} {:>14.2f} {:>8.2f} {:>12} {:>12} {:>10.1f}\n", name, rays / seconds[0], rays / seconds[1],
+                   seconds[1] / seconds[0], talus_hits, embree_hits, steps / (rays * 1e6));
+    }
+}
+
+}  // namespace talus::bench

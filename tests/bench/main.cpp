@@ -1,0 +1,28 @@
+// Benchmarks: talus_bench render | update. Figures are process CPU time, interleaved, medians (docs/benchmarks.md).
+#include <fmt/format.h>
+
+#include <exception>
+#include <string_view>
+
+#include "sim/gpu/context.h"
+#include "tests/bench/measure.h"
+
+int main(int argc, char** argv) {
+    const std::string_view which = argc > 1 ? argv[1] : "";
+    if (which != "render" && which != "update") {
+        fmt::print(stderr, "usage: talus_bench render|update\n");
+        return 2;
+    }
+    try {
+        const talus::gpu::Context context;
+        fmt::print("{}\n", talus::gpu::describe(context.device()));
+        if (which == "render")
+            talus::bench::bench_render();
+        else
+            talus::bench::bench_update();
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "talus_bench: {}\n", error.what());
+        return 1;
+    }
+    return 0;
+}

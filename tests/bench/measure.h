@@ -1,0 +1,23 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace talus::bench {
+
+/// CPU seconds of this process so far, all threads.
+double process_cpu_s();
+
+/// What is compared: runs once per call, on all threads it wants.
+struct Contestant {
+    std::string name;
+    std::function<void()> run;
+};
+
+/// Median CPU seconds of each contestant over `rounds` interleaved rounds, after one that does not count.
+std::vector<double> interleave(const std::vector<Contestant>& contestants, int rounds);
+
+void bench_render();
+void bench_update();
+
+}  // namespace talus::bench
