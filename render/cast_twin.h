@@ -39,6 +39,7 @@ struct CastTwin {
                 for (int x = 0; x < width; ++x) cells[static_cast<std::size_t>(y) * width + x] = highest_below(level, x, y);
             tops.push_back(std::move(cells));
         }
+        for (const float top : tops.back()) highest_ = max(highest_, top);
     }
 
     float highest_below(int level, int x, int y) const {
@@ -61,6 +62,7 @@ struct CastTwin {
     real load_top(int2 cell, int level) const {
         return real(tops[level - 1][static_cast<std::size_t>(cell.y) * (tops_width >> (level - 1)) + cell.x]) - origin_height_m;
     }
+    real load_highest() const { return real(highest_) - origin_height_m; }
     real4 load_corners(int2 at) const {
         const float* row = heights.data() + static_cast<std::size_t>(at.y) * (patches.x + 1) + at.x;
         const float* below = row + patches.x + 1;
@@ -86,6 +88,7 @@ struct CastTwin {
     CastHit cast_pixel(real x, real y) { return cast_ray(cell_, fraction_, pixel_ray(real2(x, y)), real(0), 5); }
 
   private:
+    float highest_ = -HUGE_VALF;
     int2 cell_{0};
     real2 fraction_{0};
 };

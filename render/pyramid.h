@@ -6,8 +6,8 @@
 namespace talus {
 
 /// The highest and lowest sample of blocks of patches: level l covers 2^l x 2^l patches, from level 1 up to
-/// top_level(); level 0 is a patch's four samples and is not stored. Mip level l - 1 of a texture is level l.
-/// Cells without a patch hold -infinity and infinity.
+/// top_level(); level 0 is a patch's four samples and is not stored. Cells without a patch hold -infinity and
+/// infinity. All levels lie in one image, as shaders/render/pyramid_layout.glsl says.
 class Pyramid {
   public:
     /// Allocates; nothing is built before the first refresh().
@@ -16,21 +16,21 @@ class Pyramid {
     /// Rebuilds the cells over tiles whose surface mark is set, in this terrain, and clears the mark.
     void refresh(Terrain& terrain);
 
-    int top_level() const { return highest.levels(); }
-    std::size_t bytes() const;
+    int top_level() const { return top_level_; }
+    glm::ivec2 level_1_size() const { return level_1_size_; }
+    std::size_t bytes() const { return 2 * sizeof(float) * highest.width() * highest.height(); }
+    /// Binds the max pyramid and the ground for shaders/render/surface.glsl and sets its uniforms.
+    void bind(gpu::Program& program, const Terrain& terrain) const;
 
     gpu::Texture highest;
     gpu::Texture lowest;
 
   private:
-    struct Half {
-        gpu::Program low_levels;
-        gpu::Program high_levels;
-    };
-    void refresh(Half& half, gpu::Texture& bounds, const Terrain& terrain);
-
-    Half max_;
-    Half min_;
+    int top_level_;
+    glm::ivec2 level_1_size_;
+    gpu::Program low_levels_;
+    gpu::Program high_levels_;
+    gpu::Program whole_;
     TileList dirty_;
 };
 

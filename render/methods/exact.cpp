@@ -5,10 +5,8 @@ namespace talus {
 Method make_exact() {
     auto program = std::make_shared<gpu::Program>(std::vector<std::string>{"render/fullscreen.vert", "render/exact.frag"});
     return [program](const Frame& frame) {
-        frame.terrain.ground.bind_sampled(0);
-        frame.pyramid.highest.bind_sampled(1);
+        frame.pyramid.bind(*program, frame.terrain);
         set_camera(*program, frame.terrain.grid(), frame.camera, frame.width, frame.height);
-        program->set("top_level", frame.pyramid.top_level());
         program->set("start_level", 5);
         frame.hits.bind({0, 0, frame.width, frame.height});
         program->draw_fullscreen();

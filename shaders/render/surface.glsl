@@ -1,8 +1,8 @@
 // The surface as shaders of render read it: ground samples and the max pyramid over the patches between them.
-#include "maths/glsl_types.glsl"
+#include "render/pyramid_layout.glsl"
 
 layout(binding = 0) uniform sampler2D ground;
-layout(binding = 1) uniform sampler2D tops;   // mip level l - 1 holds pyramid level l
+layout(binding = 1) uniform sampler2D tops;
 
 uniform int2 patches;
 uniform int top_level;
@@ -12,8 +12,10 @@ uniform real2 origin_fraction;
 uniform real2 origin_height_m;  // the eye's height, two words
 
 real load_top(int2 cell, int level) {
-    return (texelFetch(tops, cell, level - 1).r - origin_height_m.x) - origin_height_m.y;
+    return (texelFetch(tops, pyramid_texel(cell, level), 0).r - origin_height_m.x) - origin_height_m.y;
 }
+
+real load_highest() { return (texelFetch(tops, whole_texel(), 0).r - origin_height_m.x) - origin_height_m.y; }
 
 real4 load_corners(int2 at) {
     real4 z = textureGather(ground, vec2(at + 1) / vec2(patches + 1)).wzxy;

@@ -1,19 +1,21 @@
-// Benchmarks: talus_bench render | update. Figures are process CPU time, interleaved, medians (docs/benchmarks.md).
+// Benchmarks: talus_bench render | update [SHADER_DIR]. Figures are process CPU time, interleaved, medians (docs/benchmarks.md).
 #include <fmt/format.h>
 
 #include <exception>
 #include <string_view>
 
 #include "sim/gpu/context.h"
+#include "sim/gpu/program.h"
 #include "tests/bench/measure.h"
 
 int main(int argc, char** argv) {
     const std::string_view which = argc > 1 ? argv[1] : "";
     if (which != "render" && which != "update") {
-        fmt::print(stderr, "usage: talus_bench render|update\n");
+        fmt::print(stderr, "usage: talus_bench render|update [SHADER_DIR]\n");
         return 2;
     }
     try {
+        if (argc > 2) talus::gpu::use_shader_folder(argv[2]);
         const talus::gpu::Context context;
         fmt::print("{}\n", talus::gpu::describe(context.device()));
         if (which == "render")
