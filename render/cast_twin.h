@@ -12,6 +12,7 @@ template <typename Real>
 struct CastTwin {
     TALUS_TWIN_NAMES(Real)
 
+    static constexpr bool count_steps = true;
     int2 patches{0};
     int top_level = 0;
     real2 cell_m{1};

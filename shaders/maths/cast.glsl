@@ -6,15 +6,17 @@
 //   real4 load_corners(int2 patch)          its four samples over the origin height
 //   patches     int2, number of patches (columns - 1, rows - 1)
 //   top_level   int, the coarsest level of the pyramid
+//   count_steps bool, a constant: false where nobody reads the steps of the walk, which cost a quarter of the time
 #include "maths/patch.glsl"
 
 struct CastHit {
     real distance_m;  // along the ray; < 0: nothing hit
     int2 cell;        // the patch that was hit
-    int steps;        // cells visited, all levels together
+    int steps;        // patches visited, and with count_steps the pyramid's cells too
 };
 
-// Beyond this many cells something is wrong: a ray crosses fewer than 4 * (nx + ny) of any pyramid.
+// Beyond this many something is wrong: a ray crosses fewer than 4 * (columns + rows) cells of any pyramid, and every
+// step of the walk gets on.
 const int cast_step_limit = 131072;
 
 real cast_inverse(real d) {
@@ -23,7 +25,7 @@ real cast_inverse(real d) {
 }
 
 // origin_cell + fraction: where the ray starts, in columns and rows; direction: columns, rows and metres of height
-// per metre of ray; from_m: where on the ray to start looking; start_level: where in the pyramid.
+// per metre of ray; from_m: where on the ray to start looking; start_level: where in the pyramid, 3 or more.
 // The ground is solid: a ray that starts below it, or enters its side below it, hits there.
 CastHit cast_ray(int2 origin_cell, real2 fraction, real3 direction, real from_m, int start_level) {
     CastHit hit;
@@ -51,7 +53,13 @@ CastHit cast_ray(int2 origin_cell, real2 fraction, real3 direction, real from_m,
     begin = direction.z < real(0) ? max(begin, crossing) : begin;
     end = direction.z < real(0) ? end : min(end, crossing);
 
-    int level = min(start_level, top_level);
+    // A cell's lowest point of the ray is where it leaves, going down, or where it enters. As factors, not selects.
+    real down = direction.z < real(0) ? direction.z : real(0);
+    real up_or_level = direction.z < real(0) ? real(0) : direction.z;
+    real fall = direction.z < real(0) ? inverse_z : real(-1e30);
+
+    // An eye among the mountains meets ground soon; from above, most of the way is empty.
+    int level = min(begin > from_m ? start_level : start_level - 2, top_level);
     int2 cell = int2(origin_cell.x + int(floor(fraction.x + begin * direction.x)),
                      origin_cell.y + int(floor(fraction.y + begin * direction.y)));
     cell = int2(min(max(cell.x, 0), patches.x - 1) >> level, min(max(cell.y, 0), patches.y - 1) >> level);
@@ -62,17 +70,19 @@ CastHit cast_ray(int2 origin_cell, real2 fraction, real3 direction, real from_m,
     do {
         // Walk the pyramid down to a patch that the ray may meet. Selects instead of branches: lanes stay together.
         do {
-            hit.steps += 1;
+            if (count_steps) hit.steps += 1;
             real top = load_top(cell, level);
             int2 far_plane = int2((cell.x + side.x) << level, (cell.y + side.y) << level);
             real far_x = (real(far_plane.x - origin_cell.x) - fraction.x) * inverse.x;
             real far_y = (real(far_plane.y - origin_cell.y) - fraction.y) * inverse.y;
             real leave = min(far_x, far_y);
-            bool descend = direction.z * (direction.z < real(0) ? leave : at) <= top;
+            bool descend = leave * down + at * up_or_level <= top;
 
             // Down: to the half that the ray is in when it has come down to the cell's top.
-            real drop = direction.z < real(0) ? max(at, top * inverse_z) : at;
-            int2 middle = int2((2 * cell.x + 1) << (level - 1), (2 * cell.y + 1) << (level - 1));
+            real drop = max(at, top * fall);
+            int half_cell = (1 << level) >> 1;
+            int2 middle = int2(far_plane.x + (side.x == 1 ? -half_cell : half_cell),
+                               far_plane.y + (side.y == 1 ? -half_cell : half_cell));
             real middle_x = (real(middle.x - origin_cell.x) - fraction.x) * inverse.x;
             real middle_y = (real(middle.y - origin_cell.y) - fraction.y) * inverse.y;
             int2 child = int2(2 * cell.x + (drop >= middle_x ? side.x : 1 - side.x),
@@ -84,11 +94,11 @@ CastHit cast_ray(int2 origin_cell, real2 fraction, real3 direction, real from_m,
             int up = level < top_level && ((by_x ? cell.x : cell.y) & 1) == (by_x ? side.x : side.y) ? 1 : 0;
 
             at = descend ? drop : leave;
-            inside = inside && at < end;
             cell = int2(descend ? child.x : next.x >> up, descend ? child.y : next.y >> up);
-            level += descend ? -1 : up;
-        } while (level > 0 && inside);
+            level = at < end ? level + (descend ? -1 : up) : -1;  // -1: beyond the terrain
+        } while (level > 0);
 
+        inside = level == 0;
         if (inside) {
             // The patch: signs at entry and exit decide, the quadratic says where.
             hit.steps += 1;

@@ -1,4 +1,9 @@
 // Method "exact": every pixel's ray walks the pyramid to the bilinear surface.
+#ifdef COUNT_STEPS
+const bool count_steps = true;
+#else
+const bool count_steps = false;
+#endif
 #include "render/surface.glsl"
 #include "render/picture.glsl"
 #include "maths/cast.glsl"
