@@ -1,0 +1,40 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/operation.h"
+
+namespace talus {
+
+/// How the terrain began, so that a replay can begin the same way.
+struct JournalStart {
+    std::string input;         ///< the file that was opened, empty where the terrain was generated
+    std::string parameters;    ///< simulation parameters as TOML
+    std::string import_guess;  ///< how the file was read, as the app's import settings write themselves
+    std::uint64_t hash = 0;    ///< of the terrain before the first operation
+};
+
+/// The list of what was done since the start. Runs of ticks are one entry.
+class Journal {
+  public:
+    void record(const Operation& operation);
+    const std::vector<Operation>& operations() const { return operations_; }
+
+    /// Puts operations as they stood at another time.
+    void replace(std::vector<Operation> operations) { operations_ = std::move(operations); }
+
+  private:
+    std::vector<Operation> operations_;
+};
+
+/// A journal as text, a line of JSON an operation, the start first; and back. Throws talus::Error naming the source
+/// and the line when it is not a journal.
+std::string write_journal(const JournalStart& start, const Journal& journal);
+struct JournalFile {
+    JournalStart start;
+    std::vector<Operation> operations;
+};
+JournalFile read_journal(const std::string& text, const std::string& source);
+
+}  // namespace talus

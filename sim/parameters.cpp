@@ -1,0 +1,112 @@
+#include "sim/parameters.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "sim/gpu/error.h"
+
+namespace talus {
+
+Parameter number(std::string name, double preset, double low, double high, std::string unit, std::string help) {
+    return {std::move(name), preset, low, high, std::move(unit), std::move(help), {}};
+}
+Parameter whole(std::string name, int preset, int low, int high, std::string unit, std::string help) {
+    return {std::move(name), preset, static_cast<double>(low), static_cast<double>(high), std::move(unit), std::move(help), {}};
+}
+Parameter toggle(std::string name, bool preset, std::string help) {
+    return {std::move(name), preset, 0, 1, "", std::move(help), {}};
+}
+Parameter choice(std::string name, std::string preset, std::vector<std::string> choices, std::string help) {
+    return {std::move(name), std::move(preset), 0, 0, "", std::move(help), std::move(choices)};
+}
+
+std::string to_text(const Value& value) {
+    if (const auto* on = std::get_if<bool>(&value)) return *on ? "true" : "false";
+    if (const auto* count = std::get_if<int>(&value)) return std::to_string(*count);
+    if (const auto* real = std::get_if<double>(&value)) return fmt::format("{}", *real);
+    return std::get<std::string>(value);
+}
+
+Parameters::Parameters(std::vector<Parameter> declared) : declared_(std::move(declared)) {
+    for (const Parameter& parameter : declared_) values_.emplace(parameter.name, parameter.preset);
+}
+
+const Parameter& Parameters::declaration(std::string_view name) const {
+    const auto found = std::find_if(declared_.begin(), declared_.end(), [&](const Parameter& p) { return p.name == name; });
+    if (found == declared_.end())
+        throw Error(fmt::format("there is no parameter '{}', 'talus parameters' lists them", name));
+    return *found;
+}
+
+const Value& Parameters::value(std::string_view name) const {
+    const auto found = values_.find(name);
+    if (found == values_.end())
+        throw Error(fmt::format("there is no parameter '{}', 'talus parameters' lists them", name));
+    return found->second;
+}
+
+bool Parameters::is_given(std::string_view name) const { return given_.contains(name); }
+
+Value Parameters::checked(const Parameter& p, const Value& value) const {
+    Value v = value;
+    // A whole number will do where a number is wanted, and the other way round where nothing is lost.
+    if (std::holds_alternative<double>(p.preset) && std::holds_alternative<int>(v)) v = static_cast<double>(std::get<int>(v));
+    if (std::holds_alternative<int>(p.preset) && std::holds_alternative<double>(v)) {
+        const double real = std::get<double>(v);
+        if (real == std::floor(real) && std::abs(real) < 2e9) v = static_cast<int>(real);
+    }
+    if (v.index() != p.preset.index()) {
+        const char* wanted = std::holds_alternative<bool>(p.preset)  ? "true or false"
+                             : std::holds_alternative<int>(p.preset) ? "a whole number"
+                             : std::holds_alternative<double>(p.preset) ? "a number"
+                                                                        : "a name in quotes";
+        throw Error(fmt::format("{} cannot be '{}', it must be {}", p.name, to_text(value), wanted));
+    }
+    if (const auto* text = std::get_if<std::string>(&v)) {
+        if (std::find(p.choices.begin(), p.choices.end(), *text) == p.choices.end())
+            throw Error(fmt::format("{} cannot be '{}', it must be one of: {}", p.name, *text, fmt::join(p.choices, ", ")));
+    } else if (!std::holds_alternative<bool>(v)) {
+        const double real = std::holds_alternative<int>(v) ? std::get<int>(v) : std::get<double>(v);
+        if (!(real >= p.low && real <= p.high))
+            throw Error(fmt::format("{} = {} is out of range, it must be {} to {}{}{}", p.name, to_text(value), p.low, p.high,
+                                    p.unit.empty() ? "" : " ", p.unit));
+    }
+    return v;
+}
+
+void Parameters::set(std::string_view name, const Value& value) {
+    const Value v = checked(declaration(name), value);
+    values_.find(name)->second = v;
+    given_[std::string(name)] = true;
+}
+
+void Parameters::set_text(std::string_view name, const std::string& text) {
+    const Parameter& p = declaration(name);
+    if (std::holds_alternative<std::string>(p.preset)) return set(name, text);
+    if (text == "true" || text == "false") return set(name, text == "true");
+    double real = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), real);
+    if (error != std::errc() || end != text.data() + text.size()) return set(name, Value(text));
+    set(name, real);
+}
+
+void Parameters::set_assignment(const std::string& assignment) {
+    const auto at = assignment.find('=');
+    if (at == std::string::npos)
+        throw Error(fmt::format("'{}' sets nothing, write it as section.name=value", assignment));
+    set_text(assignment.substr(0, at), assignment.substr(at + 1));
+}
+
+void Parameters::suggest(std::string_view name, const Value& value) {
+    if (is_given(name)) return;
+    const Parameter& p = declaration(name);
+    Value v = value;
+    if (auto* real = std::get_if<double>(&v)) *real = std::clamp(*real, p.low, p.high);
+    values_.find(name)->second = checked(p, v);
+}
+
+}  // namespace talus

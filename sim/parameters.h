@@ -1,0 +1,67 @@
+#pragma once
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace talus {
+
+/// A parameter's value: a switch, a whole number, a number, or one of the declared choices by name.
+using Value = std::variant<bool, int, double, std::string>;
+
+/// One declared parameter (law 8): panels, preset keys, --set, help and the docs come from it.
+struct Parameter {
+    std::string name;  ///< section.name
+    Value preset;      ///< the default; its type is the parameter's type
+    double low = 0;    ///< numbers: smallest allowed
+    double high = 0;   ///< numbers: largest allowed
+    std::string unit;
+    std::string help;
+    std::vector<std::string> choices;  ///< names, for text parameters
+};
+
+Parameter number(std::string name, double preset, double low, double high, std::string unit, std::string help);
+Parameter whole(std::string name, int preset, int low, int high, std::string unit, std::string help);
+Parameter toggle(std::string name, bool preset, std::string help);
+Parameter choice(std::string name, std::string preset, std::vector<std::string> choices, std::string help);
+
+/// The value as presets, journals and --set write it; numbers keep every bit.
+std::string to_text(const Value& value);
+
+/// The declared parameters with their present values. Values outside of a declared range never get in.
+class Parameters {
+  public:
+    explicit Parameters(std::vector<Parameter> declared);
+
+    const std::vector<Parameter>& declared() const { return declared_; }
+    const Parameter& declaration(std::string_view name) const;
+    const Value& value(std::string_view name) const;
+    /// True once a preset, a person or a file gave the value; false while it is the default.
+    bool is_given(std::string_view name) const;
+
+    double number(std::string_view name) const { return std::get<double>(value(name)); }
+    int whole(std::string_view name) const { return std::get<int>(value(name)); }
+    bool toggle(std::string_view name) const { return std::get<bool>(value(name)); }
+    const std::string& choice(std::string_view name) const { return std::get<std::string>(value(name)); }
+
+    /// Throws talus::Error for an unknown name, a wrong type or a value out of range, and changes nothing then.
+    void set(std::string_view name, const Value& value);
+    /// The same from text, as in --set thermal.repose_deg=30.
+    void set_text(std::string_view name, const std::string& text);
+    /// From "name=value".
+    void set_assignment(const std::string& assignment);
+    /// Sets a default that depends on the terrain: only where nobody gave a value, and still counted as not given.
+    void suggest(std::string_view name, const Value& value);
+
+    bool operator==(const Parameters& other) const { return values_ == other.values_; }
+
+  private:
+    Value checked(const Parameter& parameter, const Value& value) const;
+
+    std::vector<Parameter> declared_;
+    std::map<std::string, Value, std::less<>> values_;
+    std::map<std::string, bool, std::less<>> given_;
+};
+
+}  // namespace talus

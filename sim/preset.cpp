@@ -1,0 +1,105 @@
+#include "sim/preset.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <toml++/toml.h>
+
+#include "sim/gpu/embedded_text.h"
+#include "sim/gpu/error.h"
+
+namespace talus {
+namespace {
+
+toml::table parse(const std::string& text, const std::string& source) {
+    try {
+        return toml::parse(text, source);
+    } catch (const toml::parse_error& error) {
+        throw Error(fmt::format("{}: line {} is not TOML: {}", source, error.source().begin.line, error.description()));
+    }
+}
+
+Preset read(const std::string& name, const std::string& text, const std::string& source) {
+    const toml::table table = parse(text, source);
+    return {name, table["title"].value_or(name), table["description"].value_or(std::string()), text};
+}
+
+}  // namespace
+
+std::vector<Preset> built_in_presets() {
+    std::vector<Preset> presets;
+    for (const auto& [file, text] : embedded_presets()) {
+        const std::string name = file.substr(0, file.rfind('.'));
+        presets.push_back(read(name, std::string(text), "preset " + name));
+    }
+    return presets;
+}
+
+Preset find_preset(const std::string& name_or_path) {
+    if (name_or_path.ends_with(".toml")) {
+        std::ifstream file(name_or_path, std::ios::binary);
+        if (!file) throw Error(fmt::format("preset '{}' cannot be read, no such file", name_or_path));
+        const std::string text{std::istreambuf_iterator<char>(file), {}};
+        return read(std::filesystem::path(name_or_path).stem().string(), text, name_or_path);
+    }
+    std::string names;
+    for (Preset& preset : built_in_presets()) {
+        if (preset.name == name_or_path) return preset;
+        names += (names.empty() ? "" : ", ") + preset.name;
+    }
+    throw Error(fmt::format("there is no preset '{}', use one of: {}, or a file ending in .toml", name_or_path, names));
+}
+
+void apply_preset(const Preset& preset, Parameters& parameters) {
+    from_toml(preset.text, "preset " + preset.name, parameters);
+}
+
+std::string to_toml(const Parameters& parameters) {
+    std::string text;
+    std::string section;
+    for (const Parameter& p : parameters.declared()) {
+        const Value& value = parameters.value(p.name);
+        if (value == p.preset && !parameters.is_given(p.name)) continue;
+        const auto dot = p.name.find('.');
+        if (p.name.substr(0, dot) != section) {
+            section = p.name.substr(0, dot);
+            text += fmt::format("[{}]\n", section);
+        }
+        std::string written = to_text(value);
+        if (std::holds_alternative<std::string>(value)) written = '"' + written + '"';
+        if (std::holds_alternative<double>(value) && written.find_first_of(".einf") == std::string::npos) written += ".0";
+        text += fmt::format("{} = {}\n", p.name.substr(dot + 1), written);
+    }
+    return text;
+}
+
+void from_toml(const std::string& text, const std::string& source, Parameters& parameters) {
+    const toml::table table = parse(text, source);
+    Parameters changed = parameters;
+    for (const auto& [section, node] : table) {
+        const std::string_view name = section.str();
+        if (!node.is_table()) {
+            if (name == "title" || name == "description") continue;
+            throw Error(fmt::format("{}: unknown key '{}', only title, description and [sections] stand at the top", source, name));
+        }
+        for (const auto& [key, value] : *node.as_table()) {
+            const std::string full = fmt::format("{}.{}", name, key.str());
+            try {
+                if (const auto on = value.value_exact<bool>())
+                    changed.set(full, *on);
+                else if (const auto text_value = value.value_exact<std::string>())
+                    changed.set(full, *text_value);
+                else if (const auto real = value.value<double>())
+                    changed.set(full, *real);
+                else
+                    throw Error(fmt::format("{} must be a number, a text or true or false", full));
+            } catch (const Error& error) {
+                throw Error(fmt::format("{}: {}", source, error.what()));
+            }
+        }
+    }
+    parameters = changed;
+}
+
+}  // namespace talus

@@ -1,0 +1,111 @@
+#include "sim/simulation.h"
+
+#include "sim/gpu/error.h"
+
+namespace talus {
+
+Simulation::Simulation(const TerrainState& state, Parameters parameters, std::size_t undo_bytes)
+    : terrain_(state),
+      brush_(terrain_),
+      thermal_(terrain_),
+      ledger_(terrain_),
+      moment_{state.clock, parameters, {}},
+      undo_(undo_bytes),
+      keeps_undo_(undo_bytes > 0) {
+    moment_.parameters.suggest("thermal.rate_m2_per_s",
+                               natural_thermal_rate(state.grid, parameters.number("time.tick_s")));
+}
+
+void Simulation::apply(const Operation& operation) {
+    if (const auto* ticks = std::get_if<Ticks>(&operation)) {
+        for (std::int64_t i = 0; i < ticks->count; ++i)
+            while (!advance(1 << 20)) {
+            }
+        return;
+    }
+    if (mid_tick()) throw Error("a tick is half done: complete it before anything else is applied");
+    if (const auto* set = std::get_if<SetParameter>(&operation)) {
+        Parameters changed = moment_.parameters;
+        changed.set(set->name, set->value);
+        const bool entry = keeps_undo_ && !undo_.is_open();
+        if (entry) undo_.open(set->name, terrain_, brush_, moment_now());
+        moment_.parameters = changed;
+        journal_.record(operation);
+        if (entry) undo_.close(terrain_);
+        // Rest was decided under the old values.
+        terrain_.tiles.mark_all();
+        return;
+    }
+    do_dab(std::get<Dab>(operation));
+    journal_.record(operation);
+}
+
+void Simulation::do_dab(const Dab& dab) {
+    if (keeps_undo_) {
+        if (!undo_.is_open()) undo_.open("dab", terrain_, brush_, moment_now());
+        undo_.keep(terrain_, terrain_.tiles.touched_by(dab_region(terrain_.grid(), dab)));
+    }
+    brush_.dab(terrain_, dab);
+}
+
+bool Simulation::advance(int substeps) {
+    const Parameters& parameters = moment_.parameters;
+    const double tick_s = parameters.number("time.tick_s");
+    const bool thermal = parameters.toggle("thermal.on");
+    if (substeps_done_ == 0) {
+        const ThermalSettings settings{parameters.number("thermal.repose_deg"), parameters.number("thermal.rate_m2_per_s")};
+        substeps_of_tick_ = thermal ? thermal_substeps(terrain_.grid(), settings, tick_s) : 0;
+        if (thermal) step_ = thermal_step(terrain_.grid(), settings, tick_s, substeps_of_tick_);
+        if (keeps_undo_) {
+            if (!undo_.is_open()) undo_.open("run", terrain_, brush_, moment_now());
+            undo_.keep_all(terrain_);
+        }
+    }
+    for (; substeps > 0 && substeps_done_ < substeps_of_tick_; --substeps, ++substeps_done_)
+        thermal_.substep(terrain_, step_);
+    if (substeps_done_ < substeps_of_tick_) return false;
+    substeps_done_ = 0;
+    moment_.clock.ticks += 1;
+    moment_.clock.simulated_s += tick_s;
+    journal_.record(Ticks{1});
+    return true;
+}
+
+void Simulation::begin_stroke(const std::string& name) {
+    if (!keeps_undo_) return;
+    end_entry();
+    undo_.open(name, terrain_, brush_, moment_now());
+}
+
+void Simulation::end_entry() { undo_.close(terrain_); }
+
+Moment Simulation::moment_now() const { return {moment_.clock, moment_.parameters, journal_.operations()}; }
+
+void Simulation::exchange(void (Undo::*way)(Terrain&, Brush&, Moment&)) {
+    while (mid_tick()) advance(1 << 20);
+    end_entry();
+    Moment now = moment_now();
+    (undo_.*way)(terrain_, brush_, now);
+    journal_.replace(std::move(now.operations));
+    moment_.clock = now.clock;
+    moment_.parameters = now.parameters;
+    terrain_.tiles.mark_all();
+}
+
+void Simulation::undo() {
+    if (can_undo()) exchange(&Undo::undo);
+}
+
+void Simulation::redo() {
+    if (can_redo()) exchange(&Undo::redo);
+}
+
+LedgerReading Simulation::ledger() { return ledger_.read(terrain_, brush_); }
+
+TerrainState Simulation::read() const {
+    TerrainState state = terrain_.read();
+    state.clock = moment_.clock;
+    return state;
+}
+
+}  // namespace talus

@@ -1,0 +1,76 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/journal.h"
+#include "sim/ledger.h"
+#include "sim/operation.h"
+#include "sim/parameters.h"
+#include "sim/passes/brush.h"
+#include "sim/passes/thermal.h"
+#include "sim/terrain/terrain.h"
+#include "sim/undo.h"
+
+namespace talus {
+
+/// The terrain and all that changes it. Every change comes in as an Operation and is recorded; window, command line
+/// and replay differ in nothing else.
+///
+///     Simulation simulation(state, parameters);
+///     simulation.apply(Ticks{300});
+///     const std::uint64_t hash = state_hash(simulation.read());
+class Simulation {
+  public:
+    /// undo_bytes 0: no undo, as in headless runs.
+    Simulation(const TerrainState& state, Parameters parameters, std::size_t undo_bytes = 0);
+
+    Terrain& terrain() { return terrain_; }
+    const Terrain& terrain() const { return terrain_; }
+    const Parameters& parameters() const { return moment_.parameters; }
+    const Clock& clock() const { return moment_.clock; }
+    const Journal& journal() const { return journal_; }
+
+    /// Does it and records it. Throws talus::Error, with nothing changed, for a parameter that cannot be set so, and
+    /// for a dab while a tick is half done.
+    void apply(const Operation& operation);
+
+    /// A tick in parts: runs up to `substeps` sub-steps of the present tick, or of the next one, and says whether a
+    /// tick was completed (and recorded).
+    bool advance(int substeps);
+    bool mid_tick() const { return substeps_done_ > 0; }
+
+    /// A stroke is one entry of undo; ticks between belong to it.
+    void begin_stroke(const std::string& name);
+    /// Ends a stroke or a run of ticks.
+    void end_entry();
+    bool can_undo() const { return undo_.can_undo(); }
+    bool can_redo() const { return undo_.can_redo(); }
+    const Undo& undo_history() const { return undo_; }
+    /// To the bit: layers, residual words, clock, parameters, ledger, journal. A half done tick is completed first.
+    void undo();
+    void redo();
+
+    LedgerReading ledger();
+    /// The whole state. Waits for the device.
+    TerrainState read() const;
+
+  private:
+    void do_dab(const Dab& dab);
+    void exchange(void (Undo::*way)(Terrain&, Brush&, Moment&));
+    Moment moment_now() const;
+
+    Terrain terrain_;
+    Brush brush_;
+    Thermal thermal_;
+    Ledger ledger_;
+    Moment moment_;
+    Journal journal_;
+    Undo undo_;
+    bool keeps_undo_;
+    int substeps_done_ = 0;
+    int substeps_of_tick_ = 0;
+    ThermalStep step_;
+};
+
+}  // namespace talus

@@ -1,0 +1,106 @@
+#include "sim/undo.h"
+
+#include <numeric>
+#include <utility>
+
+namespace talus {
+namespace {
+
+gpu::Buffer copy_tile(const Terrain& terrain, int tile) {
+    const gpu::Region region = terrain.tiles.region(tile);
+    const std::size_t layer = static_cast<std::size_t>(region.width) * region.height * sizeof(glm::vec2);
+    gpu::Buffer buffer("undo tile", 2 * layer);
+    terrain.bedrock.front.copy_to(buffer, 0, region);
+    terrain.regolith.front.copy_to(buffer, layer, region);
+    return buffer;
+}
+
+gpu::Buffer copy_books(const Brush& brush) {
+    gpu::Buffer buffer("undo books", brush.books.bytes());
+    buffer.copy_from(brush.books);
+    return buffer;
+}
+
+}  // namespace
+
+void Undo::open(std::string name, Terrain& terrain, const Brush& brush, Moment before) {
+    undone_.clear();
+    done_.push_back({std::move(name), {}, copy_books(brush), std::move(before), 0});
+    open_ = true;
+    all_kept_ = false;
+    // From here on the marks say what this entry changed.
+    terrain.tiles.clear(Tiles::undo);
+}
+
+void Undo::keep(const Terrain& terrain, const std::vector<int>& tiles) {
+    Entry& entry = done_.back();
+    for (const int tile : tiles) {
+        if (entry.tiles.contains(tile)) continue;
+        const auto kept = entry.tiles.emplace(tile, copy_tile(terrain, tile)).first;
+        entry.bytes += kept->second.bytes();
+    }
+}
+
+void Undo::keep_all(const Terrain& terrain) {
+    if (all_kept_) return;
+    std::vector<int> tiles(static_cast<std::size_t>(terrain.tiles.count()));
+    std::iota(tiles.begin(), tiles.end(), 0);
+    keep(terrain, tiles);
+    all_kept_ = true;
+}
+
+void Undo::close(Terrain& terrain) {
+    if (!open_) return;
+    open_ = false;
+    Entry& entry = done_.back();
+    const std::vector<bool> changed = terrain.tiles.read(Tiles::undo);
+    for (auto tile = entry.tiles.begin(); tile != entry.tiles.end();) {
+        if (changed[static_cast<std::size_t>(tile->first)]) {
+            ++tile;
+        } else {
+            entry.bytes -= tile->second.bytes();
+            tile = entry.tiles.erase(tile);
+        }
+    }
+    trim();
+}
+
+void Undo::trim() {
+    while (done_.size() > 1 && bytes() > capacity_bytes_) done_.pop_front();
+}
+
+std::size_t Undo::bytes() const {
+    std::size_t total = 0;
+    for (const Entry& entry : done_) total += entry.bytes;
+    for (const Entry& entry : undone_) total += entry.bytes;
+    return total;
+}
+
+void Undo::swap(Entry& entry, Terrain& terrain, Brush& brush, Moment& now) {
+    for (auto& [tile, kept] : entry.tiles) {
+        const gpu::Region region = terrain.tiles.region(tile);
+        gpu::Buffer present = copy_tile(terrain, tile);
+        terrain.bedrock.front.copy_from(kept, 0, region);
+        terrain.regolith.front.copy_from(kept, kept.bytes() / 2, region);
+        terrain.refresh(region);
+        std::swap(kept, present);
+    }
+    gpu::Buffer books = copy_books(brush);
+    brush.books.copy_from(entry.books);
+    std::swap(entry.books, books);
+    std::swap(entry.moment, now);
+}
+
+void Undo::undo(Terrain& terrain, Brush& brush, Moment& now) {
+    swap(done_.back(), terrain, brush, now);
+    undone_.push_back(std::move(done_.back()));
+    done_.pop_back();
+}
+
+void Undo::redo(Terrain& terrain, Brush& brush, Moment& now) {
+    swap(undone_.back(), terrain, brush, now);
+    done_.push_back(std::move(undone_.back()));
+    undone_.pop_back();
+}
+
+}  // namespace talus

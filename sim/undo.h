@@ -1,0 +1,64 @@
+#pragma once
+#include <deque>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/journal.h"
+#include "sim/passes/brush.h"
+#include "sim/terrain/terrain.h"
+
+namespace talus {
+
+/// What undo restores besides the layers.
+struct Moment {
+    Clock clock;
+    Parameters parameters;
+    std::vector<Operation> operations;
+};
+
+/// Undo and redo by tiles. An entry keeps the tiles as they were before an act, on the device; undoing swaps them with
+/// the present ones, so that the same entry redoes. Nothing is read back.
+class Undo {
+  public:
+    /// Beyond this many bytes the oldest entries go.
+    explicit Undo(std::size_t capacity_bytes) : capacity_bytes_(capacity_bytes) {}
+
+    /// Opens an entry and drops what could be redone. An open entry is closed first.
+    void open(std::string name, Terrain& terrain, const Brush& brush, Moment before);
+    bool is_open() const { return open_; }
+    /// Keeps these tiles as they are now, once per entry. Call before they change.
+    void keep(const Terrain& terrain, const std::vector<int>& tiles);
+    void keep_all(const Terrain& terrain);
+    /// Ends the open entry. Tiles that did not change are let go; an entry that changed nothing vanishes.
+    void close(Terrain& terrain);
+
+    bool can_undo() const { return !done_.empty(); }
+    bool can_redo() const { return !undone_.empty(); }
+    const std::string& undo_name() const { return done_.back().name; }
+    const std::string& redo_name() const { return undone_.back().name; }
+    /// Both swap the terrain, the brush's books and the moment with the entry's.
+    void undo(Terrain& terrain, Brush& brush, Moment& now);
+    void redo(Terrain& terrain, Brush& brush, Moment& now);
+
+    std::size_t bytes() const;
+
+  private:
+    struct Entry {
+        std::string name;
+        std::map<int, gpu::Buffer> tiles;  // bedrock, then regolith
+        gpu::Buffer books;
+        Moment moment;
+        std::size_t bytes = 0;
+    };
+    void swap(Entry& entry, Terrain& terrain, Brush& brush, Moment& now);
+    void trim();
+
+    std::size_t capacity_bytes_;
+    bool open_ = false;
+    bool all_kept_ = false;
+    std::deque<Entry> done_;
+    std::vector<Entry> undone_;
+};
+
+}  // namespace talus
