@@ -1,0 +1,105 @@
+#include "sim/io/atomic_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "sim/gpu/error.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason(int code) { return std::generic_category().message(code); }
+
+class Descriptor {
+  public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() {
+        if (number_ >= 0) ::close(number_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int get() const { return number_; }
+    int close() {
+        const int number = number_;
+        number_ = -1;
+        return ::close(number);
+    }
+
+  private:
+    int number_;
+};
+
+// The new file is readable by whom the old one was, or by whom any new file would be.
+mode_t mode_for(const fs::path& path) {
+    struct stat existing {};
+    if (::stat(path.c_str(), &existing) == 0) return existing.st_mode & 0777U;
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    return 0666U & ~mask;
+}
+
+bool write_all(int file, std::span<const std::byte> content) {
+    while (!content.empty()) {
+        const ssize_t written = ::write(file, content.data(), content.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return false;
+        content = content.subspan(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
+}  // namespace
+
+void write_atomically(const fs::path& path, std::span<const std::byte> content) {
+    // Past a size limit the signal would end the program; the write's own error says it better.
+    std::signal(SIGXFSZ, SIG_IGN);
+    std::error_code ignored;
+    const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
+    if (fs::is_directory(target, ignored))
+        throw Error(fmt::format("cannot write '{}': it is a folder, give a file's name", path.string()));
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    std::string temporary = (folder / ("." + target.filename().string() + ".XXXXXX")).string();
+    Descriptor file(::mkstemp(temporary.data()));
+    if (file.get() < 0) throw Error(fmt::format("cannot write '{}': {}", path.string(), reason(errno)));
+    bool ok = ::fchmod(file.get(), mode_for(target)) == 0 && write_all(file.get(), content) && ::fsync(file.get()) == 0;
+    int code = errno;
+    if (file.close() != 0 && ok) {
+        ok = false;
+        code = errno;
+    }
+    if (ok && ::rename(temporary.c_str(), target.c_str()) != 0) {
+        ok = false;
+        code = errno;
+    }
+    if (!ok) {
+        ::unlink(temporary.c_str());
+        throw Error(fmt::format("cannot write '{}': {}", path.string(), reason(code)));
+    }
+    const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY));
+    if (directory.get() >= 0) ::fsync(directory.get());
+}
+
+void write_atomically(const fs::path& path, std::string_view content) {
+    write_atomically(path, std::as_bytes(std::span(content)));
+}
+
+std::string read_text(const fs::path& path) {
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) throw Error(fmt::format("'{}' is a folder, a file is needed", path.string()));
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw Error(fmt::format("'{}' cannot be read: {}", path.string(), reason(errno)));
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace talus

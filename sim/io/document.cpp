@@ -1,0 +1,124 @@
+#include "sim/io/document.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "sim/gpu/error.h"
+#include "sim/io/picture.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Channels in the order they are written; words of a layer come as value and ".low".
+const std::vector<std::string> channels = {"Y", "bedrock", "bedrock.low", "regolith", "regolith.low"};
+
+bool is_document(const fs::path& path) {
+    if (ending_of(path) != ".exr") return false;
+    std::error_code ignored;
+    if (!fs::is_regular_file(path, ignored) || fs::file_size(path, ignored) == 0) return false;
+    return open_picture(path)->spec().channelindex("bedrock") >= 0;
+}
+
+template <typename T>
+T parsed(const fs::path& path, const OIIO::ImageSpec& spec, const char* name, T fallback) {
+    const std::string text = spec.get_string_attribute(name);
+    if (text.empty()) return fallback;
+    T value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size())
+        throw Error(fmt::format("'{}': its attribute {} = '{}' is not a number", path.string(), name, text));
+    return value;
+}
+
+Document read_document(const fs::path& path, const ImportSettings& settings) {
+    const auto input = open_picture(path);
+    const OIIO::ImageSpec spec = input->spec();
+    Document document;
+    document.kind = "Talus document";
+    TerrainState& state = document.state;
+    state.grid = {spec.width, spec.height, parsed(path, spec, "talus:dx_m", 1.0), parsed(path, spec, "talus:dy_m", 1.0)};
+    if (settings.spacing_m) state.grid.dx = state.grid.dy = *settings.spacing_m;
+    check_grid(state.grid);
+    state.clock.ticks = parsed(path, spec, "talus:ticks", std::int64_t{0});
+    state.clock.simulated_s = parsed(path, spec, "talus:simulated_s", 0.0);
+    document.parameters = spec.get_string_attribute("talus:parameters");
+    const std::string transform = spec.get_string_attribute("talus:geotransform");
+    if (!transform.empty()) {
+        Georeference georeference;
+        georeference.wkt = spec.get_string_attribute("talus:crs");
+        std::array<double, 6>& t = georeference.transform;
+        if (std::sscanf(transform.c_str(), "%lf %lf %lf %lf %lf %lf", &t[0], &t[1], &t[2], &t[3], &t[4], &t[5]) == 6)  // NOLINT(cert-err34-c)
+            document.georeference = georeference;
+    }
+    std::vector<float> values(state.grid.count());
+    const auto read_channel = [&](const std::string& name, std::vector<glm::vec2>& layer, int word) {
+        const int channel = spec.channelindex(name);
+        if (channel < 0) return;
+        if (!input->read_image(0, 0, channel, channel + 1, OIIO::TypeDesc::FLOAT, values.data()))
+            throw Error(fmt::format("'{}' cannot be read: {}", path.string(), input->geterror()));
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (!std::isfinite(values[i]))
+                throw Error(fmt::format("'{}' holds samples in channel '{}' that are not finite numbers", path.string(), name));
+            layer[i][word] = values[i];
+        }
+    };
+    state.bedrock.assign(state.grid.count(), glm::vec2(0));
+    state.regolith.assign(state.grid.count(), glm::vec2(0));
+    read_channel("bedrock", state.bedrock, 0);
+    read_channel("bedrock.low", state.bedrock, 1);
+    read_channel("regolith", state.regolith, 0);
+    read_channel("regolith.low", state.regolith, 1);
+    return document;
+}
+
+}  // namespace
+
+Document open_document(const fs::path& path, const ImportSettings& settings) {
+    if (is_document(path)) return read_document(path, settings);
+    Heightmap heightmap = read_heightmap(path, settings);
+    Document document;
+    document.state = bedrock_terrain(heightmap.grid, heightmap.heights);
+    document.georeference = std::move(heightmap.georeference);
+    document.kind = std::move(heightmap.kind);
+    document.notes = std::move(heightmap.notes);
+    return document;
+}
+
+void save_document(const fs::path& path, const Document& document) {
+    const TerrainState& state = document.state;
+    OIIO::ImageSpec spec(state.grid.nx, state.grid.ny, static_cast<int>(channels.size()), OIIO::TypeDesc::FLOAT);
+    spec.channelnames = channels;
+    spec.attribute("compression", "zip");
+    spec.attribute("talus:document", "1");
+    spec.attribute("talus:dx_m", fmt::format("{}", state.grid.dx));
+    spec.attribute("talus:dy_m", fmt::format("{}", state.grid.dy));
+    spec.attribute("talus:ticks", fmt::format("{}", state.clock.ticks));
+    spec.attribute("talus:simulated_s", fmt::format("{}", state.clock.simulated_s));
+    if (!document.parameters.empty()) spec.attribute("talus:parameters", document.parameters);
+    if (document.georeference) {
+        const auto& t = document.georeference->transform;
+        spec.attribute("talus:geotransform", fmt::format("{} {} {} {} {} {}", t[0], t[1], t[2], t[3], t[4], t[5]));
+        if (!document.georeference->wkt.empty()) spec.attribute("talus:crs", document.georeference->wkt);
+    }
+    const std::vector<float> ground = state.ground();
+    std::vector<float> pixels;
+    pixels.reserve(ground.size() * channels.size());
+    for (std::size_t i = 0; i < ground.size(); ++i)
+        pixels.insert(pixels.end(), {ground[i], state.bedrock[i].x, state.bedrock[i].y, state.regolith[i].x, state.regolith[i].y});
+    write_encoded(path, spec, pixels.data());
+}
+
+std::vector<float> layer_of(const TerrainState& state, const std::string& name) {
+    if (name == "ground") return state.ground();
+    if (name != "bedrock" && name != "regolith")
+        throw Error(fmt::format("--layer '{}' is not a layer, it must be one of: ground, bedrock, regolith", name));
+    const std::vector<glm::vec2>& words = name == "bedrock" ? state.bedrock : state.regolith;
+    std::vector<float> values(words.size());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = words[i].x + words[i].y;
+    return values;
+}
+
+}  // namespace talus

@@ -1,0 +1,208 @@
+// GeoTIFF, HGT and ESRI ASC by GDAL, the one reader of geographic formats.
+#include <cpl_conv.h>
+#include <fmt/format.h>
+#include <gdal_alg.h>
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <mutex>
+#include <numbers>
+
+#include "sim/gpu/error.h"
+#include "sim/io/atomic_file.h"
+#include "sim/io/heightmap.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CloseDataset {
+    void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
+
+void start_gdal() {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        CPLSetErrorHandler(CPLQuietErrorHandler);
+        CPLSetConfigOption("GDAL_PAM_ENABLED", "NO");
+        GDALAllRegister();
+    });
+    CPLErrorReset();
+}
+
+// GDAL's last message as part of a sentence.
+std::string gdal_says() {
+    std::string message = CPLGetLastErrorMsg();
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    while (!message.empty() && (message.back() == '.' || message.back() == ' ')) message.pop_back();
+    return message.empty() ? "the file is damaged or of another kind" : message;
+}
+
+// Metres of a degree of longitude and of latitude on WGS 84 at a latitude (NIMA TR8350.2, radii of curvature).
+glm::dvec2 metres_per_degree(double latitude_deg) {
+    constexpr double a = 6378137.0;
+    constexpr double e2 = 6.69437999014e-3;
+    const double phi = latitude_deg * std::numbers::pi / 180;
+    const double w2 = 1 - e2 * std::sin(phi) * std::sin(phi);
+    return glm::dvec2(a * std::cos(phi) / std::sqrt(w2), a * (1 - e2) / (w2 * std::sqrt(w2))) * (std::numbers::pi / 180);
+}
+
+// Fills what `void_at` names, by inverse distance (GDALFillNodata), and notes how many.
+void fill_voids(const fs::path& path, Heightmap& heightmap, const std::vector<GByte>& valid) {
+    const auto voids = std::count(valid.begin(), valid.end(), GByte{0});
+    if (voids == 0) return;
+    if (static_cast<std::size_t>(voids) == valid.size())
+        throw Error(fmt::format("'{}' holds nothing but nodata, a heightmap was expected", path.string()));
+    const int nx = heightmap.grid.nx;
+    const int ny = heightmap.grid.ny;
+    GDALDriver* memory = GetGDALDriverManager()->GetDriverByName("MEM");
+    const Dataset values(memory->Create("", nx, ny, 1, GDT_Float32, nullptr));
+    const Dataset mask(memory->Create("", nx, ny, 1, GDT_Byte, nullptr));
+    GDALRasterBand* band = values->GetRasterBand(1);
+    GDALRasterBand* mask_band = mask->GetRasterBand(1);
+    std::vector<GByte> mask_values = valid;
+    CPLErr error = band->RasterIO(GF_Write, 0, 0, nx, ny, heightmap.heights.data(), nx, ny, GDT_Float32, 0, 0);
+    if (error == CE_None) error = mask_band->RasterIO(GF_Write, 0, 0, nx, ny, mask_values.data(), nx, ny, GDT_Byte, 0, 0);
+    if (error == CE_None)
+        error = GDALFillNodata(band, mask_band, std::max(nx, ny), 0, 0, nullptr, nullptr, nullptr);
+    if (error == CE_None) error = band->RasterIO(GF_Read, 0, 0, nx, ny, heightmap.heights.data(), nx, ny, GDT_Float32, 0, 0);
+    if (error != CE_None) throw Error(fmt::format("'{}': its voids cannot be filled: {}", path.string(), gdal_says()));
+    heightmap.notes.push_back(fmt::format("{} void samples were filled by interpolation", voids));
+}
+
+}  // namespace
+
+Heightmap read_geographic(const fs::path& path, const ImportSettings& settings) {
+    start_gdal();
+    const std::array<const char*, 4> drivers = {"GTiff", "SRTMHGT", "AAIGrid", nullptr};
+    const Dataset dataset(static_cast<GDALDataset*>(
+        GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data(), nullptr, nullptr)));
+    if (!dataset) throw Error(fmt::format("'{}' cannot be read: {}", path.string(), gdal_says()));
+    const int nx = dataset->GetRasterXSize();
+    const int ny = dataset->GetRasterYSize();
+    check_file_size(path, nx, ny);
+    if (dataset->GetRasterCount() < 1) throw Error(fmt::format("'{}' holds no band of samples", path.string()));
+    GDALRasterBand* band = dataset->GetRasterBand(1);
+    const GDALDataType type = band->GetRasterDataType();
+    if (GDALDataTypeIsComplex(type)) throw Error(fmt::format("'{}' holds complex numbers, heights are real", path.string()));
+
+    Heightmap heightmap;
+    heightmap.grid = {nx, ny, 1, 1};
+    heightmap.kind = fmt::format("{}, {}", dataset->GetDriver()->GetDescription(), GDALGetDataTypeName(type));
+    heightmap.heights.resize(heightmap.grid.count());
+    if (dataset->GetRasterCount() > 1)
+        heightmap.notes.push_back(fmt::format("the file has {} bands, the first was read", dataset->GetRasterCount()));
+    // Errors on the way count too: GDAL reads some damaged files as zeros and only warns.
+    CPLErrorReset();
+    if (band->RasterIO(GF_Read, 0, 0, nx, ny, heightmap.heights.data(), nx, ny, GDT_Float32, 0, 0) != CE_None ||
+        CPLGetLastErrorType() >= CE_Failure)
+        throw Error(fmt::format("'{}' cannot be read: {}", path.string(), gdal_says()));
+
+    int has_nodata = 0;
+    const double nodata = band->GetNoDataValue(&has_nodata);
+    if (has_nodata) {
+        const auto void_value = static_cast<float>(nodata);
+        std::vector<GByte> valid(heightmap.heights.size());
+        std::transform(heightmap.heights.begin(), heightmap.heights.end(), valid.begin(), [&](float h) {
+            return static_cast<GByte>(h == void_value || (std::isnan(nodata) && std::isnan(h)) ? 0 : 255);
+        });
+        fill_voids(path, heightmap, valid);
+    }
+
+    Georeference georeference;
+    const bool placed = dataset->GetGeoTransform(georeference.transform.data()) == CE_None;
+    const OGRSpatialReference* system = dataset->GetSpatialRef();
+    if (system) {
+        char* wkt = nullptr;
+        system->exportToWkt(&wkt);
+        georeference.wkt = wkt ? wkt : "";
+        CPLFree(wkt);
+    }
+    std::array<double, 6>& t = georeference.transform;
+    if (placed) {
+        if (t[5] > 0) {
+            // South-up: Talus keeps the north row first.
+            for (int row = 0; row < ny / 2; ++row)
+                std::swap_ranges(heightmap.heights.begin() + static_cast<std::ptrdiff_t>(row) * nx,
+                                 heightmap.heights.begin() + static_cast<std::ptrdiff_t>(row + 1) * nx,
+                                 heightmap.heights.begin() + static_cast<std::ptrdiff_t>(ny - 1 - row) * nx);
+            t[3] += t[5] * ny;
+            t[0] += t[2] * ny;
+            t[5] = -t[5];
+            t[2] = -t[2];
+            heightmap.notes.push_back("the file stores its south row first, its rows were turned round");
+        }
+        heightmap.grid.dx = std::hypot(t[1], t[4]);
+        heightmap.grid.dy = std::hypot(t[2], t[5]);
+        if (system && system->IsGeographic()) {
+            const double latitude = std::clamp(t[3] + 0.5 * ny * t[5], -89.9, 89.9);
+            const glm::dvec2 degree = metres_per_degree(latitude);
+            heightmap.grid.dx *= degree.x;
+            heightmap.grid.dy *= degree.y;
+            heightmap.notes.push_back(fmt::format("degrees became metres at latitude {:.3f}: {:.2f} x {:.2f} m a sample", latitude,
+                                                  heightmap.grid.dx, heightmap.grid.dy));
+        } else if (system) {
+            const double unit = system->GetLinearUnits();
+            heightmap.grid.dx *= unit;
+            heightmap.grid.dy *= unit;
+        }
+        heightmap.georeference = georeference;
+    } else if (!settings.spacing_m) {
+        heightmap.notes.push_back("the file says no spacing, 1 m a sample was taken: --spacing sets it");
+    }
+    if (settings.spacing_m) heightmap.grid.dx = heightmap.grid.dy = *settings.spacing_m;
+
+    const bool picture = !system && (type == GDT_Byte || type == GDT_UInt16) && !has_nodata;
+    if (picture || (settings.range_m && GDALDataTypeIsInteger(type)))
+        scale_integers(heightmap, type == GDT_Byte ? 255 : (type == GDT_Int16 ? 32767 : (type == GDT_UInt16 ? 65535 : 4294967295.0)),
+                       std::nullopt, settings);
+    else if (GDALDataTypeIsFloating(type))
+        scale_floats(heightmap, settings);
+    return heightmap;
+}
+
+void write_geotiff(const fs::path& path, const Heightmap& heightmap) {
+    start_gdal();
+    const std::string memory_path = "/vsimem/talus_out.tif";
+    const int nx = heightmap.grid.nx;
+    const int ny = heightmap.grid.ny;
+    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
+    {
+        Dataset dataset(driver->Create(memory_path.c_str(), nx, ny, 1, GDT_Float32, nullptr));
+        if (!dataset) throw Error(fmt::format("cannot write '{}': {}", path.string(), gdal_says()));
+        // Without a place on Earth the south-west sample, a pixel's centre, lies at (0, 0).
+        std::array<double, 6> transform = {-heightmap.grid.dx / 2, heightmap.grid.dx, 0, (ny - 0.5) * heightmap.grid.dy, 0,
+                                           -heightmap.grid.dy};
+        if (heightmap.georeference) {
+            transform = heightmap.georeference->transform;
+            OGRSpatialReference system;
+            if (!heightmap.georeference->wkt.empty() && system.importFromWkt(heightmap.georeference->wkt.c_str()) == OGRERR_NONE) {
+                system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+                dataset->SetSpatialRef(&system);
+            }
+        }
+        dataset->SetGeoTransform(transform.data());
+        std::vector<float> heights = heightmap.heights;
+        const CPLErr error =
+            dataset->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, nx, ny, heights.data(), nx, ny, GDT_Float32, 0, 0);
+        if (error != CE_None) throw Error(fmt::format("cannot write '{}': {}", path.string(), gdal_says()));
+    }
+    vsi_l_offset length = 0;
+    const GByte* content = VSIGetMemFileBuffer(memory_path.c_str(), &length, FALSE);
+    if (!content) throw Error(fmt::format("cannot write '{}': {}", path.string(), gdal_says()));
+    try {
+        write_atomically(path, std::as_bytes(std::span(content, static_cast<std::size_t>(length))));
+    } catch (const Error&) {
+        VSIUnlink(memory_path.c_str());
+        throw;
+    }
+    VSIUnlink(memory_path.c_str());
+}
+
+}  // namespace talus

@@ -1,0 +1,106 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/terrain/grid.h"
+
+namespace talus {
+
+/// Where on Earth a heightmap lies: its coordinate system as WKT (may be empty) and GDAL's affine transform from
+/// pixel corners to coordinates.
+struct Georeference {
+    std::string wkt;
+    std::array<double, 6> transform{};
+    bool operator==(const Georeference&) const = default;
+};
+
+/// How a raw file's samples lie.
+struct RawLayout {
+    int nx = 0;
+    int ny = 0;
+    bool big_endian = false;
+    bool south_first = false;
+};
+
+/// What a person says about a file, where its own word is not enough.
+struct ImportSettings {
+    std::optional<double> spacing_m;
+    std::optional<glm::dvec2> range_m;  ///< heights of the smallest and the largest value of the file's type
+    std::optional<RawLayout> raw;
+};
+
+/// The settings as a line of JSON, for journals; and back.
+std::string to_text(const ImportSettings& settings);
+ImportSettings import_settings_from(const std::string& text);
+
+/// "1025x1025", with ",big" and ",bottom" after it where they apply.
+RawLayout parse_raw_layout(const std::string& text);
+
+/// Heights of one layer, metres, row 0 north.
+struct Heightmap {
+    Grid grid;
+    std::vector<float> heights;
+    std::optional<Georeference> georeference;
+    std::string kind;                ///< e.g. "GeoTIFF, 16-bit integer"
+    std::vector<std::string> notes;  ///< guesses that were made and how to set them, a sentence each
+};
+
+/// How integers become heights when written: the value of 0 and of the largest integer. Heights outside are clamped.
+using Range = glm::dvec2;
+
+/// Reads any single-layer format, by the file's ending: tif, tiff, hgt, asc (GDAL); png, exr (OpenImageIO); r16, r32,
+/// raw. Throws talus::Error naming the file and what is wrong with it. Declared nodata is filled by interpolation and
+/// noted; other values that are not finite are refused.
+Heightmap read_heightmap(const std::filesystem::path& path, const ImportSettings& settings);
+
+/// Writes by the ending: tif, tiff (GeoTIFF float), exr (float), png (16 bit), r16, r32; png, r16 and r32 get a JSON
+/// sidecar. `range` sets the heights of 0 and 65535; without it, lowest and highest. Throws talus::Error; what was there
+/// is still there then.
+void write_heightmap(const std::filesystem::path& path, const Heightmap& heightmap, std::optional<Range> range);
+
+/// True for the endings that write_heightmap takes; the text lists them.
+bool can_write_heightmap(const std::filesystem::path& path);
+extern const char* const heightmap_endings;
+
+/// The path's ending in lower case, with its dot.
+std::string ending_of(const std::filesystem::path& path);
+
+// The formats, one file each.
+Heightmap read_geographic(const std::filesystem::path& path, const ImportSettings& settings);
+Heightmap read_picture(const std::filesystem::path& path, const ImportSettings& settings);
+Heightmap read_raw(const std::filesystem::path& path, const ImportSettings& settings);
+void write_geotiff(const std::filesystem::path& path, const Heightmap& heightmap);
+void write_picture(const std::filesystem::path& path, const Heightmap& heightmap, std::optional<Range> range);
+void write_raw(const std::filesystem::path& path, const Heightmap& heightmap, std::optional<Range> range);
+
+// What the formats share.
+/// Refuses a size outside of a terrain's limits before anything of it is allocated.
+void check_file_size(const std::filesystem::path& path, std::int64_t nx, std::int64_t ny);
+/// Turns integers from 0 to `largest` into metres: by the given range, the file's own, or the guess of an eighth of the
+/// longer side, noted.
+void scale_integers(Heightmap& heightmap, double largest, std::optional<Range> own, const ImportSettings& settings);
+/// Applies --range to floats, and offers it where all lie within 0 to 1.
+void scale_floats(Heightmap& heightmap, const ImportSettings& settings);
+/// Refuses values that are not finite.
+void check_finite(const std::filesystem::path& path, const Heightmap& heightmap);
+/// 16-bit integers over a range, within half a step.
+std::vector<std::uint16_t> quantise(const Heightmap& heightmap, Range range);
+Range range_for(const Heightmap& heightmap, std::optional<Range> range);
+/// path + ".json": spacing, range, rows and georeference of a file that cannot say them itself.
+void write_sidecar(const std::filesystem::path& path, const Heightmap& heightmap, const std::string& sample_type,
+                   std::optional<Range> range);
+struct Sidecar {
+    std::optional<double> dx;
+    std::optional<double> dy;
+    std::optional<Range> range;
+    std::optional<RawLayout> raw;
+    std::optional<Georeference> georeference;
+};
+std::optional<Sidecar> read_sidecar(const std::filesystem::path& path);
+
+}  // namespace talus

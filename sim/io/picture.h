@@ -1,0 +1,14 @@
+#pragma once
+#include <OpenImageIO/imageio.h>
+
+#include <filesystem>
+
+namespace talus {
+
+/// Encodes a picture in memory by the path's ending and writes it atomically. Throws talus::Error.
+void write_encoded(const std::filesystem::path& path, const OIIO::ImageSpec& spec, const void* pixels);
+
+/// Opens a picture and checks its claims before anything is allocated for it. Throws talus::Error.
+std::unique_ptr<OIIO::ImageInput> open_picture(const std::filesystem::path& path);
+
+}  // namespace talus

@@ -1,1 +1,0 @@
-namespace talus { void sim_io_stub(); void sim_io_stub() {} }
