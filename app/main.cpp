@@ -1,1 +1,3 @@
-int main(){}
+#include "app/command_line.h"
+
+int main(int argc, char** argv) { return talus::command_line(argc, argv); }

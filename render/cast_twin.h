@@ -86,7 +86,7 @@ struct CastTwin {
     }
 
     /// The hit of the ray through a point of the picture, -1 to 1 from left to right and from bottom to top.
-    CastHit cast_pixel(real x, real y) { return cast_ray(cell_, fraction_, pixel_ray(real2(x, y)), real(0), 5); }
+    CastHit cast_pixel(real x, real y) { return cast_ray(cell_, fraction_, pixel_ray(real2(x, y)), real(0), 5, real(0)); }
 
   private:
     float highest_ = -HUGE_VALF;

@@ -27,10 +27,10 @@ using Method = std::function<void(const Frame&)>;
 struct MethodEntry {
     std::string name;
     std::string help;
-    std::function<Method()> make;
+    std::function<Method(bool count_steps)> make;  ///< count_steps: hits tell how many cells each ray visited
 };
 const std::vector<MethodEntry>& methods();
 
-Method make_exact();
+Method make_exact(bool count_steps);
 
 }  // namespace talus

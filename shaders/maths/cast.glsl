@@ -25,9 +25,10 @@ real cast_inverse(real d) {
 }
 
 // origin_cell + fraction: where the ray starts, in columns and rows; direction: columns, rows and metres of height
-// per metre of ray; from_m: where on the ray to start looking; start_level: where in the pyramid, 3 or more.
+// per metre of ray; from_m: where on the ray to start looking; start_level: where in the pyramid, 3 or more; height_m:
+// where the ray starts over the origin height.
 // The ground is solid: a ray that starts below it, or enters its side below it, hits there.
-CastHit cast_ray(int2 origin_cell, real2 fraction, real3 direction, real from_m, int start_level) {
+CastHit cast_ray(int2 origin_cell, real2 fraction, real3 direction, real from_m, int start_level, real height_m) {
     CastHit hit;
     hit.distance_m = real(-1);
     hit.cell = int2(0, 0);
@@ -49,7 +50,7 @@ CastHit cast_ray(int2 origin_cell, real2 fraction, real3 direction, real from_m,
     real begin = max(max(enter_x, enter_y), from_m);
     real end = min(leave_x, leave_y);
     // And below its highest sample.
-    real crossing = load_highest() * inverse_z;
+    real crossing = (load_highest() - height_m) * inverse_z;
     begin = direction.z < real(0) ? max(begin, crossing) : begin;
     end = direction.z < real(0) ? end : min(end, crossing);
 
@@ -71,7 +72,7 @@ CastHit cast_ray(int2 origin_cell, real2 fraction, real3 direction, real from_m,
         // Walk the pyramid down to a patch that the ray may meet. Selects instead of branches: lanes stay together.
         do {
             if (count_steps) hit.steps += 1;
-            real top = load_top(cell, level);
+            real top = load_top(cell, level) - height_m;
             int2 far_plane = int2((cell.x + side.x) << level, (cell.y + side.y) << level);
             real far_x = (real(far_plane.x - origin_cell.x) - fraction.x) * inverse.x;
             real far_y = (real(far_plane.y - origin_cell.y) - fraction.y) * inverse.y;
@@ -102,7 +103,7 @@ CastHit cast_ray(int2 origin_cell, real2 fraction, real3 direction, real from_m,
         if (inside) {
             // The patch: signs at entry and exit decide, the quadratic says where.
             hit.steps += 1;
-            real4 z = load_corners(cell);
+            real4 z = load_corners(cell) - real4(height_m, height_m, height_m, height_m);
             int2 offset = int2(cell.x - origin_cell.x, cell.y - origin_cell.y);
             real near_x = (real(offset.x + 1 - side.x) - fraction.x) * inverse.x;
             real near_y = (real(offset.y + 1 - side.y) - fraction.y) * inverse.y;

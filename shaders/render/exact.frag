@@ -13,6 +13,6 @@ layout(location = 0) out vec2 hit_out;  // distance along the ray in metres (inf
 uniform int start_level;
 
 void main() {
-    CastHit hit = cast_ray(origin_cell, origin_fraction, pixel_ray(picture_position()), 0.0, start_level);
+    CastHit hit = cast_ray(origin_cell, origin_fraction, pixel_ray(picture_position()), 0.0, start_level, 0.0);
     hit_out = vec2(hit.distance_m < 0.0 ? uintBitsToFloat(0x7f800000u) : hit.distance_m, float(hit.steps));
 }

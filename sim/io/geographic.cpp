@@ -159,9 +159,8 @@ Heightmap read_geographic(const fs::path& path, const ImportSettings& settings) 
     if (settings.spacing_m) heightmap.grid.dx = heightmap.grid.dy = *settings.spacing_m;
 
     const bool picture = !system && (type == GDT_Byte || type == GDT_UInt16) && !has_nodata;
-    if (picture || (settings.range_m && GDALDataTypeIsInteger(type)))
-        scale_integers(heightmap, type == GDT_Byte ? 255 : (type == GDT_Int16 ? 32767 : (type == GDT_UInt16 ? 65535 : 4294967295.0)),
-                       std::nullopt, settings);
+    if (picture)
+        scale_integers(heightmap, type == GDT_Byte ? 255 : 65535, std::nullopt, settings);
     else if (GDALDataTypeIsFloating(type))
         scale_floats(heightmap, settings);
     return heightmap;

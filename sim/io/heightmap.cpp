@@ -48,10 +48,11 @@ void scale_integers(Heightmap& heightmap, double largest, std::optional<Range> o
 
 void scale_floats(Heightmap& heightmap, const ImportSettings& settings) {
     const auto [low, high] = std::minmax_element(heightmap.heights.begin(), heightmap.heights.end());
+    if (!(*low >= 0 && *high <= 1 && *high > *low)) return;
     if (settings.range_m) {
         const Range range = *settings.range_m;
         for (float& h : heightmap.heights) h = static_cast<float>(range.x + h * (range.y - range.x));
-    } else if (*low >= 0 && *high <= 1 && *high > *low) {
+    } else {
         heightmap.notes.push_back("all heights lie within 0 to 1 m: --range lo,hi spreads 0 to 1 over lo to hi metres");
     }
 }

@@ -84,7 +84,7 @@ void check_file_size(const std::filesystem::path& path, std::int64_t nx, std::in
 /// Turns integers from 0 to `largest` into metres: by the given range, the file's own, or the guess of an eighth of the
 /// longer side, noted.
 void scale_integers(Heightmap& heightmap, double largest, std::optional<Range> own, const ImportSettings& settings);
-/// Applies --range to floats, and offers it where all lie within 0 to 1.
+/// Where all floats lie within 0 to 1: spreads them over --range, or offers that.
 void scale_floats(Heightmap& heightmap, const ImportSettings& settings);
 /// Refuses values that are not finite.
 void check_finite(const std::filesystem::path& path, const Heightmap& heightmap);

@@ -1,9 +1,9 @@
 #include "sim/terrain/generate.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <thread>
 
 #include "sim/gpu/error.h"
 
@@ -109,17 +109,23 @@ std::vector<float> generate_heights(const Grid& grid, const GeneratorSettings& s
     if (settings.kind == "flat") return heights;
     const double extent = std::max(grid.width_m(), grid.height_m());
     std::vector<double> raw(grid.count());
-    double low = HUGE_VAL;
-    double high = -HUGE_VAL;
-    for (int row = 0; row < grid.ny; ++row) {
-        for (int column = 0; column < grid.nx; ++column) {
-            const glm::dvec2 p(column * grid.dx / extent, (grid.ny - 1 - row) * grid.dy / extent);
-            const double h = settings.kind == "hills" ? hills(p, settings.seed) : mountains(p, settings.seed);
-            raw[static_cast<std::size_t>(row) * grid.nx + column] = h;
-            low = std::min(low, h);
-            high = std::max(high, h);
-        }
+    // Rows are independent, so threads change nothing but the time.
+    const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    {
+        std::vector<std::jthread> workers;
+        for (int t = 0; t < threads; ++t)
+            workers.emplace_back([&, t] {
+                for (int row = t; row < grid.ny; row += threads)
+                    for (int column = 0; column < grid.nx; ++column) {
+                        const glm::dvec2 p(column * grid.dx / extent, (grid.ny - 1 - row) * grid.dy / extent);
+                        raw[static_cast<std::size_t>(row) * grid.nx + column] =
+                            settings.kind == "hills" ? hills(p, settings.seed) : mountains(p, settings.seed);
+                    }
+            });
     }
+    const auto [lowest, highest] = std::minmax_element(raw.begin(), raw.end());
+    const double low = *lowest;
+    const double high = *highest;
     const double scale = high > low ? settings.relief_m / (high - low) : 0;
     std::transform(raw.begin(), raw.end(), heights.begin(),
                    [&](double h) { return static_cast<float>((h - low) * scale); });

@@ -110,7 +110,7 @@ void bench_render() {
     const gpu::Texture hits("hits", gpu::Format::rg32f, width, height);
     const std::array<const gpu::Texture*, 1> colours = {&hits};
     const gpu::Framebuffer framebuffer("hits", colours);
-    const Method exact = make_exact();
+    const Method exact = make_exact(false);
 
     const double extent = grid.width_m();
     const double middle = heights[grid.count() / 2];

@@ -1,0 +1,234 @@
+#include "app/command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdlib>
+#include <filesystem>
+
+#include "app/commands/commands.h"
+#include "app/report.h"
+#include "app/window.h"
+#include "sim/gpu/error.h"
+#include "sim/gpu/program.h"
+
+namespace talus {
+namespace {
+
+std::vector<double> numbers(const std::string& option, const std::string& text, char separator, std::size_t count) {
+    std::vector<double> values;
+    const char* at = text.data();
+    const char* end = at + text.size();
+    while (at <= end && values.size() < count) {
+        double value = 0;
+        const auto [next, error] = std::from_chars(at, end, value);
+        if (error != std::errc() || (next != end && *next != separator)) break;
+        values.push_back(value);
+        at = next + 1;
+    }
+    if (values.size() != count || at != end + 1)
+        throw Error(fmt::format("{} '{}' cannot be read, write it as {} numbers with '{}' between", option, text, count, separator));
+    return values;
+}
+
+glm::ivec2 size_from(const std::string& text) {
+    const std::vector<double> v = numbers("--size", text, 'x', 2);
+    if (v[0] != std::floor(v[0]) || v[1] != std::floor(v[1]) || std::abs(v[0]) > 1e6 || std::abs(v[1]) > 1e6)
+        throw Error(fmt::format("--size '{}' cannot be read, write it as two whole numbers, e.g. 513x513", text));
+    return {v[0], v[1]};
+}
+
+// Texts as they stand on the command line, read after parsing so that errors are ours.
+struct Texts {
+    std::string file, preset, input, size, spacing, range, raw, eye, target, fov, method, view, shader_dir, layer;
+    std::vector<std::string> assignments;
+    std::optional<int> gpu;
+    bool require_hardware = false;
+    bool json = false;
+
+    gpu::ContextChoice context() const { return {gpu, require_hardware}; }
+    ImportSettings import() const {
+        ImportSettings settings;
+        if (!spacing.empty()) {
+            settings.spacing_m = numbers("--spacing", spacing, ',', 1)[0];
+            if (!(*settings.spacing_m > 0)) throw Error(fmt::format("--spacing {} cannot be used, it must be positive", spacing));
+        }
+        if (!range.empty()) settings.range_m = range_m();
+        if (!raw.empty()) settings.raw = parse_raw_layout(raw);
+        return settings;
+    }
+    std::optional<glm::dvec2> range_m() const {
+        if (range.empty()) return std::nullopt;
+        const std::vector<double> v = numbers("--range", range, ',', 2);
+        if (!(v[1] > v[0])) throw Error(fmt::format("--range {} cannot be used, its first height must be the lower one", range));
+        return glm::dvec2(v[0], v[1]);
+    }
+    std::optional<glm::dvec3> point(const char* option, const std::string& text) const {
+        if (text.empty()) return std::nullopt;
+        const std::vector<double> v = numbers(option, text, ',', 3);
+        return glm::dvec3(v[0], v[1], v[2]);
+    }
+    SceneRequest scene(const std::string& file_given) const {
+        SceneRequest request;
+        request.preset = preset;
+        request.input = file_given;
+        request.import = import();
+        request.assignments = assignments;
+        if (!method.empty()) request.assignments.push_back("render.method=" + method);
+        if (!view.empty()) request.assignments.push_back("render.view=" + view);
+        if (!fov.empty()) request.assignments.push_back("camera.fov_deg=" + fov);
+        return request;
+    }
+};
+
+void add_gpu(CLI::App& app, Texts& t) {
+    app.add_option("--gpu", t.gpu, "use the N-th device, hardware first (0 is the first)");
+    app.add_flag("--require-hardware", t.require_hardware, "refuse software renderers");
+    app.add_option("--shader-dir", t.shader_dir, "read shaders from this folder and follow its changes");
+}
+void add_import(CLI::App& app, Texts& t) {
+    app.add_option("--spacing", t.spacing, "metres between samples");
+    app.add_option("--range", t.range, "lo,hi: heights of the file's smallest and largest value, in metres");
+    app.add_option("--raw", t.raw, "NXxNY[,big][,bottom]: how a raw file's samples lie");
+}
+void add_outputs(CLI::App& app, Texts& t, Outputs& outputs) {
+    app.add_option("--out", outputs.files, "write the terrain: .exr (document), .tif, .png, .r16, .r32; may be repeated")
+        ->type_name("FILE");
+    app.add_option("--image", outputs.image, "write a picture")->type_name("FILE.png");
+    app.add_option("--report", outputs.report, "write the report")->type_name("FILE.json");
+    app.add_option("--journal", outputs.journal, "write what was done, for 'talus replay'")->type_name("FILE.journal");
+    app.add_option("--layer", outputs.layer, "what single-layer outputs hold: ground, bedrock or regolith");
+    app.add_flag("--json", t.json, "print the report");
+}
+
+int parse_and_do(int argc, char** argv) {
+    CLI::App app("Talus: the sandbox for terrain whose ground moves.", "talus");
+    app.set_version_flag("--version", "talus 0.1.0");
+    Texts t;
+    RunOptions run_options;
+    ReplayOptions replay_options;
+    RenderOptions render_options;
+    ConvertOptions convert_options;
+    WindowOptions window_options;
+
+    app.add_option("FILE", t.file, "heightmap or Talus document to open in the window");
+    app.add_option("--preset", t.preset, "scene to start from, a name or a .toml file");
+    app.add_option("--set", t.assignments, "section.name=value, may be repeated");
+    app.add_option("--journal", window_options.journal, "write what was done here when the window closes");
+    add_import(app, t);
+    app.add_option("--shader-dir", t.shader_dir, "read shaders from this folder and follow its changes");
+
+    CLI::App* run_command = app.add_subcommand("run", "run a scene without a window");
+    run_command->add_option("--preset", t.preset, "a name ('talus presets' lists them) or a .toml file");
+    run_command->add_option("--in", t.input, "start from this heightmap or document");
+    run_command->add_option("--size", t.size, "NXxNY samples of generated terrain");
+    auto* ticks = run_command->add_option("--ticks", run_options.ticks, "how many ticks to run");
+    run_command->add_option("--time", run_options.time_s, "how many seconds to simulate")->excludes(ticks);
+    run_command->add_option("--set", t.assignments, "section.name=value, may be repeated");
+    add_import(*run_command, t);
+    add_outputs(*run_command, t, run_options.outputs);
+    add_gpu(*run_command, t);
+
+    CLI::App* render_command = app.add_subcommand("render", "draw a terrain without a window");
+    render_command->add_option("FILE", t.file, "heightmap or document")->required();
+    render_command->add_option("--image", render_options.image, "the picture")->type_name("OUT.png");
+    render_command->add_option("--size", t.size, "WxH pixels, 1280x720 unless given");
+    render_command->add_option("--eye", t.eye, "x,y,z in metres: east, north, up from the south-west sample");
+    render_command->add_option("--target", t.target, "x,y,z in metres");
+    render_command->add_option("--fov", t.fov, "vertical field of view in degrees");
+    render_command->add_option("--method", t.method, "how the surface is drawn");
+    render_command->add_option("--view", t.view, "shaded, hillshade, slope, bands or steps");
+    render_command->add_option("--set", t.assignments, "section.name=value, may be repeated");
+    render_command->add_option("--depth", render_options.depth, "metres along each pixel's ray")->type_name("OUT.exr");
+    render_command->add_option("--report", render_options.report, "write the report")->type_name("FILE.json");
+    render_command->add_flag("--json", t.json, "print the report");
+    add_import(*render_command, t);
+    add_gpu(*render_command, t);
+
+    CLI::App* convert_command = app.add_subcommand("convert", "turn a heightmap into another format");
+    convert_command->add_option("IN", convert_options.input)->required();
+    convert_command->add_option("OUT", convert_options.output)->required();
+    convert_command->add_option("--layer", convert_options.layer, "ground, bedrock or regolith");
+    add_import(*convert_command, t);
+
+    CLI::App* replay_command = app.add_subcommand("replay", "do again what a journal recorded");
+    replay_command->add_option("FILE", replay_options.journal)->required();
+    add_outputs(*replay_command, t, replay_options.outputs);
+    add_gpu(*replay_command, t);
+
+    CLI::App* info_command = app.add_subcommand("info", "say what a file holds");
+    info_command->add_option("FILE", t.file)->required();
+    info_command->add_flag("--json", t.json, "as JSON");
+    add_import(*info_command, t);
+
+    CLI::App* presets_command = app.add_subcommand("presets", "list the built-in scenes");
+    presets_command->add_flag("--json", t.json, "as JSON");
+    CLI::App* parameters_command = app.add_subcommand("parameters", "list every parameter with unit, range and help");
+    parameters_command->add_flag("--json", t.json, "as JSON");
+    CLI::App* window_command = app.add_subcommand("why-no-window", "say why no window can open here; exit code 0 when one can");
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& success) {
+        return app.exit(success);
+    } catch (const CLI::ParseError& error) {
+        fmt::print(stderr, "talus: {}; 'talus --help' shows the command line\n", error.what());
+        return 2;
+    }
+    if (!t.shader_dir.empty()) gpu::use_shader_folder(t.shader_dir);
+
+    if (run_command->parsed()) {
+        run_options.gpu = t.context();
+        run_options.scene = t.scene(t.input);
+        if (!t.size.empty()) run_options.scene.size = size_from(t.size);
+        if (run_options.ticks && *run_options.ticks < 0) throw Error(fmt::format("--ticks {} cannot be run, it must be 0 or more", *run_options.ticks));
+        if (run_options.time_s && !(*run_options.time_s >= 0 && *run_options.time_s < 1e15))
+            throw Error(fmt::format("--time {} cannot be run, it must be 0 or more seconds", *run_options.time_s));
+        run_options.outputs.json = t.json;
+        run(run_options);
+    } else if (render_command->parsed()) {
+        render_options.gpu = t.context();
+        render_options.scene = t.scene(t.file);
+        if (!t.size.empty()) render_options.size = size_from(t.size);
+        render_options.eye = t.point("--eye", t.eye);
+        render_options.target = t.point("--target", t.target);
+        render_options.json = t.json;
+        render(render_options);
+    } else if (convert_command->parsed()) {
+        convert_options.import = t.import();
+        convert(convert_options);
+    } else if (replay_command->parsed()) {
+        replay_options.gpu = t.context();
+        replay_options.outputs.json = t.json;
+        replay(replay_options);
+    } else if (info_command->parsed()) {
+        info(t.file, t.import(), t.json);
+    } else if (presets_command->parsed()) {
+        list_presets(t.json);
+    } else if (parameters_command->parsed()) {
+        list_parameters(t.json);
+    } else if (window_command->parsed()) {
+        const std::string reason = why_no_window();
+        if (!reason.empty()) throw Error(reason);
+    } else {
+        window_options.scene = t.scene(t.file);
+        run_window(window_options);
+    }
+    return 0;
+}
+
+}  // namespace
+
+int command_line(int argc, char** argv) {
+    try {
+        return parse_and_do(argc, argv);
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "talus: not enough memory, use a smaller terrain\n");
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "talus: {}\n", error.what());
+    }
+    return 1;
+}
+
+}  // namespace talus

@@ -1,0 +1,65 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/scene.h"
+#include "sim/gpu/context.h"
+
+namespace talus {
+
+/// Files that a run leaves, and what goes into single-layer ones.
+struct Outputs {
+    std::vector<std::string> files;
+    std::string layer;  ///< empty: ground; with a name, .exr holds that layer alone instead of the document
+    std::optional<glm::dvec2> range_m;
+    std::string image;
+    std::string report;
+    std::string journal;
+    bool json = false;  ///< the report on stdout
+};
+
+struct RunOptions {
+    gpu::ContextChoice gpu;
+    SceneRequest scene;
+    std::optional<std::int64_t> ticks;
+    std::optional<double> time_s;
+    Outputs outputs;
+};
+void run(const RunOptions& options);
+
+struct ReplayOptions {
+    gpu::ContextChoice gpu;
+    std::string journal;
+    Outputs outputs;
+};
+void replay(const ReplayOptions& options);
+
+struct RenderOptions {
+    gpu::ContextChoice gpu;
+    SceneRequest scene;
+    glm::ivec2 size{1280, 720};
+    std::optional<glm::dvec3> eye;
+    std::optional<glm::dvec3> target;
+    std::string image;
+    std::string depth;
+    std::string report;
+    bool json = false;
+};
+void render(const RenderOptions& options);
+
+struct ConvertOptions {
+    std::string input;
+    std::string output;
+    ImportSettings import;
+    std::optional<glm::dvec2> range_m;
+    std::string layer;
+};
+void convert(const ConvertOptions& options);
+
+void info(const std::string& file, const ImportSettings& import, bool json);
+void list_presets(bool json);
+void list_parameters(bool json);
+
+}  // namespace talus

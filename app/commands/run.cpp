@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "app/outputs.h"
+#include "sim/gpu/error.h"
+#include "sim/io/atomic_file.h"
+
+namespace talus {
+namespace {
+
+using Clock_ = std::chrono::steady_clock;
+constexpr std::int64_t default_ticks = 600;
+
+double seconds_since(Clock_::time_point start) { return std::chrono::duration<double>(Clock_::now() - start).count(); }
+
+// A line on stderr that says how far a run is: a bar for people, nothing where the output goes to a file.
+class Progress {
+  public:
+    explicit Progress(std::int64_t total) : total_(total), shown_(isatty(STDERR_FILENO) != 0) {}
+    void show(std::int64_t done) {
+        if (!shown_ || (done < total_ && seconds_since(last_) < 0.1)) return;
+        last_ = Clock_::now();
+        const int filled = total_ > 0 ? static_cast<int>(30 * done / total_) : 30;
+        fmt::print(stderr, "\r[{:=<{}}{:{}}] {}/{} ticks{}", "", filled, "", 30 - filled, done, total_, done == total_ ? "\n" : "");
+    }
+
+  private:
+    std::int64_t total_;
+    bool shown_;
+    Clock_::time_point last_{};
+};
+
+void say_notes(const Scene& scene) {
+    for (const std::string& note : scene.document.notes) say("note: " + note);
+}
+
+}  // namespace
+
+void run(const RunOptions& options) {
+    check_outputs(options.outputs);
+    const gpu::Context context(options.gpu);
+    say(gpu::describe(context.device()));
+    Scene scene = make_scene(options.scene);
+    say_notes(scene);
+    scene.start.hash = state_hash(scene.document.state);
+    std::int64_t ticks = options.ticks.value_or(default_ticks);
+    if (options.time_s) ticks = std::llround(std::ceil(*options.time_s / scene.simulation.number("time.tick_s") - 1e-9));
+    const auto start = Clock_::now();
+    const double cpu_start = process_cpu_s();
+    Simulation simulation(scene.document.state, scene.simulation);
+    Progress progress(ticks);
+    for (std::int64_t done = 0; done < ticks; ++done) {
+        simulation.apply(Ticks{1});
+        progress.show(done + 1);
+    }
+    const RunFigures figures{gpu::describe(context.device()), ticks, seconds_since(start), process_cpu_s() - cpu_start};
+    write_outputs(options.outputs, scene, simulation, figures);
+}
+
+void replay(const ReplayOptions& options) {
+    check_outputs(options.outputs);
+    const JournalFile journal = read_journal(read_text(options.journal), options.journal);
+    const gpu::Context context(options.gpu);
+    say(gpu::describe(context.device()));
+    Scene scene = make_scene(journal, options.journal);
+    const auto start = Clock_::now();
+    const double cpu_start = process_cpu_s();
+    Simulation simulation(scene.document.state, scene.simulation);
+    Progress progress(static_cast<std::int64_t>(journal.operations.size()));
+    std::int64_t done = 0;
+    for (const Operation& operation : journal.operations) {
+        simulation.apply(operation);
+        progress.show(++done);
+    }
+    const RunFigures figures{gpu::describe(context.device()), simulation.clock().ticks - scene.document.state.clock.ticks,
+                             seconds_since(start), process_cpu_s() - cpu_start};
+    write_outputs(options.outputs, scene, simulation, figures);
+}
+
+}  // namespace talus

@@ -1,0 +1,17 @@
+#pragma once
+#include "app/commands/commands.h"
+#include "app/report.h"
+
+namespace talus {
+
+/// Throws talus::Error, before any work is done, when an output's ending cannot be written.
+void check_outputs(const Outputs& outputs);
+
+/// Writes one terrain file: .exr as the document (or one layer), the others as a heightmap of the layer.
+void write_terrain(const std::string& path, const Document& document, const std::string& layer,
+                   std::optional<glm::dvec2> range_m);
+
+/// Writes the files, the picture (first look, with the view's legend), the journal and the report of a finished run.
+void write_outputs(const Outputs& outputs, Scene& scene, Simulation& simulation, RunFigures figures);
+
+}  // namespace talus

@@ -1,0 +1,18 @@
+#pragma once
+#include <vector>
+
+#include "render/view.h"
+#include "sim/gpu/texture.h"
+
+namespace talus {
+
+/// Adds the legends to the present ImGui frame, in the lower right corner of a display of this size.
+void draw_legend(const std::vector<Legend>& legends, int width, int height);
+
+/// Draws the legends into a framebuffer where no window is: the same pictures that the window shows.
+void draw_legend_into(const gpu::Framebuffer& framebuffer, int width, int height, const std::vector<Legend>& legends);
+
+/// Loads the font that panels and legends are set in; a sans serif of the system, or ImGui's own where there is none.
+void load_font(float pixels);
+
+}  // namespace talus

@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+
+#include "app/commands/commands.h"
+#include "sim/simulation.h"
+
+namespace talus {
+
+/// What a run reports: numbers for machines, and the sentences that people get on stderr.
+struct RunFigures {
+    std::string device;
+    std::int64_t ticks = 0;
+    double wall_s = 0;
+    double cpu_s = 0;
+};
+
+/// The report of a run as JSON; volumes in m³.
+std::string run_report(const RunFigures& figures, const TerrainState& state, const LedgerReading& ledger);
+
+/// Prints a note to stderr, one line.
+void say(const std::string& message);
+
+/// CPU seconds of this process so far, all threads.
+double process_cpu_s();
+
+}  // namespace talus

@@ -1,0 +1,98 @@
+#include "app/scene.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/app_parameters.h"
+#include "render/view.h"
+#include "sim/gpu/error.h"
+#include "sim/preset.h"
+#include "sim/simulation_parameters.h"
+#include "sim/terrain/generate.h"
+
+namespace talus {
+namespace {
+
+// The values of `all` that `part` declares, given ones as given.
+Parameters part_of(const Parameters& all, std::vector<Parameter> part) {
+    Parameters parameters(std::move(part));
+    for (const Parameter& p : parameters.declared())
+        if (all.is_given(p.name)) parameters.set(p.name, all.value(p.name));
+    return parameters;
+}
+
+TerrainState generated(const Parameters& p) {
+    const double spacing = p.number("terrain.spacing_m");
+    const Grid grid{p.whole("terrain.nx"), p.whole("terrain.ny"), spacing, spacing};
+    return bedrock_terrain(grid, generate_heights(grid, {p.choice("terrain.kind"), static_cast<std::uint32_t>(p.whole("terrain.seed")),
+                                                         p.number("terrain.relief_m")}));
+}
+
+Scene assemble(const Parameters& all, Document document) {
+    std::vector<Parameter> view = render_parameters();
+    const std::vector<Parameter> app = app_parameters();
+    view.insert(view.end(), app.begin(), app.end());
+    Scene scene{std::move(document), part_of(all, simulation_parameters()), part_of(all, view), {}, {}};
+    scene.start.parameters = to_toml(scene.simulation);
+    const Grid& grid = scene.document.state.grid;
+    const double extent = std::max(grid.width_m(), grid.height_m());
+    scene.view.suggest("brush.radius_m", extent / 40);
+    scene.view.suggest("brush.rate_m_per_s", extent / 160);
+    scene.view.suggest("camera.speed_m_per_s", extent / 12);
+    return scene;
+}
+
+}  // namespace
+
+Scene make_scene(const SceneRequest& request) {
+    Parameters all(all_parameters());
+    const Preset preset = find_preset(request.preset.empty() ? "alpine" : request.preset);
+    apply_preset(preset, all);
+    Document document;
+    if (!request.input.empty()) {
+        document = open_document(request.input, request.import);
+        // What a document was made with holds, unless a preset was asked for by name.
+        if (!document.parameters.empty()) from_toml(document.parameters, request.input, all);
+        if (!request.preset.empty()) apply_preset(preset, all);
+    }
+    if (request.size) {
+        all.set("terrain.nx", request.size->x);
+        all.set("terrain.ny", request.size->y);
+    }
+    if (request.import.spacing_m) all.set("terrain.spacing_m", *request.import.spacing_m);
+    for (const std::string& assignment : request.assignments) all.set_assignment(assignment);
+    if (request.input.empty()) {
+        document.state = generated(all);
+        document.kind = "generated";
+    }
+    Scene scene = assemble(all, std::move(document));
+    scene.start.input = request.input.empty() ? "" : std::filesystem::absolute(request.input).string();
+    scene.start.import_guess = to_text(request.import);
+    scene.title = request.input.empty() ? preset.title : std::filesystem::path(request.input).filename().string();
+    return scene;
+}
+
+Scene make_scene(const JournalFile& journal, const std::string& journal_path) {
+    Parameters all(all_parameters());
+    from_toml(journal.start.parameters, journal_path, all);
+    Document document;
+    if (journal.start.input.empty()) {
+        document.state = generated(all);
+        document.kind = "generated";
+    } else {
+        document = open_document(journal.start.input, import_settings_from(journal.start.import_guess));
+    }
+    const std::uint64_t hash = state_hash(document.state);
+    if (hash != journal.start.hash)
+        throw Error(fmt::format("{}: starts from a terrain with hash {:016x} where {} gives {:016x}, so it was made from another file "
+                                "or version",
+                                journal_path, journal.start.hash,
+                                journal.start.input.empty() ? "its generator" : "'" + journal.start.input + "'", hash));
+    Scene scene = assemble(all, std::move(document));
+    scene.start = journal.start;
+    scene.title = "replay";
+    return scene;
+}
+
+}  // namespace talus

@@ -1,0 +1,36 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/io/document.h"
+#include "sim/journal.h"
+#include "sim/parameters.h"
+
+namespace talus {
+
+/// What a person asks for when starting.
+struct SceneRequest {
+    std::string preset;                     ///< name or path; empty: the default, alpine
+    std::string input;                      ///< a heightmap or document; empty: generated
+    std::optional<glm::ivec2> size;         ///< of the generated terrain
+    ImportSettings import;                  ///< its spacing holds for generated terrain too
+    std::vector<std::string> assignments;   ///< section.name=value
+};
+
+/// A terrain ready to run: where every session, live or replayed, begins.
+struct Scene {
+    Document document;
+    Parameters simulation;  ///< terrain.*, time.tick_s, thermal.*
+    Parameters view;        ///< render.*, brush.*, camera.*, time.speed, undo.*
+    JournalStart start;     ///< without the hash, which the caller takes of the state
+    std::string title;
+};
+
+/// Throws talus::Error when the request cannot be met.
+Scene make_scene(const SceneRequest& request);
+
+/// The scene that a journal starts from, with its hash checked.
+Scene make_scene(const JournalFile& journal, const std::string& journal_path);
+
+}  // namespace talus

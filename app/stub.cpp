@@ -1,1 +1,0 @@
-namespace talus { void app_stub(); void app_stub() {} }

@@ -1,0 +1,45 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "render/camera.h"
+#include "sim/parameters.h"
+
+namespace talus {
+
+/// How the surface is coloured. The order is that of `view` in shaders/render/shade.frag and of view_names().
+enum class View { shaded = 0, hillshade = 1, slope = 2, bands = 3, steps = 4 };
+const std::vector<std::string>& view_names();
+
+/// What a view's colours mean: a title with unit, and the values at the scale's ends.
+struct Legend {
+    std::string title;
+    double low = 0;
+    double high = 0;
+    std::string unit;
+    bool grey = false;      ///< black to white instead of the colour map
+    int bands = 0;          ///< a scale of so many flat steps; 0: smooth
+};
+
+/// The parameters of drawing (law 8): they change the picture, never the terrain.
+std::vector<Parameter> render_parameters();
+
+/// What the renderer takes from those parameters.
+struct ViewSettings {
+    std::string method = "exact";
+    View view = View::shaded;
+    glm::dvec3 sun{0, 0, 1};  ///< unit vector towards the sun: east, north, up
+    bool shadows = true;
+    double band_m = 100;
+    glm::dvec3 ring_m{0};     ///< brush ring: world x, y, radius; radius 0: none
+    bool operator==(const ViewSettings&) const = default;
+};
+ViewSettings view_settings(const Parameters& parameters);
+
+/// The legend of a view over a terrain with these lowest and highest heights; none for `shaded`.
+std::vector<Legend> legend_of(const ViewSettings& settings, double lowest_m, double highest_m);
+
+constexpr double slope_scale_deg = 60;
+constexpr double steps_scale = 96;
+
+}  // namespace talus
