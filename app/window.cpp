@@ -1,5 +1,363 @@
 #include "app/window.h"
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/panels/legend.h"
+#include "app/panels/panels.h"
+#include "app/report.h"
+#include "app/session.h"
+#include "app/tools/camera_control.h"
+#include "sim/gpu/error.h"
+#include "sim/gpu/program.h"
+#include "sim/gpu/readback.h"
+
 namespace talus {
-std::string why_no_window() { return "not yet"; }
-void run_window(const WindowOptions&) {}
+namespace {
+
+constexpr double frame_goal_s = 1.0 / 30;
+
+std::string glfw_error() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text ? text : "no reason given";
 }
+
+// GLFW's life: init to terminate.
+class Glfw {
+  public:
+    Glfw() {
+        if (!glfwInit()) throw Error(fmt::format("no window can open: {}", glfw_error()));
+    }
+    ~Glfw() { glfwTerminate(); }
+    Glfw(const Glfw&) = delete;
+    Glfw& operator=(const Glfw&) = delete;
+
+    GLFWwindow* open(glm::ivec2 size, bool visible) const {
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_TRUE);
+        glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
+        GLFWwindow* window = glfwCreateWindow(size.x, size.y, "Talus", nullptr, nullptr);
+        if (!window) throw Error(fmt::format("no window with OpenGL 4.5 can open: {}", glfw_error()));
+        glfwMakeContextCurrent(window);
+        return window;
+    }
+};
+
+// What a person does with mouse and keys, turned into what the session does.
+class Window {
+  public:
+    Window(const Glfw& glfw, const WindowOptions& options)
+        : window_(glfw.open(options.size, true)),
+          device_(gpu::adopt_current_context("window")),
+          session_(options.scene),
+          journal_path_(options.journal) {
+        say(gpu::describe(device_));
+        for (const std::string& note : session_.scene().document.notes) say("note: " + note);
+        gpu::on_shader_message([this](const std::string& message) {
+            say(message);
+            tell(message);
+        });
+        glfwSetWindowUserPointer(window_, this);
+        glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
+            if (count > 0) static_cast<Window*>(glfwGetWindowUserPointer(w))->requests_.open = paths[0];
+        });
+        glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) { static_cast<Window*>(glfwGetWindowUserPointer(w))->wheel_ += y; });
+        glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
+            if (action != GLFW_RELEASE) static_cast<Window*>(glfwGetWindowUserPointer(w))->key(key, mods);
+        });
+        ImGui::CreateContext();
+        ImGui::GetIO().IniFilename = nullptr;
+        ImGui::StyleColorsDark();
+        ImGui::GetStyle().WindowRounding = 5;
+        ImGui::GetStyle().FrameRounding = 3;
+        load_font(15);
+        // Chains to the callbacks above.
+        ImGui_ImplGlfw_InitForOpenGL(window_, true);
+        ImGui_ImplOpenGL3_Init("#version 450 core");
+        title();
+    }
+    ~Window() {
+        ImGui_ImplOpenGL3_Shutdown();
+        ImGui_ImplGlfw_Shutdown();
+        ImGui::DestroyContext();
+    }
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    void loop() {
+        last_s_ = glfwGetTime();
+        while (!glfwWindowShouldClose(window_)) {
+            // At rest nothing is drawn and nothing presented: the window waits.
+            if (busy())
+                glfwPollEvents();
+            else
+                glfwWaitEventsTimeout(0.3);
+            if (gpu::poll_shader_folder()) wake();
+            frame();
+        }
+        session_.pause();
+        if (!journal_path_.empty()) session_.write_journal_to(journal_path_);
+    }
+
+  private:
+    bool busy() const { return session_.playing || session_.stroking() || frames_left_ > 0 || moving_s_ > 0 || cursor_readback_.pending(); }
+    void wake() { frames_left_ = 3; }
+    void tell(const std::string& message) {
+        message_ = message;
+        message_until_s_ = glfwGetTime() + 6;
+        wake();
+    }
+    void title() {
+        glfwSetWindowTitle(window_, fmt::format("{}{} - Talus", session_.scene().title, session_.unsaved() ? " *" : "").c_str());
+    }
+
+    // Errors of what a person asked for are told, and everything stays as it was.
+    template <typename Act>
+    void attempt(Act&& act) {
+        try {
+            act();
+        } catch (const Error& error) {
+            say(fmt::format("talus: {}", error.what()));
+            tell(error.what());
+        }
+        wake();
+    }
+
+    void key(int key, int mods) {
+        wake();
+        const bool control = (mods & GLFW_MOD_CONTROL) != 0;
+        const bool shift = (mods & GLFW_MOD_SHIFT) != 0;
+        if (dialog_.purpose != FileDialog::Purpose::none) return;
+        if (control) {
+            if (key == GLFW_KEY_Z) (shift ? requests_.redo : requests_.undo) = true;
+            if (key == GLFW_KEY_Y) requests_.redo = true;
+            if (key == GLFW_KEY_O) dialog_.begin(FileDialog::Purpose::open, session_.path());
+            if (key == GLFW_KEY_S && (shift || session_.path().empty())) dialog_.begin(FileDialog::Purpose::save, session_.path());
+            else if (key == GLFW_KEY_S) requests_.save = session_.path();
+            if (key == GLFW_KEY_Q) requests_.quit = true;
+            return;
+        }
+        if (ImGui::GetIO().WantTextInput) return;
+        const auto scale = [&](const char* name, double factor) {
+            const Parameter& p = session_.declaration(name);
+            session_.set(name, std::clamp(session_.view().number(name) * factor, p.low, p.high));
+        };
+        const std::vector<std::string>& modes = session_.declaration("brush.mode").choices;
+        switch (key) {
+            case GLFW_KEY_SPACE:
+                if (session_.playing)
+                    session_.pause();
+                else
+                    session_.playing = true;
+                break;
+            case GLFW_KEY_PERIOD: attempt([&] { session_.step(); }); break;
+            case GLFW_KEY_F: requests_.framing = true; break;
+            case GLFW_KEY_LEFT_BRACKET: scale("brush.radius_m", 1 / 1.15); break;
+            case GLFW_KEY_RIGHT_BRACKET: scale("brush.radius_m", 1.15); break;
+            case GLFW_KEY_MINUS: scale("brush.rate_m_per_s", 1 / 1.15); break;
+            case GLFW_KEY_EQUAL: scale("brush.rate_m_per_s", 1.15); break;
+            default:
+                if (key >= GLFW_KEY_1 && key < GLFW_KEY_1 + static_cast<int>(modes.size()))
+                    session_.set("brush.mode", modes[static_cast<std::size_t>(key - GLFW_KEY_1)]);
+        }
+    }
+
+    // Where the mouse's ray met the ground when it was last read.
+    void read_cursor() {
+        if (const auto texels = cursor_readback_.poll()) {
+            const float distance = (*texels)[0];
+            cursor_.reset();
+            if (std::isfinite(distance)) cursor_ = cursor_camera_.eye + cursor_direction_ * static_cast<double>(distance);
+        }
+    }
+
+    void start_cursor_readback(glm::dvec2 mouse, int width, int height, int drawn_width, int drawn_height) {
+        if (cursor_readback_.pending() || mouse.x < 0 || mouse.y < 0 || mouse.x >= width || mouse.y >= height) return;
+        const int x = std::clamp(static_cast<int>(mouse.x * drawn_width / width), 0, drawn_width - 1);
+        const int y = std::clamp(static_cast<int>(mouse.y * drawn_height / height), 0, drawn_height - 1);
+        cursor_camera_ = session_.camera();
+        cursor_direction_ = pixel_direction(cursor_camera_, x + 0.5, y + 0.5, drawn_width, drawn_height);
+        cursor_readback_.start(session_.renderer().hits(), {x, drawn_height - 1 - y, 1, 1});
+    }
+
+    void move_camera(glm::dvec2 mouse, double passed_s, int height) {
+        Camera& camera = session_.camera();
+        const Camera before = camera;
+        camera.fov_deg = session_.view().number("camera.fov_deg");
+        const glm::dvec2 drag = mouse - mouse_;
+        const bool captured = ImGui::GetIO().WantCaptureMouse;
+        const bool flying = session_.view().choice("camera.mode") == "fly";
+        const glm::dvec3 ahead = cursor_.value_or(camera.target);
+        const auto held = [&](int button) { return glfwGetMouseButton(window_, button) == GLFW_PRESS; };
+        const bool turning = held(GLFW_MOUSE_BUTTON_RIGHT) && !captured;
+        if (turning && !turning_) pivot_ = ahead;
+        turning_ = turning;
+        if (turning && drag != glm::dvec2(0)) {
+            if (flying)
+                look(camera, drag.x, drag.y);
+            else
+                orbit(camera, pivot_, drag.x, drag.y);
+        }
+        if (held(GLFW_MOUSE_BUTTON_MIDDLE) && !captured) pan(camera, drag.x, drag.y, glm::length(ahead - camera.eye), height);
+        if (wheel_ != 0 && !captured) zoom(camera, ahead, wheel_);
+        wheel_ = 0;
+        if (!ImGui::GetIO().WantTextInput && dialog_.purpose == FileDialog::Purpose::none && !ImGui::GetIO().KeyCtrl) {
+            const auto down = [&](int k) { return glfwGetKey(window_, k) == GLFW_PRESS ? 1.0 : 0.0; };
+            const double step = session_.view().number("camera.speed_m_per_s") * passed_s;
+            fly(camera, step * (down(GLFW_KEY_W) - down(GLFW_KEY_S)), step * (down(GLFW_KEY_D) - down(GLFW_KEY_A)),
+                step * (down(GLFW_KEY_E) - down(GLFW_KEY_Q)));
+        }
+        if (!(camera == before)) moving_s_ = 0.25;
+    }
+
+    void sculpt(double passed_s) {
+        const bool held = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS && !ImGui::GetIO().WantCaptureMouse;
+        if (held && !session_.stroking() && cursor_) session_.begin_stroke(*cursor_);
+        if (!held && session_.stroking()) {
+            session_.end_stroke();
+            title();
+        }
+        if (session_.stroking() && cursor_) {
+            session_.stroke(*cursor_, std::min(passed_s, 0.1));
+            moving_s_ = 0.25;
+        }
+    }
+
+    void serve_requests() {
+        PanelRequests asked;
+        std::swap(asked, requests_);
+        if (asked.open)
+            attempt([&] {
+                session_.open(*asked.open);
+                for (const std::string& note : session_.scene().document.notes) say("note: " + note);
+                notes_shown_ = true;
+                cursor_.reset();
+            });
+        if (asked.save)
+            attempt([&] {
+                session_.save(*asked.save);
+                if (!journal_path_.empty()) session_.write_journal_to(journal_path_);
+                tell(fmt::format("saved {}", *asked.save));
+            });
+        if (asked.reset) attempt([&] { session_.reset(); });
+        if (asked.undo) attempt([&] { session_.undo(); });
+        if (asked.redo) attempt([&] { session_.redo(); });
+        if (asked.framing) session_.frame_terrain();
+        if (asked.quit) glfwSetWindowShouldClose(window_, GLFW_TRUE);
+        if (asked.open || asked.save || asked.reset || asked.undo || asked.redo || asked.framing) {
+            title();
+            wake();
+        }
+    }
+
+    void frame() {
+        const double now = glfwGetTime();
+        const double passed_s = std::min(now - last_s_, 0.25);
+        last_s_ = now;
+        int width = 0;
+        int height = 0;
+        glfwGetFramebufferSize(window_, &width, &height);
+        if (width <= 0 || height <= 0) return;
+        glm::dvec2 mouse;
+        glfwGetCursorPos(window_, &mouse.x, &mouse.y);
+
+        read_cursor();
+        move_camera(mouse, passed_s, height);
+        sculpt(passed_s);
+        if (mouse != mouse_) wake();
+        mouse_ = mouse;
+        if (session_.playing) session_.play(passed_s, frame_goal_s / 2);
+
+        // While anything moves, the resolution gives way so that frames keep coming; at rest it is full.
+        const bool moving = session_.playing || session_.stroking() || moving_s_ > 0;
+        moving_s_ = std::max(0.0, moving_s_ - passed_s);
+        if (moving && moved_before_) scale_ = std::clamp(scale_ * std::sqrt(frame_goal_s / std::max(frame_s_, 1e-3)), 0.9 * scale_, 1.05 * scale_);
+        moved_before_ = moving;
+        scale_ = std::clamp(scale_, 0.2, 1.0);
+        const double used = moving ? scale_ : 1.0;
+        const int drawn_width = std::max(1, static_cast<int>(width * used));
+        const int drawn_height = std::max(1, static_cast<int>(height * used));
+        if (!moving && frames_left_ > 0) --frames_left_;
+        if (moving) frames_left_ = 2;
+
+        ViewSettings settings = view_settings(session_.view());
+        if (cursor_ && !ImGui::GetIO().WantCaptureMouse)
+            settings.ring_m = {cursor_->x, cursor_->y, session_.view().number("brush.radius_m")};
+        session_.renderer().draw(session_.simulation().terrain(), session_.camera(), settings, drawn_width, drawn_height);
+        start_cursor_readback(mouse, width, height, drawn_width, drawn_height);
+
+        gpu::bind_window(width, height);
+        session_.renderer().framebuffer().blit_to_window({0, 0, drawn_width, drawn_height}, {0, 0, width, height});
+        ImGui_ImplOpenGL3_NewFrame();
+        ImGui_ImplGlfw_NewFrame();
+        ImGui::NewFrame();
+        draw_main_panel(session_, dialog_, requests_);
+        draw_notes(session_, notes_shown_);
+        draw_file_dialog(dialog_, requests_);
+        draw_legend(legend_of(settings, session_.bounds().x, session_.bounds().y), width, height - 26);
+        StatusFigures figures{device_.renderer, now < message_until_s_ ? message_ : "", std::nullopt, frame_s_ * 1000, used};
+        if (cursor_) figures.cursor_height_m = cursor_->z;
+        draw_status_line(session_, figures, width, height);
+        ImGui::Render();
+        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+        glfwSwapBuffers(window_);
+        serve_requests();
+        frame_s_ = glfwGetTime() - now;
+    }
+
+    GLFWwindow* window_;
+    gpu::Device device_;
+    Session session_;
+    std::string journal_path_;
+    PanelRequests requests_;
+    FileDialog dialog_;
+    bool notes_shown_ = true;
+    std::string message_;
+    double message_until_s_ = 0;
+
+    gpu::Readback cursor_readback_;
+    Camera cursor_camera_;
+    glm::dvec3 cursor_direction_{0};
+    std::optional<glm::dvec3> cursor_;
+    glm::dvec2 mouse_{0};
+    glm::dvec3 pivot_{0};
+    bool turning_ = false;
+    double wheel_ = 0;
+
+    double last_s_ = 0;
+    double frame_s_ = frame_goal_s;
+    double scale_ = 1.0;
+    double moving_s_ = 0;
+    bool moved_before_ = false;
+    int frames_left_ = 3;
+};
+
+}  // namespace
+
+std::string why_no_window() {
+    try {
+        const Glfw glfw;
+        glfw.open({64, 64}, false);
+        gpu::adopt_current_context("window");
+        return "";
+    } catch (const Error& error) {
+        return error.what();
+    }
+}
+
+void run_window(const WindowOptions& options) {
+    const Glfw glfw;
+    Window window(glfw, options);
+    window.loop();
+}
+
+}  // namespace talus

@@ -143,20 +143,6 @@ void Framebuffer::blit_to_window(const Region& source, const Region& target) con
 void bind_window(int width, int height) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, width, height);
-    glClearColor(0, 0, 0, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-}
-
-std::vector<std::uint8_t> read_window(int width, int height) {
-    std::vector<std::uint8_t> bottom_up(static_cast<std::size_t>(width) * height * 3);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, bottom_up.data());
-    raise_errors();
-    std::vector<std::uint8_t> rows(bottom_up.size());
-    const std::size_t stride = static_cast<std::size_t>(width) * 3;
-    for (int y = 0; y < height; ++y)
-        std::copy_n(bottom_up.begin() + (height - 1 - y) * stride, stride, rows.begin() + y * stride);
-    return rows;
 }
 
 }  // namespace talus::gpu

@@ -87,10 +87,7 @@ class Framebuffer {
     Handle<delete_framebuffer> handle_;
 };
 
-/// Draws go to the window of the current context, cleared to black.
+/// Draws go to the window of the current context.
 void bind_window(int width, int height);
-
-/// Rows of RGB bytes of what the window shows now, top row first. Waits for the device.
-std::vector<std::uint8_t> read_window(int width, int height);
 
 }  // namespace talus::gpu

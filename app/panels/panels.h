@@ -1,0 +1,52 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/session.h"
+
+namespace talus {
+
+/// What panels ask the window to do, once the frame's panels are done.
+struct PanelRequests {
+    std::optional<std::string> open;
+    std::optional<std::string> save;
+    bool reset = false;
+    bool undo = false;
+    bool redo = false;
+    bool quit = false;
+    bool framing = false;
+};
+
+/// What the status line says besides the session's own figures.
+struct StatusFigures {
+    std::string device;
+    std::string message;
+    std::optional<double> cursor_height_m;
+    double frame_ms = 0;
+    double scale = 1;
+};
+
+/// A dialog that picks a path; the window keeps one.
+struct FileDialog {
+    enum class Purpose { none, open, save };
+    Purpose purpose = Purpose::none;
+    std::string folder;
+    std::string name;
+    std::string error;
+    void begin(Purpose what, const std::string& near);
+};
+
+/// Menu bar and main panel: play, undo, tools and every declared parameter.
+void draw_main_panel(Session& session, FileDialog& dialog, PanelRequests& requests);
+void draw_status_line(const Session& session, const StatusFigures& figures, int width, int height);
+void draw_file_dialog(FileDialog& dialog, PanelRequests& requests);
+/// What the file's reader guessed; closed by the person.
+void draw_notes(const Session& session, bool& shown);
+
+/// A widget for a declared parameter: name, unit, tooltip with help and range; right click resets to the default.
+/// True when the value changed.
+bool draw_parameter(const Parameter& parameter, Value& value);
+
+}  // namespace talus

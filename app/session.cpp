@@ -1,0 +1,161 @@
+#include "app/session.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "app/outputs.h"
+#include "sim/gpu/error.h"
+#include "sim/io/atomic_file.h"
+#include "sim/preset.h"
+
+namespace talus {
+namespace {
+
+double now_s() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+Session::Session(const SceneRequest& request) : request_(request), scene_(make_scene(request)) {
+    start(std::move(scene_));
+    path_ = request.input;
+}
+
+void Session::start(Scene scene) {
+    scene.start.hash = state_hash(scene.document.state);
+    const std::size_t undo_bytes = static_cast<std::size_t>(scene.view.whole("undo.memory_mib")) << 20U;
+    auto simulation = std::make_unique<Simulation>(scene.document.state, scene.simulation, undo_bytes);
+    auto renderer = std::make_unique<Renderer>(simulation->terrain());
+    const std::vector<float> ground = scene.document.state.ground();
+    const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
+    bounds_ = {*low, *high};
+    scene_ = std::move(scene);
+    simulation_ = std::move(simulation);
+    renderer_ = std::move(renderer);
+    saved_operations_.clear();
+    playing = false;
+    stroking_ = false;
+    frame_terrain();
+}
+
+void Session::frame_terrain() { camera_ = overview(grid(), bounds_.x, bounds_.y); }
+
+void Session::open(const std::string& path) {
+    SceneRequest request = request_;
+    request.input = path;
+    // The preset that the window began with may be made for other ground: an opened file brings its own settings.
+    if (request_.input.empty()) request.preset.clear();
+    request.import = {};
+    start(make_scene(request));
+    request_ = request;
+    path_ = path;
+}
+
+void Session::reset() { start(make_scene(request_)); }
+
+void Session::save(const std::string& path) {
+    scene_.document.state = simulation_->read();
+    scene_.document.parameters = to_toml(simulation_->parameters());
+    write_terrain(path, scene_.document, "", std::nullopt);
+    path_ = path;
+    saved_operations_ = simulation_->journal().operations();
+}
+
+void Session::write_journal_to(const std::string& path) const {
+    write_atomically(path, write_journal(scene_.start, simulation_->journal()));
+}
+
+bool Session::is_simulated(const std::string& name) const {
+    const auto& declared = simulation_->parameters().declared();
+    return std::any_of(declared.begin(), declared.end(), [&](const Parameter& p) { return p.name == name; });
+}
+
+void Session::set(const std::string& name, const Value& value) {
+    if (!is_simulated(name)) return scene_.view.set(name, value);
+    while (simulation_->mid_tick()) simulation_->advance(1 << 20);
+    simulation_->apply(SetParameter{name, value});
+}
+
+const Value& Session::value(const std::string& name) const {
+    return is_simulated(name) ? simulation_->parameters().value(name) : scene_.view.value(name);
+}
+
+const Parameter& Session::declaration(const std::string& name) const {
+    return is_simulated(name) ? simulation_->parameters().declaration(name) : scene_.view.declaration(name);
+}
+
+void Session::play(double wall_s, double budget_s) {
+    const double tick_s = simulation_->parameters().number("time.tick_s");
+    const double speed = scene_.view.number("time.speed");
+    const double simulated_before = simulation_->clock().simulated_s;
+    // What could not be simulated in time is dropped, not piled up.
+    owed_s_ = std::min(owed_s_ + wall_s * speed, std::max(tick_s, 0.25 * speed));
+    const double begin = now_s();
+    int ticks = 0;
+    while (owed_s_ >= tick_s * 0.999 && now_s() - begin < budget_s) {
+        if (!simulation_->advance(1)) continue;
+        owed_s_ -= tick_s;
+        ++ticks;
+    }
+    if (ticks > 0) tick_ms_ = 1000 * (now_s() - begin) / ticks;
+    if (wall_s > 0) {
+        const double reached = (simulation_->clock().simulated_s - simulated_before) / wall_s;
+        speed_reached_ += 0.1 * (reached - speed_reached_);
+    }
+}
+
+void Session::pause() {
+    playing = false;
+    speed_reached_ = 0;
+    owed_s_ = 0;
+    while (simulation_->mid_tick()) simulation_->advance(1 << 20);
+    if (!stroking_) simulation_->end_entry();
+}
+
+void Session::step() {
+    pause();
+    simulation_->apply(Ticks{1});
+    simulation_->end_entry();
+}
+
+void Session::begin_stroke(glm::dvec3 at) {
+    while (simulation_->mid_tick()) simulation_->advance(1 << 20);
+    simulation_->begin_stroke(scene_.view.choice("brush.mode"));
+    stroke_height_m_ = at.z;
+    stroking_ = true;
+}
+
+void Session::stroke(glm::dvec3 at, double wall_s) {
+    while (simulation_->mid_tick()) simulation_->advance(1 << 20);
+    const Parameters& view = scene_.view;
+    const std::string& mode = view.choice("brush.mode");
+    Dab dab;
+    dab.mode = mode == "raise" ? BrushMode::raise : (mode == "lower" ? BrushMode::lower : (mode == "smooth" ? BrushMode::smooth : BrushMode::flatten));
+    dab.x_m = at.x;
+    dab.y_m = at.y;
+    dab.radius_m = view.number("brush.radius_m");
+    dab.falloff = view.number("brush.falloff");
+    dab.amount_m = view.number("brush.rate_m_per_s") * wall_s;
+    dab.blend = std::min(1.0, view.number("brush.blend_per_s") * wall_s);
+    dab.target_m = stroke_height_m_;
+    dab.on_regolith = view.choice("brush.material") == "regolith";
+    simulation_->apply(dab);
+}
+
+void Session::end_stroke() {
+    stroking_ = false;
+    simulation_->end_entry();
+}
+
+void Session::undo() {
+    pause();
+    simulation_->undo();
+}
+
+void Session::redo() {
+    pause();
+    simulation_->redo();
+}
+
+}  // namespace talus

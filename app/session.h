@@ -1,0 +1,81 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/scene.h"
+#include "render/renderer.h"
+#include "sim/simulation.h"
+
+namespace talus {
+
+/// What the window works on: a scene, its simulation and its picture. Knows no window and no panel.
+class Session {
+  public:
+    /// Throws talus::Error when the scene cannot be made.
+    explicit Session(const SceneRequest& request);
+
+    Simulation& simulation() { return *simulation_; }
+    const Simulation& simulation() const { return *simulation_; }
+    Renderer& renderer() { return *renderer_; }
+    /// Parameters of drawing and of the hand: not recorded.
+    Parameters& view() { return scene_.view; }
+    const Scene& scene() const { return scene_; }
+    Camera& camera() { return camera_; }
+    const Grid& grid() const { return simulation_->terrain().grid(); }
+    /// Heights at the last open or reset, for the camera and for legends.
+    glm::dvec2 bounds() const { return bounds_; }
+
+    bool playing = false;
+    /// Plays for this much wall time within this much work (seconds); measures the speed reached.
+    void play(double wall_s, double budget_s);
+    double speed_reached() const { return speed_reached_; }
+    double tick_ms() const { return tick_ms_; }
+    void pause();
+    void step();
+
+    /// Another file, or the same scene from its start: what was here before stays where that fails.
+    void open(const std::string& path);
+    void reset();
+    void frame_terrain();
+    /// Writes the document or heightmap by the path's ending; the document's path becomes the session's.
+    void save(const std::string& path);
+    const std::string& path() const { return path_; }
+    bool unsaved() const { return simulation_->journal().operations() != saved_operations_; }
+    void write_journal_to(const std::string& path) const;
+
+    /// Sets any parameter by name: simulation parameters as recorded operations, the others at once.
+    void set(const std::string& name, const Value& value);
+    const Value& value(const std::string& name) const;
+    const Parameter& declaration(const std::string& name) const;
+
+    void begin_stroke(glm::dvec3 at);
+    /// A dab of this much wall time at a place on the ground.
+    void stroke(glm::dvec3 at, double wall_s);
+    void end_stroke();
+    bool stroking() const { return stroking_; }
+
+    void undo();
+    void redo();
+
+  private:
+    void start(Scene scene);
+    bool is_simulated(const std::string& name) const;
+
+    SceneRequest request_;
+    Scene scene_;
+    std::unique_ptr<Simulation> simulation_;
+    std::unique_ptr<Renderer> renderer_;
+    Camera camera_;
+    glm::dvec2 bounds_{0};
+    std::string path_;
+    std::vector<Operation> saved_operations_;
+    double owed_s_ = 0;
+    double speed_reached_ = 0;
+    double tick_ms_ = 0;
+    bool stroking_ = false;
+    double stroke_height_m_ = 0;
+};
+
+}  // namespace talus

@@ -1,0 +1,71 @@
+#include "app/tools/camera_control.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace talus {
+namespace {
+
+constexpr double radians_per_pixel = 0.005;
+
+// Turns a vector about up by yaw, then towards up by pitch, short of straight up or down.
+glm::dvec3 turned(glm::dvec3 v, double yaw, double pitch) {
+    const double length = glm::length(v);
+    double heading = std::atan2(v.y, v.x) + yaw;
+    double elevation = std::asin(std::clamp(v.z / length, -1.0, 1.0)) + pitch;
+    elevation = std::clamp(elevation, -1.553, 1.553);
+    return length * glm::dvec3(std::cos(elevation) * std::cos(heading), std::cos(elevation) * std::sin(heading), std::sin(elevation));
+}
+
+}  // namespace
+
+void orbit(Camera& camera, glm::dvec3 pivot, double drag_x, double drag_y) {
+    const double yaw = -drag_x * radians_per_pixel;
+    const glm::dvec3 direction = camera.target - camera.eye;
+    const double elevation = std::asin(std::clamp(direction.z / glm::length(direction), -1.0, 1.0));
+    const double pitch = std::clamp(elevation - drag_y * radians_per_pixel, -1.55, 1.2) - elevation;
+    const glm::dvec3 right = camera_rays(camera, 1, 1).right / glm::length(camera_rays(camera, 1, 1).right);
+    // About the vertical through the pivot, then about the camera's own right through it.
+    const auto about_up = [&](glm::dvec3 v) {
+        return glm::dvec3(v.x * std::cos(yaw) - v.y * std::sin(yaw), v.x * std::sin(yaw) + v.y * std::cos(yaw), v.z);
+    };
+    const auto about_right = [&](glm::dvec3 v) {
+        return v * std::cos(pitch) + glm::cross(right, v) * std::sin(pitch) + right * (glm::dot(right, v) * (1 - std::cos(pitch)));
+    };
+    const glm::dvec3 eye = about_up(about_right(camera.eye - pivot)) + pivot;
+    camera.target = eye + about_up(about_right(direction));
+    camera.eye = eye;
+}
+
+void look(Camera& camera, double drag_x, double drag_y) {
+    camera.target = camera.eye + turned(camera.target - camera.eye, -drag_x * radians_per_pixel, -drag_y * radians_per_pixel);
+}
+
+void pan(Camera& camera, double drag_x, double drag_y, double distance_m, int picture_height) {
+    const double per_pixel = 2 * std::tan(camera.fov_deg * std::numbers::pi / 360) * distance_m / picture_height;
+    const CameraRays rays = camera_rays(camera, 1, 1);
+    const glm::dvec3 move = glm::normalize(rays.right) * (-drag_x * per_pixel) + glm::normalize(rays.up) * (drag_y * per_pixel);
+    camera.eye += move;
+    camera.target += move;
+}
+
+void zoom(Camera& camera, glm::dvec3 towards, double steps) {
+    const glm::dvec3 move = (towards - camera.eye) * (1 - std::pow(0.85, steps));
+    camera.eye += move;
+    camera.target += move;
+}
+
+void fly(Camera& camera, double ahead_m, double right_m, double up_m) {
+    const CameraRays rays = camera_rays(camera, 1, 1);
+    const glm::dvec3 move = rays.forward * ahead_m + glm::normalize(rays.right) * right_m + glm::dvec3(0, 0, up_m);
+    camera.eye += move;
+    camera.target += move;
+}
+
+glm::dvec3 pixel_direction(const Camera& camera, double x, double y, int width, int height) {
+    const CameraRays rays = camera_rays(camera, width, height);
+    return glm::normalize(rays.forward + rays.right * (2 * x / width - 1) + rays.up * (1 - 2 * y / height));
+}
+
+}  // namespace talus

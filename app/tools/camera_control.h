@@ -1,0 +1,20 @@
+#pragma once
+#include "render/camera.h"
+
+namespace talus {
+
+/// Turns the camera about a point on the ground by a drag of the mouse, in pixels.
+void orbit(Camera& camera, glm::dvec3 pivot, double drag_x, double drag_y);
+/// Turns the camera about its own eye.
+void look(Camera& camera, double drag_x, double drag_y);
+/// Moves eye and target sideways with the ground under the mouse; distance: of that ground.
+void pan(Camera& camera, double drag_x, double drag_y, double distance_m, int picture_height);
+/// Towards or away from a point; steps of the wheel.
+void zoom(Camera& camera, glm::dvec3 towards, double steps);
+/// Flies: metres ahead, to the right and up.
+void fly(Camera& camera, double ahead_m, double right_m, double up_m);
+
+/// The direction of the ray through a pixel (x right, y down from the upper left), unit length.
+glm::dvec3 pixel_direction(const Camera& camera, double x, double y, int width, int height);
+
+}  // namespace talus

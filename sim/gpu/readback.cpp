@@ -1,0 +1,30 @@
+#include "sim/gpu/readback.h"
+
+#include <epoxy/gl.h>
+
+#include "sim/gpu/debug.h"
+
+namespace talus::gpu {
+
+Readback::~Readback() {
+    if (fence_) glDeleteSync(static_cast<GLsync>(fence_));
+}
+
+void Readback::start(const Texture& texture, const Region& region) {
+    const std::size_t bytes = static_cast<std::size_t>(region.width) * region.height * texel_bytes(texture.format());
+    if (buffer_.bytes() != bytes) buffer_ = Buffer("readback", bytes);
+    texture.copy_to(buffer_, 0, region);
+    fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    raise_errors();
+}
+
+std::optional<std::vector<float>> Readback::poll() {
+    if (!fence_) return std::nullopt;
+    const GLenum state = glClientWaitSync(static_cast<GLsync>(fence_), GL_SYNC_FLUSH_COMMANDS_BIT, 0);
+    if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED) return std::nullopt;
+    glDeleteSync(static_cast<GLsync>(fence_));
+    fence_ = nullptr;
+    return buffer_.read_all<float>();
+}
+
+}  // namespace talus::gpu

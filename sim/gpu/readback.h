@@ -1,0 +1,30 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "sim/gpu/texture.h"
+
+namespace talus::gpu {
+
+/// Reads texels of a float texture without waiting: start() copies on the device, poll() gives them once they are there.
+///
+///     if (!readback.pending()) readback.start(hits, {x, y, 1, 1});
+///     if (auto texels = readback.poll()) ...
+class Readback {
+  public:
+    Readback() = default;
+    ~Readback();
+    Readback(const Readback&) = delete;
+    Readback& operator=(const Readback&) = delete;
+
+    bool pending() const { return fence_ != nullptr; }
+    void start(const Texture& texture, const Region& region);
+    /// All components of the region's texels, row by row; none while the device is still at it, or nothing was started.
+    std::optional<std::vector<float>> poll();
+
+  private:
+    Buffer buffer_;
+    void* fence_ = nullptr;
+};
+
+}  // namespace talus::gpu
