@@ -5,7 +5,8 @@
 
 namespace talus {
 
-/// Parameters of the window: brush, camera, undo. They change what a hand does next, never a recorded operation.
+/// Parameters of the window: brush, camera, undo. They change what a hand does next, never a recorded
+/// operation.
 std::vector<Parameter> app_parameters();
 
 /// Every declared parameter: simulation, drawing, window.

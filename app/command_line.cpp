@@ -16,7 +16,8 @@
 namespace talus {
 namespace {
 
-std::vector<double> numbers(const std::string& option, const std::string& text, char separator, std::size_t count) {
+std::vector<double> numbers(const std::string& option, const std::string& text, char separator,
+                            std::size_t count) {
     std::vector<double> values;
     const char* at = text.data();
     const char* end = at + text.size();
@@ -28,20 +29,23 @@ std::vector<double> numbers(const std::string& option, const std::string& text, 
         at = next + 1;
     }
     if (values.size() != count || at != end + 1)
-        throw Error(fmt::format("{} '{}' cannot be read, write it as {} numbers with '{}' between", option, text, count, separator));
+        throw Error(fmt::format("{} '{}' cannot be read, write it as {} numbers with '{}' between", option,
+                                text, count, separator));
     return values;
 }
 
 glm::ivec2 size_from(const std::string& text) {
     const std::vector<double> v = numbers("--size", text, 'x', 2);
     if (v[0] != std::floor(v[0]) || v[1] != std::floor(v[1]) || std::abs(v[0]) > 1e6 || std::abs(v[1]) > 1e6)
-        throw Error(fmt::format("--size '{}' cannot be read, write it as two whole numbers, e.g. 513x513", text));
+        throw Error(
+            fmt::format("--size '{}' cannot be read, write it as two whole numbers, e.g. 513x513", text));
     return {v[0], v[1]};
 }
 
 // Texts as they stand on the command line, read after parsing so that errors are ours.
 struct Texts {
-    std::string file, preset, input, size, spacing, range, raw, eye, target, fov, method, view, shader_dir, layer;
+    std::string file, preset, input, size, spacing, range, raw, eye, target, fov, method, view, shader_dir,
+        layer;
     std::vector<std::string> assignments;
     std::optional<int> gpu;
     bool require_hardware = false;
@@ -52,7 +56,8 @@ struct Texts {
         ImportSettings settings;
         if (!spacing.empty()) {
             settings.spacing_m = numbers("--spacing", spacing, ',', 1)[0];
-            if (!(*settings.spacing_m > 0)) throw Error(fmt::format("--spacing {} cannot be used, it must be positive", spacing));
+            if (!(*settings.spacing_m > 0))
+                throw Error(fmt::format("--spacing {} cannot be used, it must be positive", spacing));
         }
         if (!range.empty()) settings.range_m = range_m();
         if (!raw.empty()) settings.raw = parse_raw_layout(raw);
@@ -61,7 +66,9 @@ struct Texts {
     std::optional<glm::dvec2> range_m() const {
         if (range.empty()) return std::nullopt;
         const std::vector<double> v = numbers("--range", range, ',', 2);
-        if (!(v[1] > v[0])) throw Error(fmt::format("--range {} cannot be used, its first height must be the lower one", range));
+        if (!(v[1] > v[0]))
+            throw Error(
+                fmt::format("--range {} cannot be used, its first height must be the lower one", range));
         return glm::dvec2(v[0], v[1]);
     }
     std::optional<glm::dvec3> point(const char* option, const std::string& text) const {
@@ -93,11 +100,13 @@ void add_import(CLI::App& app, Texts& t) {
     app.add_option("--raw", t.raw, "NXxNY[,big][,bottom]: how a raw file's samples lie");
 }
 void add_outputs(CLI::App& app, Texts& t, Outputs& outputs) {
-    app.add_option("--out", outputs.files, "write the terrain: .exr (document), .tif, .png, .r16, .r32; may be repeated")
+    app.add_option("--out", outputs.files,
+                   "write the terrain: .exr (document), .tif, .png, .r16, .r32; may be repeated")
         ->type_name("FILE");
     app.add_option("--image", outputs.image, "write a picture")->type_name("FILE.png");
     app.add_option("--report", outputs.report, "write the report")->type_name("FILE.json");
-    app.add_option("--journal", outputs.journal, "write what was done, for 'talus replay'")->type_name("FILE.journal");
+    app.add_option("--journal", outputs.journal, "write what was done, for 'talus replay'")
+        ->type_name("FILE.journal");
     app.add_option("--layer", outputs.layer, "what single-layer outputs hold: ground, bedrock or regolith");
     app.add_flag("--json", t.json, "print the report");
 }
@@ -140,7 +149,8 @@ int parse_and_do(int argc, char** argv) {
     render_command->add_option("--method", t.method, "how the surface is drawn");
     render_command->add_option("--view", t.view, "shaded, hillshade, slope, bands or steps");
     render_command->add_option("--set", t.assignments, "section.name=value, may be repeated");
-    render_command->add_option("--depth", render_options.depth, "metres along each pixel's ray")->type_name("OUT.exr");
+    render_command->add_option("--depth", render_options.depth, "metres along each pixel's ray")
+        ->type_name("OUT.exr");
     render_command->add_option("--report", render_options.report, "write the report")->type_name("FILE.json");
     render_command->add_flag("--json", t.json, "print the report");
     add_import(*render_command, t);
@@ -164,9 +174,11 @@ int parse_and_do(int argc, char** argv) {
 
     CLI::App* presets_command = app.add_subcommand("presets", "list the built-in scenes");
     presets_command->add_flag("--json", t.json, "as JSON");
-    CLI::App* parameters_command = app.add_subcommand("parameters", "list every parameter with unit, range and help");
+    CLI::App* parameters_command =
+        app.add_subcommand("parameters", "list every parameter with unit, range and help");
     parameters_command->add_flag("--json", t.json, "as JSON");
-    CLI::App* window_command = app.add_subcommand("why-no-window", "say why no window can open here; exit code 0 when one can");
+    CLI::App* window_command =
+        app.add_subcommand("why-no-window", "say why no window can open here; exit code 0 when one can");
 
     try {
         app.parse(argc, argv);
@@ -182,9 +194,11 @@ int parse_and_do(int argc, char** argv) {
         run_options.gpu = t.context();
         run_options.scene = t.scene(t.input);
         if (!t.size.empty()) run_options.scene.size = size_from(t.size);
-        if (run_options.ticks && *run_options.ticks < 0) throw Error(fmt::format("--ticks {} cannot be run, it must be 0 or more", *run_options.ticks));
+        if (run_options.ticks && *run_options.ticks < 0)
+            throw Error(fmt::format("--ticks {} cannot be run, it must be 0 or more", *run_options.ticks));
         if (run_options.time_s && !(*run_options.time_s >= 0 && *run_options.time_s < 1e15))
-            throw Error(fmt::format("--time {} cannot be run, it must be 0 or more seconds", *run_options.time_s));
+            throw Error(
+                fmt::format("--time {} cannot be run, it must be 0 or more seconds", *run_options.time_s));
         run_options.outputs.json = t.json;
         run(run_options);
     } else if (render_command->parsed()) {

@@ -14,7 +14,8 @@ namespace talus {
 void check_outputs(const Outputs& outputs) {
     for (const std::string& file : outputs.files)
         if (!can_write_heightmap(file))
-            throw Error(fmt::format("cannot write '{}': its ending must be one of {}", file, heightmap_endings));
+            throw Error(
+                fmt::format("cannot write '{}': its ending must be one of {}", file, heightmap_endings));
     if (!outputs.image.empty() && ending_of(outputs.image) != ".png")
         throw Error(fmt::format("cannot write the picture '{}': its ending must be .png", outputs.image));
     if (!outputs.layer.empty()) layer_of({}, outputs.layer);
@@ -33,7 +34,8 @@ void write_terrain(const std::string& path, const Document& document, const std:
 void write_outputs(const Outputs& outputs, Scene& scene, Simulation& simulation, RunFigures figures) {
     scene.document.state = simulation.read();
     scene.document.parameters = to_toml(simulation.parameters());
-    for (const std::string& file : outputs.files) write_terrain(file, scene.document, outputs.layer, outputs.range_m);
+    for (const std::string& file : outputs.files)
+        write_terrain(file, scene.document, outputs.layer, outputs.range_m);
     if (!outputs.image.empty()) {
         constexpr int width = 1280;
         constexpr int height = 720;
@@ -47,7 +49,8 @@ void write_outputs(const Outputs& outputs, Scene& scene, Simulation& simulation,
         draw_legend_into(renderer.framebuffer(), width, height, legend_of(settings, *low, *high));
         write_rgb(outputs.image, width, height, renderer.read_rgb(width, height));
     }
-    if (!outputs.journal.empty()) write_atomically(outputs.journal, write_journal(scene.start, simulation.journal()));
+    if (!outputs.journal.empty())
+        write_atomically(outputs.journal, write_journal(scene.start, simulation.journal()));
     if (outputs.report.empty() && !outputs.json) return;
     const std::string report = run_report(figures, scene.document.state, simulation.ledger());
     if (!outputs.report.empty()) write_atomically(outputs.report, report);

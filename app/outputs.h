@@ -11,7 +11,8 @@ void check_outputs(const Outputs& outputs);
 void write_terrain(const std::string& path, const Document& document, const std::string& layer,
                    std::optional<glm::dvec2> range_m);
 
-/// Writes the files, the picture (first look, with the view's legend), the journal and the report of a finished run.
+/// Writes the files, the picture (first look, with the view's legend), the journal and the report of a
+/// finished run.
 void write_outputs(const Outputs& outputs, Scene& scene, Simulation& simulation, RunFigures figures);
 
 }  // namespace talus

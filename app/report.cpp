@@ -24,21 +24,23 @@ std::string run_report(const RunFigures& figures, const TerrainState& state, con
     report["hash"] = fmt::format("{:016x}", state_hash(state));
     report["height_min"] = *low;
     report["height_max"] = *high;
-    report["ledger"] = {{"solid_initial", ledger.solid_initial},
-                        {"solid_final", ledger.solid_final},
-                        {"solid_in", ledger.solid_in},
-                        {"solid_out", ledger.solid_out},
-                        {"moved_m3", ledger.moved_m3},
-                        {"closing_error_of_moved", ledger.closing_error_of_moved()}};
+    report["ledger"] = {
+        {"solid_initial", ledger.solid_initial}, {"solid_final", ledger.solid_final},
+        {"solid_in", ledger.solid_in},           {"solid_out", ledger.solid_out},
+        {"moved_m3", ledger.moved_m3},           {"closing_error_of_moved", ledger.closing_error_of_moved()}};
     return report.dump(2) + "\n";
 }
 
-void say(const std::string& message) { fmt::print(stderr, "{}\n", message); }
+void say(const std::string& message) {
+    fmt::print(stderr, "{}\n", message);
+}
 
 double process_cpu_s() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+    const auto seconds = [](const timeval& t) {
+        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 

@@ -25,7 +25,8 @@ Parameters part_of(const Parameters& all, std::vector<Parameter> part) {
 TerrainState generated(const Parameters& p) {
     const double spacing = p.number("terrain.spacing_m");
     const Grid grid{p.whole("terrain.nx"), p.whole("terrain.ny"), spacing, spacing};
-    return bedrock_terrain(grid, generate_heights(grid, {p.choice("terrain.kind"), static_cast<std::uint32_t>(p.whole("terrain.seed")),
+    return bedrock_terrain(grid, generate_heights(grid, {p.choice("terrain.kind"),
+                                                         static_cast<std::uint32_t>(p.whole("terrain.seed")),
                                                          p.number("terrain.relief_m")}));
 }
 
@@ -69,7 +70,8 @@ Scene make_scene(const SceneRequest& request) {
     Scene scene = assemble(all, std::move(document));
     scene.start.input = request.input.empty() ? "" : std::filesystem::absolute(request.input).string();
     scene.start.import_guess = to_text(request.import);
-    scene.title = request.input.empty() ? preset.title : std::filesystem::path(request.input).filename().string();
+    scene.title =
+        request.input.empty() ? preset.title : std::filesystem::path(request.input).filename().string();
     return scene;
 }
 
@@ -85,10 +87,12 @@ Scene make_scene(const JournalFile& journal, const std::string& journal_path) {
     }
     const std::uint64_t hash = state_hash(document.state);
     if (hash != journal.start.hash)
-        throw Error(fmt::format("{}: starts from a terrain with hash {:016x} where {} gives {:016x}, so it was made from another file "
-                                "or version",
-                                journal_path, journal.start.hash,
-                                journal.start.input.empty() ? "its generator" : "'" + journal.start.input + "'", hash));
+        throw Error(fmt::format(
+            "{}: starts from a terrain with hash {:016x} where {} gives {:016x}, so it was made from another "
+            "file "
+            "or version",
+            journal_path, journal.start.hash,
+            journal.start.input.empty() ? "its generator" : "'" + journal.start.input + "'", hash));
     Scene scene = assemble(all, std::move(document));
     scene.start = journal.start;
     scene.title = "replay";

@@ -11,11 +11,11 @@ namespace talus {
 
 /// What a person asks for when starting.
 struct SceneRequest {
-    std::string preset;                     ///< name or path; empty: the default, alpine
-    std::string input;                      ///< a heightmap or document; empty: generated
-    std::optional<glm::ivec2> size;         ///< of the generated terrain
-    ImportSettings import;                  ///< its spacing holds for generated terrain too
-    std::vector<std::string> assignments;   ///< section.name=value
+    std::string preset;                    ///< name or path; empty: the default, alpine
+    std::string input;                     ///< a heightmap or document; empty: generated
+    std::optional<glm::ivec2> size;        ///< of the generated terrain
+    ImportSettings import;                 ///< its spacing holds for generated terrain too
+    std::vector<std::string> assignments;  ///< section.name=value
 };
 
 /// A terrain ready to run: where every session, live or replayed, begins.

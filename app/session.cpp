@@ -39,12 +39,15 @@ void Session::start(Scene scene) {
     frame_terrain();
 }
 
-void Session::frame_terrain() { camera_ = overview(grid(), bounds_.x, bounds_.y); }
+void Session::frame_terrain() {
+    camera_ = overview(grid(), bounds_.x, bounds_.y);
+}
 
 void Session::open(const std::string& path) {
     SceneRequest request = request_;
     request.input = path;
-    // The preset that the window began with may be made for other ground: an opened file brings its own settings.
+    // The preset that the window began with may be made for other ground: an opened file brings its own
+    // settings.
     if (request_.input.empty()) request.preset.clear();
     request.import = {};
     start(make_scene(request));
@@ -52,7 +55,9 @@ void Session::open(const std::string& path) {
     path_ = path;
 }
 
-void Session::reset() { start(make_scene(request_)); }
+void Session::reset() {
+    start(make_scene(request_));
+}
 
 void Session::save(const std::string& path) {
     scene_.document.state = simulation_->read();
@@ -131,7 +136,10 @@ void Session::stroke(glm::dvec3 at, double wall_s) {
     const Parameters& view = scene_.view;
     const std::string& mode = view.choice("brush.mode");
     Dab dab;
-    dab.mode = mode == "raise" ? BrushMode::raise : (mode == "lower" ? BrushMode::lower : (mode == "smooth" ? BrushMode::smooth : BrushMode::flatten));
+    dab.mode = mode == "raise"
+                   ? BrushMode::raise
+                   : (mode == "lower" ? BrushMode::lower
+                                      : (mode == "smooth" ? BrushMode::smooth : BrushMode::flatten));
     dab.x_m = at.x;
     dab.y_m = at.y;
     dab.radius_m = view.number("brush.radius_m");

@@ -70,7 +70,9 @@ class Window {
         glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
             if (count > 0) static_cast<Window*>(glfwGetWindowUserPointer(w))->requests_.open = paths[0];
         });
-        glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) { static_cast<Window*>(glfwGetWindowUserPointer(w))->wheel_ += y; });
+        glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) {
+            static_cast<Window*>(glfwGetWindowUserPointer(w))->wheel_ += y;
+        });
         glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
             if (action != GLFW_RELEASE) static_cast<Window*>(glfwGetWindowUserPointer(w))->key(key, mods);
         });
@@ -109,7 +111,10 @@ class Window {
     }
 
   private:
-    bool busy() const { return session_.playing || session_.stroking() || frames_left_ > 0 || moving_s_ > 0 || cursor_readback_.pending(); }
+    bool busy() const {
+        return session_.playing || session_.stroking() || frames_left_ > 0 || moving_s_ > 0 ||
+               cursor_readback_.pending();
+    }
     void wake() { frames_left_ = 3; }
     void tell(const std::string& message) {
         message_ = message;
@@ -117,7 +122,9 @@ class Window {
         wake();
     }
     void title() {
-        glfwSetWindowTitle(window_, fmt::format("{}{} - Talus", session_.scene().title, session_.unsaved() ? " *" : "").c_str());
+        glfwSetWindowTitle(
+            window_,
+            fmt::format("{}{} - Talus", session_.scene().title, session_.unsaved() ? " *" : "").c_str());
     }
 
     // Errors of what a person asked for are told, and everything stays as it was.
@@ -141,8 +148,10 @@ class Window {
             if (key == GLFW_KEY_Z) (shift ? requests_.redo : requests_.undo) = true;
             if (key == GLFW_KEY_Y) requests_.redo = true;
             if (key == GLFW_KEY_O) dialog_.begin(FileDialog::Purpose::open, session_.path());
-            if (key == GLFW_KEY_S && (shift || session_.path().empty())) dialog_.begin(FileDialog::Purpose::save, session_.path());
-            else if (key == GLFW_KEY_S) requests_.save = session_.path();
+            if (key == GLFW_KEY_S && (shift || session_.path().empty()))
+                dialog_.begin(FileDialog::Purpose::save, session_.path());
+            else if (key == GLFW_KEY_S)
+                requests_.save = session_.path();
             if (key == GLFW_KEY_Q) requests_.quit = true;
             return;
         }
@@ -159,12 +168,24 @@ class Window {
                 else
                     session_.playing = true;
                 break;
-            case GLFW_KEY_PERIOD: attempt([&] { session_.step(); }); break;
-            case GLFW_KEY_F: requests_.framing = true; break;
-            case GLFW_KEY_LEFT_BRACKET: scale("brush.radius_m", 1 / 1.15); break;
-            case GLFW_KEY_RIGHT_BRACKET: scale("brush.radius_m", 1.15); break;
-            case GLFW_KEY_MINUS: scale("brush.rate_m_per_s", 1 / 1.15); break;
-            case GLFW_KEY_EQUAL: scale("brush.rate_m_per_s", 1.15); break;
+            case GLFW_KEY_PERIOD:
+                attempt([&] { session_.step(); });
+                break;
+            case GLFW_KEY_F:
+                requests_.framing = true;
+                break;
+            case GLFW_KEY_LEFT_BRACKET:
+                scale("brush.radius_m", 1 / 1.15);
+                break;
+            case GLFW_KEY_RIGHT_BRACKET:
+                scale("brush.radius_m", 1.15);
+                break;
+            case GLFW_KEY_MINUS:
+                scale("brush.rate_m_per_s", 1 / 1.15);
+                break;
+            case GLFW_KEY_EQUAL:
+                scale("brush.rate_m_per_s", 1.15);
+                break;
             default:
                 if (key >= GLFW_KEY_1 && key < GLFW_KEY_1 + static_cast<int>(modes.size()))
                     session_.set("brush.mode", modes[static_cast<std::size_t>(key - GLFW_KEY_1)]);
@@ -176,12 +197,14 @@ class Window {
         if (const auto texels = cursor_readback_.poll()) {
             const float distance = (*texels)[0];
             cursor_.reset();
-            if (std::isfinite(distance)) cursor_ = cursor_camera_.eye + cursor_direction_ * static_cast<double>(distance);
+            if (std::isfinite(distance))
+                cursor_ = cursor_camera_.eye + cursor_direction_ * static_cast<double>(distance);
         }
     }
 
     void start_cursor_readback(glm::dvec2 mouse, int width, int height, int drawn_width, int drawn_height) {
-        if (cursor_readback_.pending() || mouse.x < 0 || mouse.y < 0 || mouse.x >= width || mouse.y >= height) return;
+        if (cursor_readback_.pending() || mouse.x < 0 || mouse.y < 0 || mouse.x >= width || mouse.y >= height)
+            return;
         const int x = std::clamp(static_cast<int>(mouse.x * drawn_width / width), 0, drawn_width - 1);
         const int y = std::clamp(static_cast<int>(mouse.y * drawn_height / height), 0, drawn_height - 1);
         cursor_camera_ = session_.camera();
@@ -207,20 +230,23 @@ class Window {
             else
                 orbit(camera, pivot_, drag.x, drag.y);
         }
-        if (held(GLFW_MOUSE_BUTTON_MIDDLE) && !captured) pan(camera, drag.x, drag.y, glm::length(ahead - camera.eye), height);
+        if (held(GLFW_MOUSE_BUTTON_MIDDLE) && !captured)
+            pan(camera, drag.x, drag.y, glm::length(ahead - camera.eye), height);
         if (wheel_ != 0 && !captured) zoom(camera, ahead, wheel_);
         wheel_ = 0;
-        if (!ImGui::GetIO().WantTextInput && dialog_.purpose == FileDialog::Purpose::none && !ImGui::GetIO().KeyCtrl) {
+        if (!ImGui::GetIO().WantTextInput && dialog_.purpose == FileDialog::Purpose::none &&
+            !ImGui::GetIO().KeyCtrl) {
             const auto down = [&](int k) { return glfwGetKey(window_, k) == GLFW_PRESS ? 1.0 : 0.0; };
             const double step = session_.view().number("camera.speed_m_per_s") * passed_s;
-            fly(camera, step * (down(GLFW_KEY_W) - down(GLFW_KEY_S)), step * (down(GLFW_KEY_D) - down(GLFW_KEY_A)),
-                step * (down(GLFW_KEY_E) - down(GLFW_KEY_Q)));
+            fly(camera, step * (down(GLFW_KEY_W) - down(GLFW_KEY_S)),
+                step * (down(GLFW_KEY_D) - down(GLFW_KEY_A)), step * (down(GLFW_KEY_E) - down(GLFW_KEY_Q)));
         }
         if (!(camera == before)) moving_s_ = 0.25;
     }
 
     void sculpt(double passed_s) {
-        const bool held = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS && !ImGui::GetIO().WantCaptureMouse;
+        const bool held = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS &&
+                          !ImGui::GetIO().WantCaptureMouse;
         if (held && !session_.stroking() && cursor_) session_.begin_stroke(*cursor_);
         if (!held && session_.stroking()) {
             session_.end_stroke();
@@ -280,7 +306,9 @@ class Window {
         // While anything moves, the resolution gives way so that frames keep coming; at rest it is full.
         const bool moving = session_.playing || session_.stroking() || moving_s_ > 0;
         moving_s_ = std::max(0.0, moving_s_ - passed_s);
-        if (moving && moved_before_) scale_ = std::clamp(scale_ * std::sqrt(frame_goal_s / std::max(frame_s_, 1e-3)), 0.9 * scale_, 1.05 * scale_);
+        if (moving && moved_before_)
+            scale_ = std::clamp(scale_ * std::sqrt(frame_goal_s / std::max(frame_s_, 1e-3)), 0.9 * scale_,
+                                1.05 * scale_);
         moved_before_ = moving;
         scale_ = std::clamp(scale_, 0.2, 1.0);
         const double used = moving ? scale_ : 1.0;
@@ -292,11 +320,13 @@ class Window {
         ViewSettings settings = view_settings(session_.view());
         if (cursor_ && !ImGui::GetIO().WantCaptureMouse)
             settings.ring_m = {cursor_->x, cursor_->y, session_.view().number("brush.radius_m")};
-        session_.renderer().draw(session_.simulation().terrain(), session_.camera(), settings, drawn_width, drawn_height);
+        session_.renderer().draw(session_.simulation().terrain(), session_.camera(), settings, drawn_width,
+                                 drawn_height);
         start_cursor_readback(mouse, width, height, drawn_width, drawn_height);
 
         gpu::bind_window(width, height);
-        session_.renderer().framebuffer().blit_to_window({0, 0, drawn_width, drawn_height}, {0, 0, width, height});
+        session_.renderer().framebuffer().blit_to_window({0, 0, drawn_width, drawn_height},
+                                                         {0, 0, width, height});
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
         ImGui::NewFrame();
@@ -304,7 +334,8 @@ class Window {
         draw_notes(session_, notes_shown_);
         draw_file_dialog(dialog_, requests_);
         draw_legend(legend_of(settings, session_.bounds().x, session_.bounds().y), width, height - 26);
-        StatusFigures figures{device_.renderer, now < message_until_s_ ? message_ : "", std::nullopt, frame_s_ * 1000, used};
+        StatusFigures figures{device_.renderer, now < message_until_s_ ? message_ : "", std::nullopt,
+                              frame_s_ * 1000, used};
         if (cursor_) figures.cursor_height_m = cursor_->z;
         draw_status_line(session_, figures, width, height);
         ImGui::Render();

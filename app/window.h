@@ -5,7 +5,7 @@ namespace talus {
 
 struct WindowOptions {
     SceneRequest scene;
-    std::string journal;     ///< written on every save and at the end
+    std::string journal;  ///< written on every save and at the end
     glm::ivec2 size{1280, 720};
 };
 

@@ -6,8 +6,8 @@
 
 namespace talus {
 
-/// Where the eye is and looks: world metres (x east, y north, z up), vertical field of view in degrees, up is +z.
-/// Looking straight up or down, the picture's top is north.
+/// Where the eye is and looks: world metres (x east, y north, z up), vertical field of view in degrees, up is
+/// +z. Looking straight up or down, the picture's top is north.
 struct Camera {
     glm::dvec3 eye{0, 0, 0};
     glm::dvec3 target{0, 1, 0};

@@ -6,8 +6,8 @@
 
 namespace talus::maths {
 
-/// The CPU twin of the exact caster: the same maths over heights in main memory. In double it is the reference that
-/// every method is measured against (law 1).
+/// The CPU twin of the exact caster: the same maths over heights in main memory. In double it is the
+/// reference that every method is measured against (law 1).
 template <typename Real>
 struct CastTwin {
     TALUS_TWIN_NAMES(Real)
@@ -37,7 +37,8 @@ struct CastTwin {
             const int width = tops_width >> (level - 1);
             std::vector<float> cells(static_cast<std::size_t>(width) * rows, -HUGE_VALF);
             for (int y = 0; y < rows; ++y)
-                for (int x = 0; x < width; ++x) cells[static_cast<std::size_t>(y) * width + x] = highest_below(level, x, y);
+                for (int x = 0; x < width; ++x)
+                    cells[static_cast<std::size_t>(y) * width + x] = highest_below(level, x, y);
             tops.push_back(std::move(cells));
         }
         for (const float top : tops.back()) highest_ = max(highest_, top);
@@ -48,7 +49,8 @@ struct CastTwin {
         if (level > 1) {
             const int width = tops_width >> (level - 2);
             for (int i = 0; i < 4; ++i)
-                bound = max(bound, tops[level - 2][static_cast<std::size_t>(2 * y + i / 2) * width + 2 * x + i % 2]);
+                bound = max(bound,
+                            tops[level - 2][static_cast<std::size_t>(2 * y + i / 2) * width + 2 * x + i % 2]);
             return bound;
         }
         if (2 * x >= patches.x || 2 * y >= patches.y) return bound;
@@ -61,7 +63,9 @@ struct CastTwin {
     }
 
     real load_top(int2 cell, int level) const {
-        return real(tops[level - 1][static_cast<std::size_t>(cell.y) * (tops_width >> (level - 1)) + cell.x]) - origin_height_m;
+        return real(
+                   tops[level - 1][static_cast<std::size_t>(cell.y) * (tops_width >> (level - 1)) + cell.x]) -
+               origin_height_m;
     }
     real load_highest() const { return real(highest_) - origin_height_m; }
     real4 load_corners(int2 at) const {
@@ -86,7 +90,9 @@ struct CastTwin {
     }
 
     /// The hit of the ray through a point of the picture, -1 to 1 from left to right and from bottom to top.
-    CastHit cast_pixel(real x, real y) { return cast_ray(cell_, fraction_, pixel_ray(real2(x, y)), real(0), 5, real(0)); }
+    CastHit cast_pixel(real x, real y) {
+        return cast_ray(cell_, fraction_, pixel_ray(real2(x, y)), real(0), 5, real(0));
+    }
 
   private:
     float highest_ = -HUGE_VALF;

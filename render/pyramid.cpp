@@ -6,9 +6,11 @@
 namespace talus {
 namespace {
 
-// Up to level 8, so that a ray over the widest terrain crosses 32 cells at most; small terrains stop at a tile, or
-// padding to whole cells of the coarsest level would cost more memory than it saves steps.
-int levels_for(const Grid& grid) { return std::min(grid.nx, grid.ny) > 1024 ? 8 : 6; }
+// Up to level 8, so that a ray over the widest terrain crosses 32 cells at most; small terrains stop at a
+// tile, or padding to whole cells of the coarsest level would cost more memory than it saves steps.
+int levels_for(const Grid& grid) {
+    return std::min(grid.nx, grid.ny) > 1024 ? 8 : 6;
+}
 
 glm::ivec2 level_1_for(const Grid& grid) {
     const int block = 1 << levels_for(grid);

@@ -24,11 +24,13 @@ void Renderer::resize(int width, int height) {
     colour_buffer_ = gpu::Framebuffer("colour", colour);
 }
 
-void Renderer::draw(Terrain& terrain, const Camera& camera, const ViewSettings& settings, int width, int height) {
+void Renderer::draw(Terrain& terrain, const Camera& camera, const ViewSettings& settings, int width,
+                    int height) {
     resize(width, height);
     pyramid_.refresh(terrain);
     const std::string key = settings.method + (settings.view == View::steps ? " counting" : "");
-    auto found = std::find_if(methods_.begin(), methods_.end(), [&](const auto& m) { return m.first == key; });
+    auto found =
+        std::find_if(methods_.begin(), methods_.end(), [&](const auto& m) { return m.first == key; });
     if (found == methods_.end()) {
         const auto entry = std::find_if(talus::methods().begin(), talus::methods().end(),
                                         [&](const MethodEntry& e) { return e.name == settings.method; });
@@ -52,7 +54,8 @@ void Renderer::draw(Terrain& terrain, const Camera& camera, const ViewSettings& 
     shade_.set("band_m", static_cast<float>(settings.band_m));
     shade_.set("slope_scale_deg", static_cast<float>(slope_scale_deg));
     shade_.set("steps_scale", static_cast<float>(steps_scale));
-    shade_.set("ring_m", glm::vec3(settings.ring_m.x - camera.eye.x, settings.ring_m.y - camera.eye.y, settings.ring_m.z));
+    shade_.set("ring_m", glm::vec3(settings.ring_m.x - camera.eye.x, settings.ring_m.y - camera.eye.y,
+                                   settings.ring_m.z));
     colour_buffer_.bind({0, 0, width, height});
     shade_.draw_fullscreen();
 }
@@ -76,12 +79,17 @@ std::vector<float> Renderer::read_hits(int width, int height, int component) con
     std::vector<float> values;
     values.reserve(texels.size());
     for (int y = height - 1; y >= 0; --y)
-        for (int x = 0; x < width; ++x) values.push_back(texels[static_cast<std::size_t>(y) * width + x][component]);
+        for (int x = 0; x < width; ++x)
+            values.push_back(texels[static_cast<std::size_t>(y) * width + x][component]);
     return values;
 }
 
-std::vector<float> Renderer::read_depth(int width, int height) const { return read_hits(width, height, 0); }
-std::vector<float> Renderer::read_steps(int width, int height) const { return read_hits(width, height, 1); }
+std::vector<float> Renderer::read_depth(int width, int height) const {
+    return read_hits(width, height, 0);
+}
+std::vector<float> Renderer::read_steps(int width, int height) const {
+    return read_hits(width, height, 1);
+}
 
 glm::dvec2 Renderer::read_bounds() const {
     glm::vec2 bounds(0);

@@ -10,7 +10,8 @@
 
 namespace talus {
 
-/// Draws a terrain into its own framebuffer: a method fills the hits, one shader colours them for every method.
+/// Draws a terrain into its own framebuffer: a method fills the hits, one shader colours them for every
+/// method.
 class Renderer {
   public:
     explicit Renderer(const Terrain& terrain);

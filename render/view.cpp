@@ -30,25 +30,34 @@ ViewSettings view_settings(const Parameters& parameters) {
     ViewSettings settings;
     settings.method = parameters.choice("render.method");
     const auto& names = view_names();
-    settings.view = static_cast<View>(std::find(names.begin(), names.end(), parameters.choice("render.view")) - names.begin());
+    settings.view = static_cast<View>(
+        std::find(names.begin(), names.end(), parameters.choice("render.view")) - names.begin());
     const double azimuth = parameters.number("render.sun_azimuth_deg") * std::numbers::pi / 180;
     const double elevation = parameters.number("render.sun_elevation_deg") * std::numbers::pi / 180;
-    settings.sun = {std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation), std::sin(elevation)};
+    settings.sun = {std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation),
+                    std::sin(elevation)};
     settings.shadows = parameters.toggle("render.shadows");
     settings.band_m = parameters.number("render.band_m");
     return settings;
 }
 
 std::vector<Legend> legend_of(const ViewSettings& settings, double lowest_m, double highest_m) {
-    const auto band_of = [&](double height_m) { return static_cast<int>(std::floor(height_m / settings.band_m)); };
+    const auto band_of = [&](double height_m) {
+        return static_cast<int>(std::floor(height_m / settings.band_m));
+    };
     switch (settings.view) {
-        case View::shaded: return {};
-        case View::hillshade: return {{"Hillshade", 0, 1, "of full light", true, 0}};
-        case View::slope: return {{"Slope", 0, slope_scale_deg, "degrees", false, 0}};
+        case View::shaded:
+            return {};
+        case View::hillshade:
+            return {{"Hillshade", 0, 1, "of full light", true, 0}};
+        case View::slope:
+            return {{"Slope", 0, slope_scale_deg, "degrees", false, 0}};
         case View::bands:
-            return {{"Height", band_of(lowest_m) * settings.band_m, (band_of(highest_m) + 1) * settings.band_m, "m", false,
+            return {{"Height", band_of(lowest_m) * settings.band_m,
+                     (band_of(highest_m) + 1) * settings.band_m, "m", false,
                      band_of(highest_m) - band_of(lowest_m) + 1}};
-        case View::steps: return {{"Steps of the ray", 0, steps_scale, "cells", false, 0}};
+        case View::steps:
+            return {{"Steps of the ray", 0, steps_scale, "cells", false, 0}};
     }
     return {};
 }

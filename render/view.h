@@ -17,8 +17,8 @@ struct Legend {
     double low = 0;
     double high = 0;
     std::string unit;
-    bool grey = false;      ///< black to white instead of the colour map
-    int bands = 0;          ///< a scale of so many flat steps; 0: smooth
+    bool grey = false;  ///< black to white instead of the colour map
+    int bands = 0;      ///< a scale of so many flat steps; 0: smooth
 };
 
 /// The parameters of drawing (law 8): they change the picture, never the terrain.
@@ -31,7 +31,7 @@ struct ViewSettings {
     glm::dvec3 sun{0, 0, 1};  ///< unit vector towards the sun: east, north, up
     bool shadows = true;
     double band_m = 100;
-    glm::dvec3 ring_m{0};     ///< brush ring: world x, y, radius; radius 0: none
+    glm::dvec3 ring_m{0};  ///< brush ring: world x, y, radius; radius 0: none
     bool operator==(const ViewSettings&) const = default;
 };
 ViewSettings view_settings(const Parameters& parameters);

@@ -24,11 +24,16 @@ json to_json(const Operation& operation) {
         return line;
     }
     const auto& dab = std::get<Dab>(operation);
-    return {{"op", "dab"},          {"mode", mode_names[static_cast<std::size_t>(dab.mode)]},
-            {"x_m", dab.x_m},       {"y_m", dab.y_m},
-            {"radius_m", dab.radius_m}, {"falloff", dab.falloff},
-            {"amount_m", dab.amount_m}, {"blend", dab.blend},
-            {"target_m", dab.target_m}, {"on_regolith", dab.on_regolith}};
+    return {{"op", "dab"},
+            {"mode", mode_names[static_cast<std::size_t>(dab.mode)]},
+            {"x_m", dab.x_m},
+            {"y_m", dab.y_m},
+            {"radius_m", dab.radius_m},
+            {"falloff", dab.falloff},
+            {"amount_m", dab.amount_m},
+            {"blend", dab.blend},
+            {"target_m", dab.target_m},
+            {"on_regolith", dab.on_regolith}};
 }
 
 Operation to_operation(const json& line) {
@@ -103,10 +108,12 @@ JournalFile read_journal(const std::string& text, const std::string& source) {
             file.start.parameters = parsed.at("parameters");
             file.start.hash = std::stoull(parsed.at("hash").get<std::string>(), nullptr, 16);
         } catch (const std::exception& error) {
-            throw Error(fmt::format("{}: line {} is not part of a Talus journal: {}", source, at, error.what()));
+            throw Error(
+                fmt::format("{}: line {} is not part of a Talus journal: {}", source, at, error.what()));
         }
     }
-    if (line.empty() && text.empty()) throw Error(fmt::format("{}: is empty where a Talus journal was expected", source));
+    if (line.empty() && text.empty())
+        throw Error(fmt::format("{}: is empty where a Talus journal was expected", source));
     return file;
 }
 

@@ -28,8 +28,8 @@ class Journal {
     std::vector<Operation> operations_;
 };
 
-/// A journal as text, a line of JSON an operation, the start first; and back. Throws talus::Error naming the source
-/// and the line when it is not a journal.
+/// A journal as text, a line of JSON an operation, the start first; and back. Throws talus::Error naming the
+/// source and the line when it is not a journal.
 std::string write_journal(const JournalStart& start, const Journal& journal);
 struct JournalFile {
     JournalStart start;

@@ -4,8 +4,8 @@
 
 namespace talus {
 
-/// Where the rock is, in m³, summed in double. Solid = bedrock + regolith (regolith of porosity 0 until sediment has
-/// its own).
+/// Where the rock is, in m³, summed in double. Solid = bedrock + regolith (regolith of porosity 0 until
+/// sediment has its own).
 struct LedgerReading {
     double solid_initial = 0;
     double solid_final = 0;

@@ -11,11 +11,13 @@
 
 namespace talus {
 
-Parameter number(std::string name, double preset, double low, double high, std::string unit, std::string help) {
+Parameter number(std::string name, double preset, double low, double high, std::string unit,
+                 std::string help) {
     return {std::move(name), preset, low, high, std::move(unit), std::move(help), {}};
 }
 Parameter whole(std::string name, int preset, int low, int high, std::string unit, std::string help) {
-    return {std::move(name), preset, static_cast<double>(low), static_cast<double>(high), std::move(unit), std::move(help), {}};
+    return {std::move(name), preset, static_cast<double>(low), static_cast<double>(high), std::move(unit),
+            std::move(help), {}};
 }
 Parameter toggle(std::string name, bool preset, std::string help) {
     return {std::move(name), preset, 0, 1, "", std::move(help), {}};
@@ -36,7 +38,8 @@ Parameters::Parameters(std::vector<Parameter> declared) : declared_(std::move(de
 }
 
 const Parameter& Parameters::declaration(std::string_view name) const {
-    const auto found = std::find_if(declared_.begin(), declared_.end(), [&](const Parameter& p) { return p.name == name; });
+    const auto found =
+        std::find_if(declared_.begin(), declared_.end(), [&](const Parameter& p) { return p.name == name; });
     if (found == declared_.end())
         throw Error(fmt::format("there is no parameter '{}', 'talus parameters' lists them", name));
     return *found;
@@ -49,31 +52,35 @@ const Value& Parameters::value(std::string_view name) const {
     return found->second;
 }
 
-bool Parameters::is_given(std::string_view name) const { return given_.contains(name); }
+bool Parameters::is_given(std::string_view name) const {
+    return given_.contains(name);
+}
 
 Value Parameters::checked(const Parameter& p, const Value& value) const {
     Value v = value;
     // A whole number will do where a number is wanted, and the other way round where nothing is lost.
-    if (std::holds_alternative<double>(p.preset) && std::holds_alternative<int>(v)) v = static_cast<double>(std::get<int>(v));
+    if (std::holds_alternative<double>(p.preset) && std::holds_alternative<int>(v))
+        v = static_cast<double>(std::get<int>(v));
     if (std::holds_alternative<int>(p.preset) && std::holds_alternative<double>(v)) {
         const double real = std::get<double>(v);
         if (real == std::floor(real) && std::abs(real) < 2e9) v = static_cast<int>(real);
     }
     if (v.index() != p.preset.index()) {
-        const char* wanted = std::holds_alternative<bool>(p.preset)  ? "true or false"
-                             : std::holds_alternative<int>(p.preset) ? "a whole number"
+        const char* wanted = std::holds_alternative<bool>(p.preset)     ? "true or false"
+                             : std::holds_alternative<int>(p.preset)    ? "a whole number"
                              : std::holds_alternative<double>(p.preset) ? "a number"
                                                                         : "a name in quotes";
         throw Error(fmt::format("{} cannot be '{}', it must be {}", p.name, to_text(value), wanted));
     }
     if (const auto* text = std::get_if<std::string>(&v)) {
         if (std::find(p.choices.begin(), p.choices.end(), *text) == p.choices.end())
-            throw Error(fmt::format("{} cannot be '{}', it must be one of: {}", p.name, *text, fmt::join(p.choices, ", ")));
+            throw Error(fmt::format("{} cannot be '{}', it must be one of: {}", p.name, *text,
+                                    fmt::join(p.choices, ", ")));
     } else if (!std::holds_alternative<bool>(v)) {
         const double real = std::holds_alternative<int>(v) ? std::get<int>(v) : std::get<double>(v);
         if (!(real >= p.low && real <= p.high))
-            throw Error(fmt::format("{} = {} is out of range, it must be {} to {}{}{}", p.name, to_text(value), p.low, p.high,
-                                    p.unit.empty() ? "" : " ", p.unit));
+            throw Error(fmt::format("{} = {} is out of range, it must be {} to {}{}{}", p.name,
+                                    to_text(value), p.low, p.high, p.unit.empty() ? "" : " ", p.unit));
     }
     return v;
 }

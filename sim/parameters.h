@@ -21,7 +21,8 @@ struct Parameter {
     std::vector<std::string> choices;  ///< names, for text parameters
 };
 
-Parameter number(std::string name, double preset, double low, double high, std::string unit, std::string help);
+Parameter number(std::string name, double preset, double low, double high, std::string unit,
+                 std::string help);
 Parameter whole(std::string name, int preset, int low, int high, std::string unit, std::string help);
 Parameter toggle(std::string name, bool preset, std::string help);
 Parameter choice(std::string name, std::string preset, std::vector<std::string> choices, std::string help);
@@ -45,13 +46,15 @@ class Parameters {
     bool toggle(std::string_view name) const { return std::get<bool>(value(name)); }
     const std::string& choice(std::string_view name) const { return std::get<std::string>(value(name)); }
 
-    /// Throws talus::Error for an unknown name, a wrong type or a value out of range, and changes nothing then.
+    /// Throws talus::Error for an unknown name, a wrong type or a value out of range, and changes nothing
+    /// then.
     void set(std::string_view name, const Value& value);
     /// The same from text, as in --set thermal.repose_deg=30.
     void set_text(std::string_view name, const std::string& text);
     /// From "name=value".
     void set_assignment(const std::string& assignment);
-    /// Sets a default that depends on the terrain: only where nobody gave a value, and still counted as not given.
+    /// Sets a default that depends on the terrain: only where nobody gave a value, and still counted as not
+    /// given.
     void suggest(std::string_view name, const Value& value);
 
     bool operator==(const Parameters& other) const { return values_ == other.values_; }

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <toml++/toml.h>
 #include <fstream>
 #include <iterator>
-#include <toml++/toml.h>
 
 #include "sim/gpu/embedded_text.h"
 #include "sim/gpu/error.h"
@@ -16,7 +16,8 @@ toml::table parse(const std::string& text, const std::string& source) {
     try {
         return toml::parse(text, source);
     } catch (const toml::parse_error& error) {
-        throw Error(fmt::format("{}: line {} is not TOML: {}", source, error.source().begin.line, error.description()));
+        throw Error(fmt::format("{}: line {} is not TOML: {}", source, error.source().begin.line,
+                                error.description()));
     }
 }
 
@@ -48,7 +49,8 @@ Preset find_preset(const std::string& name_or_path) {
         if (preset.name == name_or_path) return preset;
         names += (names.empty() ? "" : ", ") + preset.name;
     }
-    throw Error(fmt::format("there is no preset '{}', use one of: {}, or a file ending in .toml", name_or_path, names));
+    throw Error(fmt::format("there is no preset '{}', use one of: {}, or a file ending in .toml",
+                            name_or_path, names));
 }
 
 void apply_preset(const Preset& preset, Parameters& parameters) {
@@ -68,7 +70,8 @@ std::string to_toml(const Parameters& parameters) {
         }
         std::string written = to_text(value);
         if (std::holds_alternative<std::string>(value)) written = '"' + written + '"';
-        if (std::holds_alternative<double>(value) && written.find_first_of(".einf") == std::string::npos) written += ".0";
+        if (std::holds_alternative<double>(value) && written.find_first_of(".einf") == std::string::npos)
+            written += ".0";
         text += fmt::format("{} = {}\n", p.name.substr(dot + 1), written);
     }
     return text;
@@ -81,7 +84,9 @@ void from_toml(const std::string& text, const std::string& source, Parameters& p
         const std::string_view name = section.str();
         if (!node.is_table()) {
             if (name == "title" || name == "description") continue;
-            throw Error(fmt::format("{}: unknown key '{}', only title, description and [sections] stand at the top", source, name));
+            throw Error(
+                fmt::format("{}: unknown key '{}', only title, description and [sections] stand at the top",
+                            source, name));
         }
         for (const auto& [key, value] : *node.as_table()) {
             const std::string full = fmt::format("{}.{}", name, key.str());

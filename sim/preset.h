@@ -21,8 +21,8 @@ std::vector<Preset> built_in_presets();
 /// A built-in preset by name, or one from a path that ends in .toml. Throws talus::Error when there is none.
 Preset find_preset(const std::string& name_or_path);
 
-/// Sets what the preset sets. Throws talus::Error that names the preset and the key when a key is unknown, or a value
-/// of the wrong type or out of range; the parameters are as they were then.
+/// Sets what the preset sets. Throws talus::Error that names the preset and the key when a key is unknown, or
+/// a value of the wrong type or out of range; the parameters are as they were then.
 void apply_preset(const Preset& preset, Parameters& parameters);
 
 /// All parameters that differ from their default or were given, as TOML; and back.

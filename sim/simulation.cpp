@@ -53,7 +53,8 @@ bool Simulation::advance(int substeps) {
     const double tick_s = parameters.number("time.tick_s");
     const bool thermal = parameters.toggle("thermal.on");
     if (substeps_done_ == 0) {
-        const ThermalSettings settings{parameters.number("thermal.repose_deg"), parameters.number("thermal.rate_m2_per_s")};
+        const ThermalSettings settings{parameters.number("thermal.repose_deg"),
+                                       parameters.number("thermal.rate_m2_per_s")};
         substeps_of_tick_ = thermal ? thermal_substeps(terrain_.grid(), settings, tick_s) : 0;
         if (thermal) step_ = thermal_step(terrain_.grid(), settings, tick_s, substeps_of_tick_);
         if (keeps_undo_) {
@@ -77,9 +78,13 @@ void Simulation::begin_stroke(const std::string& name) {
     undo_.open(name, terrain_, brush_, moment_now());
 }
 
-void Simulation::end_entry() { undo_.close(terrain_); }
+void Simulation::end_entry() {
+    undo_.close(terrain_);
+}
 
-Moment Simulation::moment_now() const { return {moment_.clock, moment_.parameters, journal_.operations()}; }
+Moment Simulation::moment_now() const {
+    return {moment_.clock, moment_.parameters, journal_.operations()};
+}
 
 void Simulation::exchange(void (Undo::*way)(Terrain&, Brush&, Moment&)) {
     while (mid_tick()) advance(1 << 20);
@@ -100,7 +105,9 @@ void Simulation::redo() {
     if (can_redo()) exchange(&Undo::redo);
 }
 
-LedgerReading Simulation::ledger() { return ledger_.read(terrain_, brush_); }
+LedgerReading Simulation::ledger() {
+    return ledger_.read(terrain_, brush_);
+}
 
 TerrainState Simulation::read() const {
     TerrainState state = terrain_.read();

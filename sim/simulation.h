@@ -14,8 +14,8 @@
 
 namespace talus {
 
-/// The terrain and all that changes it. Every change comes in as an Operation and is recorded; window, command line
-/// and replay differ in nothing else.
+/// The terrain and all that changes it. Every change comes in as an Operation and is recorded; window,
+/// command line and replay differ in nothing else.
 ///
 ///     Simulation simulation(state, parameters);
 ///     simulation.apply(Ticks{300});
@@ -31,12 +31,12 @@ class Simulation {
     const Clock& clock() const { return moment_.clock; }
     const Journal& journal() const { return journal_; }
 
-    /// Does it and records it. Throws talus::Error, with nothing changed, for a parameter that cannot be set so, and
-    /// for a dab while a tick is half done.
+    /// Does it and records it. Throws talus::Error, with nothing changed, for a parameter that cannot be set
+    /// so, and for a dab while a tick is half done.
     void apply(const Operation& operation);
 
-    /// A tick in parts: runs up to `substeps` sub-steps of the present tick, or of the next one, and says whether a
-    /// tick was completed (and recorded).
+    /// A tick in parts: runs up to `substeps` sub-steps of the present tick, or of the next one, and says
+    /// whether a tick was completed (and recorded).
     bool advance(int substeps);
     bool mid_tick() const { return substeps_done_ > 0; }
 
@@ -47,7 +47,8 @@ class Simulation {
     bool can_undo() const { return undo_.can_undo(); }
     bool can_redo() const { return undo_.can_redo(); }
     const Undo& undo_history() const { return undo_; }
-    /// To the bit: layers, residual words, clock, parameters, ledger, journal. A half done tick is completed first.
+    /// To the bit: layers, residual words, clock, parameters, ledger, journal. A half done tick is completed
+    /// first.
     void undo();
     void redo();
 

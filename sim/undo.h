@@ -17,8 +17,8 @@ struct Moment {
     std::vector<Operation> operations;
 };
 
-/// Undo and redo by tiles. An entry keeps the tiles as they were before an act, on the device; undoing swaps them with
-/// the present ones, so that the same entry redoes. Nothing is read back.
+/// Undo and redo by tiles. An entry keeps the tiles as they were before an act, on the device; undoing swaps
+/// them with the present ones, so that the same entry redoes. Nothing is read back.
 class Undo {
   public:
     /// Beyond this many bytes the oldest entries go.

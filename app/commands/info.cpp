@@ -42,14 +42,18 @@ void info(const std::string& file, const ImportSettings& import, bool json) {
         fmt::print("{}\n", about.dump(2));
         return;
     }
-    fmt::print("{}: {}\n{} x {} samples, {:.6g} x {:.6g} m apart: {:.2f} x {:.2f} km\nheights {:.2f} to {:.2f} m\n", file,
-               document.kind, state.grid.nx, state.grid.ny, state.grid.dx, state.grid.dy, state.grid.width_m() / 1000,
-               state.grid.height_m() / 1000, *low, *high);
-    if (state.clock.ticks > 0) fmt::print("{} ticks, {:.6g} s simulated\n", state.clock.ticks, state.clock.simulated_s);
+    fmt::print(
+        "{}: {}\n{} x {} samples, {:.6g} x {:.6g} m apart: {:.2f} x {:.2f} km\nheights {:.2f} to {:.2f} m\n",
+        file, document.kind, state.grid.nx, state.grid.ny, state.grid.dx, state.grid.dy,
+        state.grid.width_m() / 1000, state.grid.height_m() / 1000, *low, *high);
+    if (state.clock.ticks > 0)
+        fmt::print("{} ticks, {:.6g} s simulated\n", state.clock.ticks, state.clock.simulated_s);
     if (document.georeference && !document.georeference->wkt.empty()) {
         const std::string& wkt = document.georeference->wkt;
         const auto first = wkt.find('"');
-        fmt::print("coordinate system {}\n", first == std::string::npos ? wkt : wkt.substr(first, wkt.find('"', first + 1) - first + 1));
+        fmt::print("coordinate system {}\n", first == std::string::npos
+                                                 ? wkt
+                                                 : wkt.substr(first, wkt.find('"', first + 1) - first + 1));
     }
     for (const std::string& note : document.notes) fmt::print("note: {}\n", note);
 }
@@ -81,7 +85,8 @@ void list_parameters(bool json) {
         entry["unit"] = p.unit;
         entry["help"] = p.help;
         if (!json)
-            fmt::print("{} = {}{}{}\n    {} ({})\n", p.name, to_text(p.preset), p.unit.empty() ? "" : " ", p.unit, p.help, range);
+            fmt::print("{} = {}{}{}\n    {} ({})\n", p.name, to_text(p.preset), p.unit.empty() ? "" : " ",
+                       p.unit, p.help, range);
         list.push_back(entry);
     }
     if (json) fmt::print("{}\n", list.dump(2));

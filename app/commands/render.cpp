@@ -17,7 +17,8 @@ namespace talus {
 
 void render(const RenderOptions& options) {
     if (options.size.x < 1 || options.size.y < 1 || options.size.x > 16384 || options.size.y > 16384)
-        throw Error(fmt::format("--size {}x{} cannot be drawn, each side must be 1 to 16384 pixels", options.size.x, options.size.y));
+        throw Error(fmt::format("--size {}x{} cannot be drawn, each side must be 1 to 16384 pixels",
+                                options.size.x, options.size.y));
     const gpu::Context context(options.gpu);
     say(gpu::describe(context.device()));
     const Scene scene = make_scene(options.scene);
@@ -29,7 +30,8 @@ void render(const RenderOptions& options) {
     camera.fov_deg = scene.view.number("camera.fov_deg");
     if (options.eye) camera.eye = *options.eye;
     if (options.target) camera.target = *options.target;
-    if (camera.eye == camera.target) throw Error("--eye and --target are the same point, so there is no direction to look in");
+    if (camera.eye == camera.target)
+        throw Error("--eye and --target are the same point, so there is no direction to look in");
     const ViewSettings settings = view_settings(scene.view);
     Terrain terrain(scene.document.state);
     Renderer renderer(terrain);
@@ -38,8 +40,10 @@ void render(const RenderOptions& options) {
     const std::vector<float> depth = renderer.read_depth(options.size.x, options.size.y);
     const double cpu_s = process_cpu_s() - cpu_start;
     if (!options.image.empty()) {
-        draw_legend_into(renderer.framebuffer(), options.size.x, options.size.y, legend_of(settings, *low, *high));
-        write_rgb(options.image, options.size.x, options.size.y, renderer.read_rgb(options.size.x, options.size.y));
+        draw_legend_into(renderer.framebuffer(), options.size.x, options.size.y,
+                         legend_of(settings, *low, *high));
+        write_rgb(options.image, options.size.x, options.size.y,
+                  renderer.read_rgb(options.size.x, options.size.y));
     }
     if (!options.depth.empty()) write_depth(options.depth, options.size.x, options.size.y, depth);
     if (options.report.empty() && !options.json) return;
@@ -51,7 +55,8 @@ void render(const RenderOptions& options) {
     report["eye"] = {camera.eye.x, camera.eye.y, camera.eye.z};
     report["target"] = {camera.target.x, camera.target.y, camera.target.z};
     report["fov_deg"] = camera.fov_deg;
-    report["pixels_hit"] = std::count_if(depth.begin(), depth.end(), [](float d) { return std::isfinite(d); });
+    report["pixels_hit"] =
+        std::count_if(depth.begin(), depth.end(), [](float d) { return std::isfinite(d); });
     report["cpu_s"] = cpu_s;
     if (!options.report.empty()) write_atomically(options.report, report.dump(2) + "\n");
     if (options.json) fmt::print("{}\n", report.dump(2));

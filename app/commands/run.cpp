@@ -15,22 +15,28 @@ namespace {
 using Clock_ = std::chrono::steady_clock;
 constexpr std::int64_t default_ticks = 600;
 
-double seconds_since(Clock_::time_point start) { return std::chrono::duration<double>(Clock_::now() - start).count(); }
+double seconds_since(Clock_::time_point start) {
+    return std::chrono::duration<double>(Clock_::now() - start).count();
+}
 
-// A line on stderr that says how far a run is: a bar for people, nothing where the output goes to a file.
+// A line on stderr that says how far a run is: a bar on a terminal, a line every tenth elsewhere.
 class Progress {
   public:
-    explicit Progress(std::int64_t total) : total_(total), shown_(isatty(STDERR_FILENO) != 0) {}
+    explicit Progress(std::int64_t total) : total_(total), terminal_(isatty(STDERR_FILENO) != 0) {}
     void show(std::int64_t done) {
-        if (!shown_ || (done < total_ && seconds_since(last_) < 0.1)) return;
+        const std::int64_t tenth = 10 * done / total_;
+        if (terminal_ ? (done < total_ && seconds_since(last_) < 0.1) : tenth == tenth_) return;
         last_ = Clock_::now();
-        const int filled = total_ > 0 ? static_cast<int>(30 * done / total_) : 30;
-        fmt::print(stderr, "\r[{:=<{}}{:{}}] {}/{} ticks{}", "", filled, "", 30 - filled, done, total_, done == total_ ? "\n" : "");
+        tenth_ = tenth;
+        const auto filled = static_cast<int>(3 * 10 * done / total_);
+        fmt::print(stderr, "{}[{}{}] {} of {}{}", terminal_ ? "\r" : "", std::string(filled, '='),
+                   std::string(30 - filled, ' '), done, total_, !terminal_ || done == total_ ? "\n" : "");
     }
 
   private:
     std::int64_t total_;
-    bool shown_;
+    bool terminal_;
+    std::int64_t tenth_ = 0;
     Clock_::time_point last_{};
 };
 
@@ -48,7 +54,8 @@ void run(const RunOptions& options) {
     say_notes(scene);
     scene.start.hash = state_hash(scene.document.state);
     std::int64_t ticks = options.ticks.value_or(default_ticks);
-    if (options.time_s) ticks = std::llround(std::ceil(*options.time_s / scene.simulation.number("time.tick_s") - 1e-9));
+    if (options.time_s)
+        ticks = std::llround(std::ceil(*options.time_s / scene.simulation.number("time.tick_s") - 1e-9));
     const auto start = Clock_::now();
     const double cpu_start = process_cpu_s();
     Simulation simulation(scene.document.state, scene.simulation);
@@ -57,7 +64,8 @@ void run(const RunOptions& options) {
         simulation.apply(Ticks{1});
         progress.show(done + 1);
     }
-    const RunFigures figures{gpu::describe(context.device()), ticks, seconds_since(start), process_cpu_s() - cpu_start};
+    const RunFigures figures{gpu::describe(context.device()), ticks, seconds_since(start),
+                             process_cpu_s() - cpu_start};
     write_outputs(options.outputs, scene, simulation, figures);
 }
 
@@ -76,7 +84,8 @@ void replay(const ReplayOptions& options) {
         simulation.apply(operation);
         progress.show(++done);
     }
-    const RunFigures figures{gpu::describe(context.device()), simulation.clock().ticks - scene.document.state.clock.ticks,
+    const RunFigures figures{gpu::describe(context.device()),
+                             simulation.clock().ticks - scene.document.state.clock.ticks,
                              seconds_since(start), process_cpu_s() - cpu_start};
     write_outputs(options.outputs, scene, simulation, figures);
 }

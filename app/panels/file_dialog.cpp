@@ -13,7 +13,9 @@ namespace fs = std::filesystem;
 void FileDialog::begin(Purpose what, const std::string& near) {
     std::error_code ignored;
     purpose = what;
-    folder = fs::absolute(near.empty() ? fs::path(".") : fs::path(near).parent_path(), ignored).lexically_normal().string();
+    folder = fs::absolute(near.empty() ? fs::path(".") : fs::path(near).parent_path(), ignored)
+                 .lexically_normal()
+                 .string();
     name = what == Purpose::save ? (near.empty() ? "terrain.exr" : fs::path(near).filename().string()) : "";
     error.clear();
 }
@@ -29,7 +31,8 @@ void draw_file_dialog(FileDialog& dialog, PanelRequests& requests) {
     ImGui::BeginChild("files", {0, -70}, true);
     std::error_code failed;
     std::vector<fs::path> entries;
-    for (fs::directory_iterator at(dialog.folder, failed), end; !failed && at != end; at.increment(failed)) entries.push_back(at->path());
+    for (fs::directory_iterator at(dialog.folder, failed), end; !failed && at != end; at.increment(failed))
+        entries.push_back(at->path());
     std::sort(entries.begin(), entries.end());
     if (ImGui::Selectable("..")) dialog.folder = fs::path(dialog.folder).parent_path().string();
     for (const fs::path& entry : entries) {
@@ -47,7 +50,8 @@ void draw_file_dialog(FileDialog& dialog, PanelRequests& requests) {
     const bool entered = ImGui::InputText("##name", &dialog.name, ImGuiInputTextFlags_EnterReturnsTrue);
     const bool accepted = ImGui::Button(title) || entered;
     ImGui::SameLine();
-    const bool cancelled = ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    const bool cancelled =
+        ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
     ImGui::SameLine();
     ImGui::TextUnformatted(saving ? (dialog.error.empty() ? heightmap_endings : dialog.error.c_str()) : "");
     if (accepted && !dialog.name.empty()) {

@@ -51,11 +51,14 @@ void draw_legend(const std::vector<Legend>& legends, int width, int height) {
     for (const Legend& legend : legends) {
         const float top = bottom - (2 * line + bar_height + 18);
         const float left = static_cast<float>(width) - margin - bar_width - 24;
-        list->AddRectFilled({left, top}, {static_cast<float>(width) - margin, bottom}, IM_COL32(18, 20, 24, 225), 5);
+        list->AddRectFilled({left, top}, {static_cast<float>(width) - margin, bottom},
+                            IM_COL32(18, 20, 24, 225), 5);
         const float x0 = left + 12;
         const float y0 = top + 8 + line;
-        list->AddText({x0, top + 6}, IM_COL32_WHITE, fmt::format("{} ({})", legend.title, legend.unit).c_str());
-        const int steps = legend.bands > 0 ? std::min(legend.bands, static_cast<int>(bar_width)) : static_cast<int>(bar_width);
+        list->AddText({x0, top + 6}, IM_COL32_WHITE,
+                      fmt::format("{} ({})", legend.title, legend.unit).c_str());
+        const int steps = legend.bands > 0 ? std::min(legend.bands, static_cast<int>(bar_width))
+                                           : static_cast<int>(bar_width);
         for (int i = 0; i < steps; ++i) {
             const float share = steps > 1 ? static_cast<float>(i) / static_cast<float>(steps - 1) : 0;
             const float from = x0 + bar_width * static_cast<float>(i) / static_cast<float>(steps);
@@ -67,13 +70,16 @@ void draw_legend(const std::vector<Legend>& legends, int width, int height) {
         const std::string middle = fmt::format("{:.6g}", (legend.low + legend.high) / 2);
         const float y1 = y0 + bar_height + 3;
         list->AddText({x0, y1}, IM_COL32_WHITE, low.c_str());
-        list->AddText({x0 + (bar_width - ImGui::CalcTextSize(middle.c_str()).x) / 2, y1}, IM_COL32_WHITE, middle.c_str());
-        list->AddText({x0 + bar_width - ImGui::CalcTextSize(high.c_str()).x, y1}, IM_COL32_WHITE, high.c_str());
+        list->AddText({x0 + (bar_width - ImGui::CalcTextSize(middle.c_str()).x) / 2, y1}, IM_COL32_WHITE,
+                      middle.c_str());
+        list->AddText({x0 + bar_width - ImGui::CalcTextSize(high.c_str()).x, y1}, IM_COL32_WHITE,
+                      high.c_str());
         bottom = top - 8;
     }
 }
 
-void draw_legend_into(const gpu::Framebuffer& framebuffer, int width, int height, const std::vector<Legend>& legends) {
+void draw_legend_into(const gpu::Framebuffer& framebuffer, int width, int height,
+                      const std::vector<Legend>& legends) {
     if (legends.empty()) return;
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;

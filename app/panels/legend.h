@@ -10,9 +10,11 @@ namespace talus {
 void draw_legend(const std::vector<Legend>& legends, int width, int height);
 
 /// Draws the legends into a framebuffer where no window is: the same pictures that the window shows.
-void draw_legend_into(const gpu::Framebuffer& framebuffer, int width, int height, const std::vector<Legend>& legends);
+void draw_legend_into(const gpu::Framebuffer& framebuffer, int width, int height,
+                      const std::vector<Legend>& legends);
 
-/// Loads the font that panels and legends are set in; a sans serif of the system, or ImGui's own where there is none.
+/// Loads the font that panels and legends are set in; a sans serif of the system, or ImGui's own where there
+/// is none.
 void load_font(float pixels);
 
 }  // namespace talus

@@ -11,7 +11,8 @@ void draw_menu(Session& session, FileDialog& dialog, PanelRequests& requests) {
     if (ImGui::BeginMenu("File")) {
         if (ImGui::MenuItem("Open…", "Ctrl+O")) dialog.begin(FileDialog::Purpose::open, session.path());
         if (ImGui::MenuItem("Save", "Ctrl+S", false, !session.path().empty())) requests.save = session.path();
-        if (ImGui::MenuItem("Save as…", "Ctrl+Shift+S")) dialog.begin(FileDialog::Purpose::save, session.path());
+        if (ImGui::MenuItem("Save as…", "Ctrl+Shift+S"))
+            dialog.begin(FileDialog::Purpose::save, session.path());
         ImGui::Separator();
         if (ImGui::MenuItem("Quit", "Ctrl+Q")) requests.quit = true;
         ImGui::EndMenu();
@@ -27,7 +28,8 @@ void draw_menu(Session& session, FileDialog& dialog, PanelRequests& requests) {
     if (ImGui::BeginMenu("View")) {
         if (ImGui::MenuItem("Whole terrain", "F")) requests.framing = true;
         for (const std::string& name : view_names())
-            if (ImGui::MenuItem(name.c_str(), nullptr, session.view().choice("render.view") == name)) session.set("render.view", name);
+            if (ImGui::MenuItem(name.c_str(), nullptr, session.view().choice("render.view") == name))
+                session.set("render.view", name);
         ImGui::EndMenu();
     }
     ImGui::EndMenuBar();
@@ -66,7 +68,8 @@ void draw_main_panel(Session& session, FileDialog& dialog, PanelRequests& reques
     if (ImGui::Button("Redo")) requests.redo = true;
     ImGui::SameLine();
     if (ImGui::Button("Reset")) requests.reset = true;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("the scene from its start; the file or generator is read anew");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("the scene from its start; the file or generator is read anew");
 
     const std::string mode = session.view().choice("brush.mode");
     for (const std::string& name : session.view().declaration("brush.mode").choices) {
@@ -81,15 +84,17 @@ void draw_main_panel(Session& session, FileDialog& dialog, PanelRequests& reques
         const char* section;
         const Parameters& parameters;
         bool open;
-    } sections[] = {{"Brush", "brush", session.view(), true},       {"Thermal erosion", "thermal", simulated, true},
-                    {"Time", "time", session.view(), true},         {"Picture", "render", session.view(), false},
-                    {"Camera", "camera", session.view(), false},    {"Generated terrain", "terrain", simulated, false},
-                    {"Undo", "undo", session.view(), false}};
+    } sections[] = {
+        {"Brush", "brush", session.view(), true},    {"Thermal erosion", "thermal", simulated, true},
+        {"Time", "time", session.view(), true},      {"Picture", "render", session.view(), false},
+        {"Camera", "camera", session.view(), false}, {"Generated terrain", "terrain", simulated, false},
+        {"Undo", "undo", session.view(), false}};
     for (const auto& s : sections) {
         if (!ImGui::CollapsingHeader(s.title, s.open ? ImGuiTreeNodeFlags_DefaultOpen : 0)) continue;
         draw_section(session, s.section, s.parameters);
         if (std::string(s.section) == "time") draw_section(session, "time", simulated);
-        if (std::string(s.section) == "terrain") ImGui::TextWrapped("Save the scene as a preset, or use --set, to generate anew with these.");
+        if (std::string(s.section) == "terrain")
+            ImGui::TextWrapped("Save the scene as a preset, or use --set, to generate anew with these.");
     }
     ImGui::PopItemWidth();
     ImGui::End();
@@ -108,11 +113,12 @@ void draw_notes(const Session& session, bool& shown) {
 void draw_status_line(const Session& session, const StatusFigures& figures, int width, int height) {
     const Grid& grid = session.grid();
     std::string text = fmt::format("{} × {} samples, {:.4g} × {:.4g} m", grid.nx, grid.ny, grid.dx, grid.dy);
-    text += figures.cursor_height_m ? fmt::format("  |  height {:.1f} m", *figures.cursor_height_m) : "  |  height –";
-    text += fmt::format("  |  {:.2f} s, speed {:.3g} of {:.3g}", session.simulation().clock().simulated_s, session.speed_reached(),
-                        std::get<double>(session.value("time.speed")));
-    text += fmt::format("  |  tick {:.1f} ms, frame {:.1f} ms at {:.0f} %  |  {}", session.tick_ms(), figures.frame_ms,
-                        100 * figures.scale, figures.device);
+    text += figures.cursor_height_m ? fmt::format("  |  height {:.1f} m", *figures.cursor_height_m)
+                                    : "  |  height –";
+    text += fmt::format("  |  {:.2f} s, speed {:.3g} of {:.3g}", session.simulation().clock().simulated_s,
+                        session.speed_reached(), std::get<double>(session.value("time.speed")));
+    text += fmt::format("  |  tick {:.1f} ms, frame {:.1f} ms at {:.0f} %  |  {}", session.tick_ms(),
+                        figures.frame_ms, 100 * figures.scale, figures.device);
     ImDrawList* list = ImGui::GetForegroundDrawList();
     const float line = ImGui::GetFontSize() + 8;
     const auto w = static_cast<float>(width);
@@ -121,7 +127,8 @@ void draw_status_line(const Session& session, const StatusFigures& figures, int 
     list->AddText({8, h - line + 4}, IM_COL32(225, 228, 232, 255), text.c_str());
     if (figures.message.empty()) return;
     const float text_width = ImGui::CalcTextSize(figures.message.c_str()).x;
-    list->AddRectFilled({(w - text_width) / 2 - 10, h - 2 * line - 6}, {(w + text_width) / 2 + 10, h - line - 4}, IM_COL32(70, 50, 20, 240), 4);
+    list->AddRectFilled({(w - text_width) / 2 - 10, h - 2 * line - 6},
+                        {(w + text_width) / 2 + 10, h - line - 4}, IM_COL32(70, 50, 20, 240), 4);
     list->AddText({(w - text_width) / 2, h - 2 * line - 2}, IM_COL32_WHITE, figures.message.c_str());
 }
 

@@ -45,8 +45,8 @@ void draw_file_dialog(FileDialog& dialog, PanelRequests& requests);
 /// What the file's reader guessed; closed by the person.
 void draw_notes(const Session& session, bool& shown);
 
-/// A widget for a declared parameter: name, unit, tooltip with help and range; right click resets to the default.
-/// True when the value changed.
+/// A widget for a declared parameter: name, unit, tooltip with help and range; right click resets to the
+/// default. True when the value changed.
 bool draw_parameter(const Parameter& parameter, Value& value);
 
 }  // namespace talus

@@ -28,8 +28,8 @@ bool edit_number(const Parameter& p, double& real) {
     const std::string format = "%.4g " + p.unit;
     if (wide) {
         const auto speed = static_cast<float>(std::max(std::abs(real) * 0.01, 1e-4));
-        return ImGui::DragScalar(label_of(p).c_str(), ImGuiDataType_Double, &real, speed, &low, &high, format.c_str(),
-                                 ImGuiSliderFlags_AlwaysClamp);
+        return ImGui::DragScalar(label_of(p).c_str(), ImGuiDataType_Double, &real, speed, &low, &high,
+                                 format.c_str(), ImGuiSliderFlags_AlwaysClamp);
     }
     return ImGui::SliderScalar(label_of(p).c_str(), ImGuiDataType_Double, &real, &low, &high, format.c_str(),
                                ImGuiSliderFlags_AlwaysClamp);
@@ -44,7 +44,8 @@ bool draw_parameter(const Parameter& p, Value& value) {
     } else if (auto* count = std::get_if<int>(&value)) {
         const int low = static_cast<int>(p.low);
         const int high = static_cast<int>(p.high);
-        changed = ImGui::DragScalar(label_of(p).c_str(), ImGuiDataType_S32, count, 1, &low, &high, "%d", ImGuiSliderFlags_AlwaysClamp);
+        changed = ImGui::DragScalar(label_of(p).c_str(), ImGuiDataType_S32, count, 1, &low, &high, "%d",
+                                    ImGuiSliderFlags_AlwaysClamp);
     } else if (auto* real = std::get_if<double>(&value)) {
         changed = edit_number(p, *real);
     } else {
@@ -59,10 +60,12 @@ bool draw_parameter(const Parameter& p, Value& value) {
         }
     }
     if (ImGui::IsItemHovered()) {
-        const std::string range = std::holds_alternative<double>(p.preset) || std::holds_alternative<int>(p.preset)
-                                      ? fmt::format("\n{:.6g} to {:.6g} {}", p.low, p.high, p.unit)
-                                      : "";
-        ImGui::SetTooltip("%s\n%s%s\ndefault %s: right click", p.name.c_str(), p.help.c_str(), range.c_str(), to_text(p.preset).c_str());
+        const std::string range =
+            std::holds_alternative<double>(p.preset) || std::holds_alternative<int>(p.preset)
+                ? fmt::format("\n{:.6g} to {:.6g} {}", p.low, p.high, p.unit)
+                : "";
+        ImGui::SetTooltip("%s\n%s%s\ndefault %s: right click", p.name.c_str(), p.help.c_str(), range.c_str(),
+                          to_text(p.preset).c_str());
     }
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
         value = p.preset;

@@ -15,7 +15,8 @@ glm::dvec3 turned(glm::dvec3 v, double yaw, double pitch) {
     double heading = std::atan2(v.y, v.x) + yaw;
     double elevation = std::asin(std::clamp(v.z / length, -1.0, 1.0)) + pitch;
     elevation = std::clamp(elevation, -1.553, 1.553);
-    return length * glm::dvec3(std::cos(elevation) * std::cos(heading), std::cos(elevation) * std::sin(heading), std::sin(elevation));
+    return length * glm::dvec3(std::cos(elevation) * std::cos(heading),
+                               std::cos(elevation) * std::sin(heading), std::sin(elevation));
 }
 
 }  // namespace
@@ -28,10 +29,12 @@ void orbit(Camera& camera, glm::dvec3 pivot, double drag_x, double drag_y) {
     const glm::dvec3 right = camera_rays(camera, 1, 1).right / glm::length(camera_rays(camera, 1, 1).right);
     // About the vertical through the pivot, then about the camera's own right through it.
     const auto about_up = [&](glm::dvec3 v) {
-        return glm::dvec3(v.x * std::cos(yaw) - v.y * std::sin(yaw), v.x * std::sin(yaw) + v.y * std::cos(yaw), v.z);
+        return glm::dvec3(v.x * std::cos(yaw) - v.y * std::sin(yaw),
+                          v.x * std::sin(yaw) + v.y * std::cos(yaw), v.z);
     };
     const auto about_right = [&](glm::dvec3 v) {
-        return v * std::cos(pitch) + glm::cross(right, v) * std::sin(pitch) + right * (glm::dot(right, v) * (1 - std::cos(pitch)));
+        return v * std::cos(pitch) + glm::cross(right, v) * std::sin(pitch) +
+               right * (glm::dot(right, v) * (1 - std::cos(pitch)));
     };
     const glm::dvec3 eye = about_up(about_right(camera.eye - pivot)) + pivot;
     camera.target = eye + about_up(about_right(direction));
@@ -39,13 +42,16 @@ void orbit(Camera& camera, glm::dvec3 pivot, double drag_x, double drag_y) {
 }
 
 void look(Camera& camera, double drag_x, double drag_y) {
-    camera.target = camera.eye + turned(camera.target - camera.eye, -drag_x * radians_per_pixel, -drag_y * radians_per_pixel);
+    camera.target = camera.eye + turned(camera.target - camera.eye, -drag_x * radians_per_pixel,
+                                        -drag_y * radians_per_pixel);
 }
 
 void pan(Camera& camera, double drag_x, double drag_y, double distance_m, int picture_height) {
-    const double per_pixel = 2 * std::tan(camera.fov_deg * std::numbers::pi / 360) * distance_m / picture_height;
+    const double per_pixel =
+        2 * std::tan(camera.fov_deg * std::numbers::pi / 360) * distance_m / picture_height;
     const CameraRays rays = camera_rays(camera, 1, 1);
-    const glm::dvec3 move = glm::normalize(rays.right) * (-drag_x * per_pixel) + glm::normalize(rays.up) * (drag_y * per_pixel);
+    const glm::dvec3 move =
+        glm::normalize(rays.right) * (-drag_x * per_pixel) + glm::normalize(rays.up) * (drag_y * per_pixel);
     camera.eye += move;
     camera.target += move;
 }
@@ -58,7 +64,8 @@ void zoom(Camera& camera, glm::dvec3 towards, double steps) {
 
 void fly(Camera& camera, double ahead_m, double right_m, double up_m) {
     const CameraRays rays = camera_rays(camera, 1, 1);
-    const glm::dvec3 move = rays.forward * ahead_m + glm::normalize(rays.right) * right_m + glm::dvec3(0, 0, up_m);
+    const glm::dvec3 move =
+        rays.forward * ahead_m + glm::normalize(rays.right) * right_m + glm::dvec3(0, 0, up_m);
     camera.eye += move;
     camera.target += move;
 }

@@ -15,9 +15,10 @@ struct Frame {
     const Terrain& terrain;
     const Pyramid& pyramid;
     const Camera& camera;
-    int width;                     ///< of the picture; the target may be larger
+    int width;  ///< of the picture; the target may be larger
     int height;
-    const gpu::Framebuffer& hits;  ///< RG32F: distance along the pixel's ray (m, infinity: nothing hit), steps
+    const gpu::Framebuffer&
+        hits;  ///< RG32F: distance along the pixel's ray (m, infinity: nothing hit), steps
 };
 
 /// One way of drawing the surface: fills the frame's hits. Shading, depth output and views follow from those.

@@ -30,9 +30,9 @@ constexpr T max(T a, T b) {
 
 }  // namespace talus::maths
 
-#define TALUS_TWIN_NAMES(Real)             \
-    using real = Real;                     \
-    using real2 = glm::vec<2, Real>;       \
-    using real3 = glm::vec<3, Real>;       \
-    using real4 = glm::vec<4, Real>;       \
+#define TALUS_TWIN_NAMES(Real)       \
+    using real = Real;               \
+    using real2 = glm::vec<2, Real>; \
+    using real3 = glm::vec<3, Real>; \
+    using real4 = glm::vec<4, Real>; \
     using int2 = glm::ivec2;

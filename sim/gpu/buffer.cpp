@@ -6,7 +6,9 @@
 
 namespace talus::gpu {
 
-void delete_buffer(unsigned name) { glDeleteBuffers(1, &name); }
+void delete_buffer(unsigned name) {
+    glDeleteBuffers(1, &name);
+}
 
 Buffer::Buffer(const std::string& label, std::size_t bytes) : bytes_(bytes) {
     GLuint name = 0;
@@ -23,13 +25,15 @@ void Buffer::fill(std::uint32_t word) {
 }
 
 void Buffer::write(std::size_t offset, std::span<const std::byte> data) {
-    glNamedBufferSubData(handle_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(data.size()), data.data());
+    glNamedBufferSubData(handle_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(data.size()),
+                         data.data());
     raise_errors();
 }
 
 void Buffer::read(std::size_t offset, std::span<std::byte> data) const {
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    glGetNamedBufferSubData(handle_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(data.size()), data.data());
+    glGetNamedBufferSubData(handle_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(data.size()),
+                            data.data());
     raise_errors();
 }
 
@@ -39,6 +43,8 @@ void Buffer::copy_from(const Buffer& other) {
     raise_errors();
 }
 
-void Buffer::bind_storage(unsigned index) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, index, handle_); }
+void Buffer::bind_storage(unsigned index) const {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, index, handle_);
+}
 
 }  // namespace talus::gpu

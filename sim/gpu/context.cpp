@@ -76,8 +76,8 @@ EGLContext make_current(EGLDisplay display) {
 }  // namespace
 
 std::string describe(const Device& device) {
-    return fmt::format("{} · {} · OpenGL {} · {}{}", device.vendor, device.renderer, device.version, device.route,
-                       device.software ? " (software)" : "");
+    return fmt::format("{} · {} · OpenGL {} · {}{}", device.vendor, device.renderer, device.version,
+                       device.route, device.software ? " (software)" : "");
 }
 
 Device adopt_current_context(const std::string& route) {
@@ -91,9 +91,11 @@ Device adopt_current_context(const std::string& route) {
     device.renderer = text(GL_RENDERER);
     device.version = text(GL_VERSION);
     device.route = route;
-    device.software = has_word(device.renderer.c_str(), "llvmpipe") || has_word(device.renderer.c_str(), "softpipe");
+    device.software =
+        has_word(device.renderer.c_str(), "llvmpipe") || has_word(device.renderer.c_str(), "softpipe");
     if (version < 45)
-        throw Error(fmt::format("{} offers OpenGL {} where Talus needs 4.5", device.renderer, device.version));
+        throw Error(
+            fmt::format("{} offers OpenGL {} where Talus needs 4.5", device.renderer, device.version));
     watch_errors();
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -105,7 +107,8 @@ Context::Context(const ContextChoice& choice) {
     const std::vector<Candidate> candidates = list_candidates();
     const int count = static_cast<int>(candidates.size());
     if (choice.gpu && (*choice.gpu < 0 || *choice.gpu >= count))
-        throw Error(fmt::format("--gpu {} names no device, there are {} (0 to {})", *choice.gpu, count, count - 1));
+        throw Error(
+            fmt::format("--gpu {} names no device, there are {} (0 to {})", *choice.gpu, count, count - 1));
     for (int i = 0; i < count; ++i) {
         if (choice.gpu && *choice.gpu != i) continue;
         EGLContext context = make_current(candidates[i].display);
@@ -124,9 +127,11 @@ Context::Context(const ContextChoice& choice) {
         eglDestroyContext(display_, context_);
         context_ = nullptr;
     }
-    throw Error(choice.require_hardware
-                    ? "--require-hardware: no hardware device gives OpenGL 4.5 here, leave the option out to render in software"
-                    : "no EGL device gives OpenGL 4.5 here, install Mesa (libegl1, libgl1-mesa-dri) or a driver");
+    throw Error(
+        choice.require_hardware
+            ? "--require-hardware: no hardware device gives OpenGL 4.5 here, leave the option out to render "
+              "in software"
+            : "no EGL device gives OpenGL 4.5 here, install Mesa (libegl1, libgl1-mesa-dri) or a driver");
 }
 
 Context::~Context() {

@@ -14,7 +14,8 @@ thread_local std::string first_error;
 void GLAPIENTRY keep_message(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum severity, GLsizei length,
                              const GLchar* message, const void* /*user*/) {
     if (type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH) return;
-    if (first_error.empty()) first_error.assign(message, length < 0 ? std::char_traits<char>::length(message) : length);
+    if (first_error.empty())
+        first_error.assign(message, length < 0 ? std::char_traits<char>::length(message) : length);
 }
 
 }  // namespace
@@ -32,6 +33,10 @@ void raise_errors() {
     std::string message;
     message.swap(first_error);
     throw Error("OpenGL reports: " + message);
+}
+
+void forget_errors() {
+    first_error.clear();
 }
 
 }  // namespace talus::gpu

@@ -32,7 +32,7 @@ Folder& folder() {
 }
 
 fs::file_time_type newest_below(const fs::path& root) {
-    fs::file_time_type newest{};
+    fs::file_time_type newest = fs::file_time_type::min();  // the type's zero lies in the future
     for (const auto& entry : fs::recursive_directory_iterator(root))
         if (entry.is_regular_file()) newest = std::max(newest, entry.last_write_time());
     return newest;
@@ -41,7 +41,8 @@ fs::file_time_type newest_below(const fs::path& root) {
 std::string load_text(const std::string& path) {
     if (!folder().root.empty()) {
         std::ifstream file(folder().root / path, std::ios::binary);
-        if (!file) throw Error(fmt::format("shader '{}' is not in the folder {}", path, folder().root.string()));
+        if (!file)
+            throw Error(fmt::format("shader '{}' is not in the folder {}", path, folder().root.string()));
         return {std::istreambuf_iterator<char>(file), {}};
     }
     const auto found = embedded_shaders().find(path);
@@ -71,7 +72,8 @@ void expand(const std::string& path, std::vector<std::string>& files, std::strin
     }
 }
 
-// Drivers write "2:17(5): error: …" (Mesa) or "2(17) : error …" (NVIDIA); people want "maths/patch.glsl:17: …".
+// Drivers write "2:17(5): error: …" (Mesa) or "2(17) : error …" (NVIDIA); people want "maths/patch.glsl:17:
+// …".
 std::string name_files(const std::string& log, const std::vector<std::string>& files) {
     static const std::regex place(R"(^(\d+)(?::(\d+)\(\d+\)|\((\d+)\)) ?: ?)");
     std::istringstream lines(log);
@@ -108,7 +110,9 @@ std::string log_of(GLuint object) {
     return log;
 }
 
-void delete_shader(unsigned name) { glDeleteShader(name); }
+void delete_shader(unsigned name) {
+    glDeleteShader(name);
+}
 
 Handle<delete_shader> compile(const std::string& path, const std::vector<std::string>& defines) {
     std::vector<std::string> files;
@@ -124,8 +128,11 @@ Handle<delete_shader> compile(const std::string& path, const std::vector<std::st
     GLint ok = 0;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
     if (!ok) {
-        const std::string log = log_of<[](GLuint s, GLenum p, GLint* v) { glGetShaderiv(s, p, v); },
-                                       [](GLuint s, GLsizei n, GLsizei* w, GLchar* t) { glGetShaderInfoLog(s, n, w, t); }>(shader);
+        forget_errors();
+        const std::string log =
+            log_of<[](GLuint s, GLenum p, GLint* v) { glGetShaderiv(s, p, v); },
+                   [](GLuint s, GLsizei n, GLsizei* w, GLchar* t) { glGetShaderInfoLog(s, n, w, t); }>(
+                shader);
         throw Error(name_files(log, files));
     }
     return shader;
@@ -133,13 +140,21 @@ Handle<delete_shader> compile(const std::string& path, const std::vector<std::st
 
 }  // namespace
 
-void delete_program(unsigned name) { glDeleteProgram(name); }
+void delete_program(unsigned name) {
+    glDeleteProgram(name);
+}
 
 void use_shader_folder(const fs::path& root) {
     if (!fs::is_directory(root / "maths"))
-        throw Error(fmt::format("--shader-dir '{}' is not a folder of Talus shaders: it has no folder 'maths'", root.string()));
+        throw Error(fmt::format(
+            "--shader-dir '{}' is not a folder of Talus shaders: it has no folder 'maths'", root.string()));
     folder().root = root;
     folder().newest = newest_below(root);
+    ++folder().generation;
+}
+
+void use_built_in_shaders() {
+    folder().root.clear();
     ++folder().generation;
 }
 
@@ -153,7 +168,9 @@ bool poll_shader_folder() {
     return true;
 }
 
-void on_shader_message(std::function<void(const std::string&)> receive) { folder().receive = std::move(receive); }
+void on_shader_message(std::function<void(const std::string&)> receive) {
+    folder().receive = std::move(receive);
+}
 
 Program::Program(std::vector<std::string> paths, std::vector<std::string> defines)
     : paths_(std::move(paths)), defines_(std::move(defines)) {
@@ -171,10 +188,14 @@ void Program::build() {
     glLinkProgram(fresh);
     GLint ok = 0;
     glGetProgramiv(fresh, GL_LINK_STATUS, &ok);
-    if (!ok)
-        throw Error(fmt::format("shaders/{}: {}", paths_.back(),
-                                log_of<[](GLuint s, GLenum p, GLint* v) { glGetProgramiv(s, p, v); },
-                                       [](GLuint s, GLsizei n, GLsizei* w, GLchar* t) { glGetProgramInfoLog(s, n, w, t); }>(fresh)));
+    if (!ok) {
+        forget_errors();
+        throw Error(fmt::format(
+            "shaders/{}: {}", paths_.back(),
+            log_of<[](GLuint s, GLenum p, GLint* v) { glGetProgramiv(s, p, v); },
+                   [](GLuint s, GLsizei n, GLsizei* w, GLchar* t) { glGetProgramInfoLog(s, n, w, t); }>(
+                fresh)));
+    }
     glObjectLabel(GL_PROGRAM, fresh, static_cast<GLsizei>(paths_.back().size()), paths_.back().data());
     handle_ = std::move(fresh);
     locations_.clear();
@@ -201,13 +222,27 @@ void Program::upload(std::string_view name, const Value& value) {
     }
     const GLint at = found->second;
     switch (value.kind) {
-        case 1: glProgramUniform1fv(handle_, at, 1, value.real.data()); break;
-        case 2: glProgramUniform2fv(handle_, at, 1, value.real.data()); break;
-        case 3: glProgramUniform3fv(handle_, at, 1, value.real.data()); break;
-        case 4: glProgramUniform4fv(handle_, at, 1, value.real.data()); break;
-        case 5: glProgramUniform1iv(handle_, at, 1, value.whole.data()); break;
-        case 6: glProgramUniform2iv(handle_, at, 1, value.whole.data()); break;
-        default: glProgramUniform1ui(handle_, at, static_cast<GLuint>(value.whole[0])); break;
+        case 1:
+            glProgramUniform1fv(handle_, at, 1, value.real.data());
+            break;
+        case 2:
+            glProgramUniform2fv(handle_, at, 1, value.real.data());
+            break;
+        case 3:
+            glProgramUniform3fv(handle_, at, 1, value.real.data());
+            break;
+        case 4:
+            glProgramUniform4fv(handle_, at, 1, value.real.data());
+            break;
+        case 5:
+            glProgramUniform1iv(handle_, at, 1, value.whole.data());
+            break;
+        case 6:
+            glProgramUniform2iv(handle_, at, 1, value.whole.data());
+            break;
+        default:
+            glProgramUniform1ui(handle_, at, static_cast<GLuint>(value.whole[0]));
+            break;
     }
 }
 
@@ -220,17 +255,32 @@ void Program::remember(std::string_view name, const Value& value) {
     upload(name, value);
 }
 
-void Program::set(std::string_view name, float value) { remember(name, {1, {value}, {}}); }
-void Program::set(std::string_view name, glm::vec2 v) { remember(name, {2, {v.x, v.y}, {}}); }
-void Program::set(std::string_view name, glm::vec3 v) { remember(name, {3, {v.x, v.y, v.z}, {}}); }
-void Program::set(std::string_view name, glm::vec4 v) { remember(name, {4, {v.x, v.y, v.z, v.w}, {}}); }
-void Program::set(std::string_view name, int value) { remember(name, {5, {}, {value}}); }
-void Program::set(std::string_view name, glm::ivec2 v) { remember(name, {6, {}, {v.x, v.y}}); }
-void Program::set(std::string_view name, unsigned value) { remember(name, {7, {}, {static_cast<int>(value)}}); }
+void Program::set(std::string_view name, float value) {
+    remember(name, {1, {value}, {}});
+}
+void Program::set(std::string_view name, glm::vec2 v) {
+    remember(name, {2, {v.x, v.y}, {}});
+}
+void Program::set(std::string_view name, glm::vec3 v) {
+    remember(name, {3, {v.x, v.y, v.z}, {}});
+}
+void Program::set(std::string_view name, glm::vec4 v) {
+    remember(name, {4, {v.x, v.y, v.z, v.w}, {}});
+}
+void Program::set(std::string_view name, int value) {
+    remember(name, {5, {}, {value}});
+}
+void Program::set(std::string_view name, glm::ivec2 v) {
+    remember(name, {6, {}, {v.x, v.y}});
+}
+void Program::set(std::string_view name, unsigned value) {
+    remember(name, {7, {}, {static_cast<int>(value)}});
+}
 
 void Program::dispatch(int groups_x, int groups_y, int groups_z) {
     use();
-    glDispatchCompute(static_cast<GLuint>(groups_x), static_cast<GLuint>(groups_y), static_cast<GLuint>(groups_z));
+    glDispatchCompute(static_cast<GLuint>(groups_x), static_cast<GLuint>(groups_y),
+                      static_cast<GLuint>(groups_z));
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     raise_errors();
 }

@@ -16,18 +16,23 @@ namespace talus::gpu {
 void delete_program(unsigned name);
 
 /// Where shader text comes from: the files built in or, after use_shader_folder(), a folder that is watched.
-/// A program built from a folder follows its files: the next use after a change rebuilds it, and keeps the old
-/// program when the new one does not compile.
+/// A program built from a folder follows its files: the next use after a change rebuilds it, and keeps the
+/// old program when the new one does not compile.
 void use_shader_folder(const std::filesystem::path& folder);
 
-/// Looks at the watched folder's files once; cheap, for the window's idle moments. True when any file changed.
+/// Back to the files built in.
+void use_built_in_shaders();
+
+/// Looks at the watched folder's files once; cheap, for the window's idle moments. True when any file
+/// changed.
 bool poll_shader_folder();
 
-/// Messages of programs that could not be rebuilt go here (default: stderr), one line each: file, line, message.
+/// Messages of programs that could not be rebuilt go here (default: stderr), one line each: file, line,
+/// message.
 void on_shader_message(std::function<void(const std::string&)> receive);
 
-/// A linked program of GLSL files below shaders/. `#include "maths/patch.glsl"` is resolved below shaders/, each
-/// file at most once. Throws talus::Error that names file and line when a shader does not compile.
+/// A linked program of GLSL files below shaders/. `#include "maths/patch.glsl"` is resolved below shaders/,
+/// each file at most once. Throws talus::Error that names file and line when a shader does not compile.
 ///
 ///     Program thermal("sim/thermal.comp");
 ///     thermal.set("cell_m", glm::vec2(30, 30));

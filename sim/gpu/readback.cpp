@@ -11,7 +11,8 @@ Readback::~Readback() {
 }
 
 void Readback::start(const Texture& texture, const Region& region) {
-    const std::size_t bytes = static_cast<std::size_t>(region.width) * region.height * texel_bytes(texture.format());
+    const std::size_t bytes =
+        static_cast<std::size_t>(region.width) * region.height * texel_bytes(texture.format());
     if (buffer_.bytes() != bytes) buffer_ = Buffer("readback", bytes);
     texture.copy_to(buffer_, 0, region);
     fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);

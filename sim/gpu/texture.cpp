@@ -21,22 +21,34 @@ struct Layout {
 
 Layout layout_of(Format format) {
     switch (format) {
-        case Format::r32f: return {GL_R32F, GL_RED, GL_FLOAT, 4};
-        case Format::rg32f: return {GL_RG32F, GL_RG, GL_FLOAT, 8};
-        case Format::rgba8: return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
-        case Format::rgba32f: return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
+        case Format::r32f:
+            return {GL_R32F, GL_RED, GL_FLOAT, 4};
+        case Format::rg32f:
+            return {GL_RG32F, GL_RG, GL_FLOAT, 8};
+        case Format::rgba8:
+            return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
+        case Format::rgba32f:
+            return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
     }
     throw Error("a texture has no such format");
 }
 
 // Offsets into a bound pixel buffer travel as pointers in OpenGL's interface.
-void* as_offset(std::size_t offset) { return reinterpret_cast<void*>(offset); }  // NOLINT(performance-no-int-to-ptr)
+void* as_offset(std::size_t offset) {
+    return reinterpret_cast<void*>(offset);
+}  // NOLINT(performance-no-int-to-ptr)
 
 }  // namespace
 
-void delete_texture(unsigned name) { glDeleteTextures(1, &name); }
-void delete_framebuffer(unsigned name) { glDeleteFramebuffers(1, &name); }
-std::size_t texel_bytes(Format format) { return layout_of(format).bytes; }
+void delete_texture(unsigned name) {
+    glDeleteTextures(1, &name);
+}
+void delete_framebuffer(unsigned name) {
+    glDeleteFramebuffers(1, &name);
+}
+std::size_t texel_bytes(Format format) {
+    return layout_of(format).bytes;
+}
 
 Texture::Texture(const std::string& label, Format format, int width, int height, int levels)
     : format_(format), width_(width), height_(height), levels_(levels) {
@@ -61,8 +73,8 @@ void Texture::fill(float value) {
 
 void Texture::write(const Region& region, std::span<const std::byte> texels, int level) {
     const Layout layout = layout_of(format_);
-    glTextureSubImage2D(handle_, level, region.x, region.y, region.width, region.height, layout.format, layout.type,
-                        texels.data());
+    glTextureSubImage2D(handle_, level, region.x, region.y, region.width, region.height, layout.format,
+                        layout.type, texels.data());
     raise_errors();
 }
 
@@ -88,20 +100,22 @@ void Texture::copy_from(const Buffer& buffer, std::size_t offset, const Region& 
     const Layout layout = layout_of(format_);
     glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer.name());
-    glTextureSubImage2D(handle_, 0, region.x, region.y, region.width, region.height, layout.format, layout.type,
-                        as_offset(offset));
+    glTextureSubImage2D(handle_, 0, region.x, region.y, region.width, region.height, layout.format,
+                        layout.type, as_offset(offset));
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     raise_errors();
 }
 
 void Texture::copy_from(const Texture& other, const Region& region) {
     glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-    glCopyImageSubData(other.handle_, GL_TEXTURE_2D, 0, region.x, region.y, 0, handle_, GL_TEXTURE_2D, 0, region.x,
-                       region.y, 0, region.width, region.height, 1);
+    glCopyImageSubData(other.handle_, GL_TEXTURE_2D, 0, region.x, region.y, 0, handle_, GL_TEXTURE_2D, 0,
+                       region.x, region.y, 0, region.width, region.height, 1);
     raise_errors();
 }
 
-void Texture::bind_sampled(unsigned unit) const { glBindTextureUnit(unit, handle_); }
+void Texture::bind_sampled(unsigned unit) const {
+    glBindTextureUnit(unit, handle_);
+}
 
 void Texture::bind_image(unsigned unit, Access access, int level) const {
     const GLenum mode = access == Access::read    ? GL_READ_ONLY

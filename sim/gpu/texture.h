@@ -27,7 +27,8 @@ struct Region {
     int height = 0;
 };
 
-/// A two-dimensional image on the device, with mip levels where asked for; texels beyond the edge read the edge's.
+/// A two-dimensional image on the device, with mip levels where asked for; texels beyond the edge read the
+/// edge's.
 class Texture {
   public:
     Texture() = default;

@@ -6,7 +6,9 @@
 
 namespace talus::gpu {
 
-void delete_query(unsigned name) { glDeleteQueries(1, &name); }
+void delete_query(unsigned name) {
+    glDeleteQueries(1, &name);
+}
 
 Timestamp::Timestamp(const std::string& label) {
     for (Span& span : spans_) {
@@ -20,7 +22,9 @@ Timestamp::Timestamp(const std::string& label) {
     raise_errors();
 }
 
-void Timestamp::begin() { glQueryCounter(spans_[next_].first, GL_TIMESTAMP); }
+void Timestamp::begin() {
+    glQueryCounter(spans_[next_].first, GL_TIMESTAMP);
+}
 
 void Timestamp::end() {
     glQueryCounter(spans_[next_].last, GL_TIMESTAMP);

@@ -19,7 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string reason(int code) { return std::generic_category().message(code); }
+std::string reason(int code) {
+    return std::generic_category().message(code);
+}
 
 class Descriptor {
   public:
@@ -72,7 +74,8 @@ void write_atomically(const fs::path& path, std::span<const std::byte> content) 
     std::string temporary = (folder / ("." + target.filename().string() + ".XXXXXX")).string();
     Descriptor file(::mkstemp(temporary.data()));
     if (file.get() < 0) throw Error(fmt::format("cannot write '{}': {}", path.string(), reason(errno)));
-    bool ok = ::fchmod(file.get(), mode_for(target)) == 0 && write_all(file.get(), content) && ::fsync(file.get()) == 0;
+    bool ok = ::fchmod(file.get(), mode_for(target)) == 0 && write_all(file.get(), content) &&
+              ::fsync(file.get()) == 0;
     int code = errno;
     if (file.close() != 0 && ok) {
         ok = false;
@@ -96,7 +99,8 @@ void write_atomically(const fs::path& path, std::string_view content) {
 
 std::string read_text(const fs::path& path) {
     std::error_code ignored;
-    if (fs::is_directory(path, ignored)) throw Error(fmt::format("'{}' is a folder, a file is needed", path.string()));
+    if (fs::is_directory(path, ignored))
+        throw Error(fmt::format("'{}' is a folder, a file is needed", path.string()));
     std::ifstream file(path, std::ios::binary);
     if (!file) throw Error(fmt::format("'{}' cannot be read: {}", path.string(), reason(errno)));
     return {std::istreambuf_iterator<char>(file), {}};

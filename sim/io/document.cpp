@@ -39,7 +39,8 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
     Document document;
     document.kind = "Talus document";
     TerrainState& state = document.state;
-    state.grid = {spec.width, spec.height, parsed(path, spec, "talus:dx_m", 1.0), parsed(path, spec, "talus:dy_m", 1.0)};
+    state.grid = {spec.width, spec.height, parsed(path, spec, "talus:dx_m", 1.0),
+                  parsed(path, spec, "talus:dy_m", 1.0)};
     if (settings.spacing_m) state.grid.dx = state.grid.dy = *settings.spacing_m;
     check_grid(state.grid);
     state.clock.ticks = parsed(path, spec, "talus:ticks", std::int64_t{0});
@@ -50,7 +51,8 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
         Georeference georeference;
         georeference.wkt = spec.get_string_attribute("talus:crs");
         std::array<double, 6>& t = georeference.transform;
-        if (std::sscanf(transform.c_str(), "%lf %lf %lf %lf %lf %lf", &t[0], &t[1], &t[2], &t[3], &t[4], &t[5]) == 6)  // NOLINT(cert-err34-c)
+        if (std::sscanf(transform.c_str(), "%lf %lf %lf %lf %lf %lf", &t[0], &t[1], &t[2], &t[3], &t[4],
+                        &t[5]) == 6)  // NOLINT(cert-err34-c)
             document.georeference = georeference;
     }
     std::vector<float> values(state.grid.count());
@@ -61,7 +63,8 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
             throw Error(fmt::format("'{}' cannot be read: {}", path.string(), input->geterror()));
         for (std::size_t i = 0; i < values.size(); ++i) {
             if (!std::isfinite(values[i]))
-                throw Error(fmt::format("'{}' holds samples in channel '{}' that are not finite numbers", path.string(), name));
+                throw Error(fmt::format("'{}' holds samples in channel '{}' that are not finite numbers",
+                                        path.string(), name));
             layer[i][word] = values[i];
         }
     };
@@ -89,7 +92,8 @@ Document open_document(const fs::path& path, const ImportSettings& settings) {
 
 void save_document(const fs::path& path, const Document& document) {
     const TerrainState& state = document.state;
-    OIIO::ImageSpec spec(state.grid.nx, state.grid.ny, static_cast<int>(channels.size()), OIIO::TypeDesc::FLOAT);
+    OIIO::ImageSpec spec(state.grid.nx, state.grid.ny, static_cast<int>(channels.size()),
+                         OIIO::TypeDesc::FLOAT);
     spec.channelnames = channels;
     spec.attribute("compression", "zip");
     spec.attribute("talus:document", "1");
@@ -100,21 +104,24 @@ void save_document(const fs::path& path, const Document& document) {
     if (!document.parameters.empty()) spec.attribute("talus:parameters", document.parameters);
     if (document.georeference) {
         const auto& t = document.georeference->transform;
-        spec.attribute("talus:geotransform", fmt::format("{} {} {} {} {} {}", t[0], t[1], t[2], t[3], t[4], t[5]));
+        spec.attribute("talus:geotransform",
+                       fmt::format("{} {} {} {} {} {}", t[0], t[1], t[2], t[3], t[4], t[5]));
         if (!document.georeference->wkt.empty()) spec.attribute("talus:crs", document.georeference->wkt);
     }
     const std::vector<float> ground = state.ground();
     std::vector<float> pixels;
     pixels.reserve(ground.size() * channels.size());
     for (std::size_t i = 0; i < ground.size(); ++i)
-        pixels.insert(pixels.end(), {ground[i], state.bedrock[i].x, state.bedrock[i].y, state.regolith[i].x, state.regolith[i].y});
+        pixels.insert(pixels.end(), {ground[i], state.bedrock[i].x, state.bedrock[i].y, state.regolith[i].x,
+                                     state.regolith[i].y});
     write_encoded(path, spec, pixels.data());
 }
 
 std::vector<float> layer_of(const TerrainState& state, const std::string& name) {
     if (name == "ground") return state.ground();
     if (name != "bedrock" && name != "regolith")
-        throw Error(fmt::format("--layer '{}' is not a layer, it must be one of: ground, bedrock, regolith", name));
+        throw Error(
+            fmt::format("--layer '{}' is not a layer, it must be one of: ground, bedrock, regolith", name));
     const std::vector<glm::vec2>& words = name == "bedrock" ? state.bedrock : state.regolith;
     std::vector<float> values(words.size());
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = words[i].x + words[i].y;

@@ -20,9 +20,9 @@ struct Document {
 /// Opens a Talus document (multi-channel EXR with a channel `bedrock`) or, as bedrock, any heightmap.
 Document open_document(const std::filesystem::path& path, const ImportSettings& settings);
 
-/// Writes everything a run continues from, to the bit: float channels bedrock and regolith, their low words as
-/// bedrock.low and regolith.low, the ground as Y for picture programs; clock, spacing, coordinate system and parameters
-/// as attributes.
+/// Writes everything a run continues from, to the bit: float channels bedrock and regolith, their low words
+/// as bedrock.low and regolith.low, the ground as Y for picture programs; clock, spacing, coordinate system
+/// and parameters as attributes.
 void save_document(const std::filesystem::path& path, const Document& document);
 
 /// Names that a layer output can have: ground, bedrock, regolith.

@@ -44,13 +44,15 @@ std::string gdal_says() {
     return message.empty() ? "the file is damaged or of another kind" : message;
 }
 
-// Metres of a degree of longitude and of latitude on WGS 84 at a latitude (NIMA TR8350.2, radii of curvature).
+// Metres of a degree of longitude and of latitude on WGS 84 at a latitude (NIMA TR8350.2, radii of
+// curvature).
 glm::dvec2 metres_per_degree(double latitude_deg) {
     constexpr double a = 6378137.0;
     constexpr double e2 = 6.69437999014e-3;
     const double phi = latitude_deg * std::numbers::pi / 180;
     const double w2 = 1 - e2 * std::sin(phi) * std::sin(phi);
-    return glm::dvec2(a * std::cos(phi) / std::sqrt(w2), a * (1 - e2) / (w2 * std::sqrt(w2))) * (std::numbers::pi / 180);
+    return glm::dvec2(a * std::cos(phi) / std::sqrt(w2), a * (1 - e2) / (w2 * std::sqrt(w2))) *
+           (std::numbers::pi / 180);
 }
 
 // Fills what `void_at` names, by inverse distance (GDALFillNodata), and notes how many.
@@ -67,12 +69,16 @@ void fill_voids(const fs::path& path, Heightmap& heightmap, const std::vector<GB
     GDALRasterBand* band = values->GetRasterBand(1);
     GDALRasterBand* mask_band = mask->GetRasterBand(1);
     std::vector<GByte> mask_values = valid;
-    CPLErr error = band->RasterIO(GF_Write, 0, 0, nx, ny, heightmap.heights.data(), nx, ny, GDT_Float32, 0, 0);
-    if (error == CE_None) error = mask_band->RasterIO(GF_Write, 0, 0, nx, ny, mask_values.data(), nx, ny, GDT_Byte, 0, 0);
+    CPLErr error =
+        band->RasterIO(GF_Write, 0, 0, nx, ny, heightmap.heights.data(), nx, ny, GDT_Float32, 0, 0);
+    if (error == CE_None)
+        error = mask_band->RasterIO(GF_Write, 0, 0, nx, ny, mask_values.data(), nx, ny, GDT_Byte, 0, 0);
     if (error == CE_None)
         error = GDALFillNodata(band, mask_band, std::max(nx, ny), 0, 0, nullptr, nullptr, nullptr);
-    if (error == CE_None) error = band->RasterIO(GF_Read, 0, 0, nx, ny, heightmap.heights.data(), nx, ny, GDT_Float32, 0, 0);
-    if (error != CE_None) throw Error(fmt::format("'{}': its voids cannot be filled: {}", path.string(), gdal_says()));
+    if (error == CE_None)
+        error = band->RasterIO(GF_Read, 0, 0, nx, ny, heightmap.heights.data(), nx, ny, GDT_Float32, 0, 0);
+    if (error != CE_None)
+        throw Error(fmt::format("'{}': its voids cannot be filled: {}", path.string(), gdal_says()));
     heightmap.notes.push_back(fmt::format("{} void samples were filled by interpolation", voids));
 }
 
@@ -87,20 +93,24 @@ Heightmap read_geographic(const fs::path& path, const ImportSettings& settings) 
     const int nx = dataset->GetRasterXSize();
     const int ny = dataset->GetRasterYSize();
     check_file_size(path, nx, ny);
-    if (dataset->GetRasterCount() < 1) throw Error(fmt::format("'{}' holds no band of samples", path.string()));
+    if (dataset->GetRasterCount() < 1)
+        throw Error(fmt::format("'{}' holds no band of samples", path.string()));
     GDALRasterBand* band = dataset->GetRasterBand(1);
     const GDALDataType type = band->GetRasterDataType();
-    if (GDALDataTypeIsComplex(type)) throw Error(fmt::format("'{}' holds complex numbers, heights are real", path.string()));
+    if (GDALDataTypeIsComplex(type))
+        throw Error(fmt::format("'{}' holds complex numbers, heights are real", path.string()));
 
     Heightmap heightmap;
     heightmap.grid = {nx, ny, 1, 1};
     heightmap.kind = fmt::format("{}, {}", dataset->GetDriver()->GetDescription(), GDALGetDataTypeName(type));
     heightmap.heights.resize(heightmap.grid.count());
     if (dataset->GetRasterCount() > 1)
-        heightmap.notes.push_back(fmt::format("the file has {} bands, the first was read", dataset->GetRasterCount()));
+        heightmap.notes.push_back(
+            fmt::format("the file has {} bands, the first was read", dataset->GetRasterCount()));
     // Errors on the way count too: GDAL reads some damaged files as zeros and only warns.
     CPLErrorReset();
-    if (band->RasterIO(GF_Read, 0, 0, nx, ny, heightmap.heights.data(), nx, ny, GDT_Float32, 0, 0) != CE_None ||
+    if (band->RasterIO(GF_Read, 0, 0, nx, ny, heightmap.heights.data(), nx, ny, GDT_Float32, 0, 0) !=
+            CE_None ||
         CPLGetLastErrorType() >= CE_Failure)
         throw Error(fmt::format("'{}' cannot be read: {}", path.string(), gdal_says()));
 
@@ -145,8 +155,9 @@ Heightmap read_geographic(const fs::path& path, const ImportSettings& settings) 
             const glm::dvec2 degree = metres_per_degree(latitude);
             heightmap.grid.dx *= degree.x;
             heightmap.grid.dy *= degree.y;
-            heightmap.notes.push_back(fmt::format("degrees became metres at latitude {:.3f}: {:.2f} x {:.2f} m a sample", latitude,
-                                                  heightmap.grid.dx, heightmap.grid.dy));
+            heightmap.notes.push_back(
+                fmt::format("degrees became metres at latitude {:.3f}: {:.2f} x {:.2f} m a sample", latitude,
+                            heightmap.grid.dx, heightmap.grid.dy));
         } else if (system) {
             const double unit = system->GetLinearUnits();
             heightmap.grid.dx *= unit;
@@ -176,20 +187,22 @@ void write_geotiff(const fs::path& path, const Heightmap& heightmap) {
         Dataset dataset(driver->Create(memory_path.c_str(), nx, ny, 1, GDT_Float32, nullptr));
         if (!dataset) throw Error(fmt::format("cannot write '{}': {}", path.string(), gdal_says()));
         // Without a place on Earth the south-west sample, a pixel's centre, lies at (0, 0).
-        std::array<double, 6> transform = {-heightmap.grid.dx / 2, heightmap.grid.dx, 0, (ny - 0.5) * heightmap.grid.dy, 0,
-                                           -heightmap.grid.dy};
+        std::array<double, 6> transform = {
+            -heightmap.grid.dx / 2, heightmap.grid.dx, 0, (ny - 0.5) * heightmap.grid.dy, 0,
+            -heightmap.grid.dy};
         if (heightmap.georeference) {
             transform = heightmap.georeference->transform;
             OGRSpatialReference system;
-            if (!heightmap.georeference->wkt.empty() && system.importFromWkt(heightmap.georeference->wkt.c_str()) == OGRERR_NONE) {
+            if (!heightmap.georeference->wkt.empty() &&
+                system.importFromWkt(heightmap.georeference->wkt.c_str()) == OGRERR_NONE) {
                 system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
                 dataset->SetSpatialRef(&system);
             }
         }
         dataset->SetGeoTransform(transform.data());
         std::vector<float> heights = heightmap.heights;
-        const CPLErr error =
-            dataset->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, nx, ny, heights.data(), nx, ny, GDT_Float32, 0, 0);
+        const CPLErr error = dataset->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, nx, ny, heights.data(), nx,
+                                                                 ny, GDT_Float32, 0, 0);
         if (error != CE_None) throw Error(fmt::format("cannot write '{}': {}", path.string(), gdal_says()));
     }
     vsi_l_offset length = 0;

@@ -16,33 +16,38 @@ const char* const heightmap_endings = ".tif, .tiff, .exr, .png, .r16, .r32";
 
 std::string ending_of(const fs::path& path) {
     std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
     return ending;
 }
 
 void check_file_size(const fs::path& path, std::int64_t nx, std::int64_t ny) {
     if (nx < min_samples || ny < min_samples || nx > max_samples || ny > max_samples)
-        throw Error(fmt::format("'{}' holds {} x {} samples, each side must have {} to {}", path.string(), nx, ny, min_samples,
-                                max_samples));
+        throw Error(fmt::format("'{}' holds {} x {} samples, each side must have {} to {}", path.string(), nx,
+                                ny, min_samples, max_samples));
     check_grid({static_cast<int>(nx), static_cast<int>(ny), 1, 1});
 }
 
 void check_finite(const fs::path& path, const Heightmap& heightmap) {
-    const auto bad = std::count_if(heightmap.heights.begin(), heightmap.heights.end(), [](float h) { return !std::isfinite(h); });
+    const auto bad = std::count_if(heightmap.heights.begin(), heightmap.heights.end(),
+                                   [](float h) { return !std::isfinite(h); });
     if (bad > 0)
-        throw Error(fmt::format("'{}' holds {} samples that are not finite numbers, declare them as nodata or mend them",
-                                path.string(), bad));
+        throw Error(fmt::format(
+            "'{}' holds {} samples that are not finite numbers, declare them as nodata or mend them",
+            path.string(), bad));
 }
 
-void scale_integers(Heightmap& heightmap, double largest, std::optional<Range> own, const ImportSettings& settings) {
+void scale_integers(Heightmap& heightmap, double largest, std::optional<Range> own,
+                    const ImportSettings& settings) {
     Range range(0, std::max(heightmap.grid.width_m(), heightmap.grid.height_m()) / 8);
     if (settings.range_m)
         range = *settings.range_m;
     else if (own)
         range = *own;
     else
-        heightmap.notes.push_back(fmt::format("heights guessed as 0 to {:.6g} m, an eighth of the longer side: --range lo,hi sets them",
-                                              range.y));
+        heightmap.notes.push_back(fmt::format(
+            "heights guessed as 0 to {:.6g} m, an eighth of the longer side: --range lo,hi sets them",
+            range.y));
     for (float& h : heightmap.heights) h = static_cast<float>(range.x + h / largest * (range.y - range.x));
 }
 
@@ -53,7 +58,8 @@ void scale_floats(Heightmap& heightmap, const ImportSettings& settings) {
         const Range range = *settings.range_m;
         for (float& h : heightmap.heights) h = static_cast<float>(range.x + h * (range.y - range.x));
     } else {
-        heightmap.notes.push_back("all heights lie within 0 to 1 m: --range lo,hi spreads 0 to 1 over lo to hi metres");
+        heightmap.notes.push_back(
+            "all heights lie within 0 to 1 m: --range lo,hi spreads 0 to 1 over lo to hi metres");
     }
 }
 
@@ -74,9 +80,12 @@ std::vector<std::uint16_t> quantise(const Heightmap& heightmap, Range range) {
 
 Heightmap read_heightmap(const fs::path& path, const ImportSettings& settings) {
     std::error_code ignored;
-    if (!fs::exists(path, ignored)) throw Error(fmt::format("'{}' does not exist, give the path of a heightmap", path.string()));
-    if (fs::is_directory(path, ignored)) throw Error(fmt::format("'{}' is a folder, give the path of a heightmap", path.string()));
-    if (fs::file_size(path, ignored) == 0) throw Error(fmt::format("'{}' is empty, a heightmap was expected", path.string()));
+    if (!fs::exists(path, ignored))
+        throw Error(fmt::format("'{}' does not exist, give the path of a heightmap", path.string()));
+    if (fs::is_directory(path, ignored))
+        throw Error(fmt::format("'{}' is a folder, give the path of a heightmap", path.string()));
+    if (fs::file_size(path, ignored) == 0)
+        throw Error(fmt::format("'{}' is empty, a heightmap was expected", path.string()));
     const std::string ending = ending_of(path);
     Heightmap heightmap;
     if (ending == ".tif" || ending == ".tiff" || ending == ".hgt" || ending == ".asc")
@@ -86,7 +95,8 @@ Heightmap read_heightmap(const fs::path& path, const ImportSettings& settings) {
     else if (ending == ".r16" || ending == ".r32" || ending == ".raw")
         heightmap = read_raw(path, settings);
     else
-        throw Error(fmt::format("'{}' ends in none of .tif, .tiff, .hgt, .asc, .png, .exr, .r16, .r32, .raw", path.string()));
+        throw Error(fmt::format("'{}' ends in none of .tif, .tiff, .hgt, .asc, .png, .exr, .r16, .r32, .raw",
+                                path.string()));
     if (settings.spacing_m) heightmap.grid.dx = heightmap.grid.dy = *settings.spacing_m;
     check_finite(path, heightmap);
     check_grid(heightmap.grid);
@@ -95,7 +105,8 @@ Heightmap read_heightmap(const fs::path& path, const ImportSettings& settings) {
 
 bool can_write_heightmap(const fs::path& path) {
     const std::string ending = ending_of(path);
-    return ending == ".tif" || ending == ".tiff" || ending == ".exr" || ending == ".png" || ending == ".r16" || ending == ".r32";
+    return ending == ".tif" || ending == ".tiff" || ending == ".exr" || ending == ".png" ||
+           ending == ".r16" || ending == ".r32";
 }
 
 void write_heightmap(const fs::path& path, const Heightmap& heightmap, std::optional<Range> range) {
@@ -103,7 +114,8 @@ void write_heightmap(const fs::path& path, const Heightmap& heightmap, std::opti
     if (ending == ".tif" || ending == ".tiff") return write_geotiff(path, heightmap);
     if (ending == ".exr" || ending == ".png") return write_picture(path, heightmap, range);
     if (ending == ".r16" || ending == ".r32") return write_raw(path, heightmap, range);
-    throw Error(fmt::format("cannot write '{}': its ending must be one of {}", path.string(), heightmap_endings));
+    throw Error(
+        fmt::format("cannot write '{}': its ending must be one of {}", path.string(), heightmap_endings));
 }
 
 }  // namespace talus

@@ -11,8 +11,8 @@
 
 namespace talus {
 
-/// Where on Earth a heightmap lies: its coordinate system as WKT (may be empty) and GDAL's affine transform from
-/// pixel corners to coordinates.
+/// Where on Earth a heightmap lies: its coordinate system as WKT (may be empty) and GDAL's affine transform
+/// from pixel corners to coordinates.
 struct Georeference {
     std::string wkt;
     std::array<double, 6> transform{};
@@ -50,18 +50,20 @@ struct Heightmap {
     std::vector<std::string> notes;  ///< guesses that were made and how to set them, a sentence each
 };
 
-/// How integers become heights when written: the value of 0 and of the largest integer. Heights outside are clamped.
+/// How integers become heights when written: the value of 0 and of the largest integer. Heights outside are
+/// clamped.
 using Range = glm::dvec2;
 
-/// Reads any single-layer format, by the file's ending: tif, tiff, hgt, asc (GDAL); png, exr (OpenImageIO); r16, r32,
-/// raw. Throws talus::Error naming the file and what is wrong with it. Declared nodata is filled by interpolation and
-/// noted; other values that are not finite are refused.
+/// Reads any single-layer format, by the file's ending: tif, tiff, hgt, asc (GDAL); png, exr (OpenImageIO);
+/// r16, r32, raw. Throws talus::Error naming the file and what is wrong with it. Declared nodata is filled by
+/// interpolation and noted; other values that are not finite are refused.
 Heightmap read_heightmap(const std::filesystem::path& path, const ImportSettings& settings);
 
-/// Writes by the ending: tif, tiff (GeoTIFF float), exr (float), png (16 bit), r16, r32; png, r16 and r32 get a JSON
-/// sidecar. `range` sets the heights of 0 and 65535; without it, lowest and highest. Throws talus::Error; what was there
-/// is still there then.
-void write_heightmap(const std::filesystem::path& path, const Heightmap& heightmap, std::optional<Range> range);
+/// Writes by the ending: tif, tiff (GeoTIFF float), exr (float), png (16 bit), r16, r32; png, r16 and r32 get
+/// a JSON sidecar. `range` sets the heights of 0 and 65535; without it, lowest and highest. Throws
+/// talus::Error; what was there is still there then.
+void write_heightmap(const std::filesystem::path& path, const Heightmap& heightmap,
+                     std::optional<Range> range);
 
 /// True for the endings that write_heightmap takes; the text lists them.
 bool can_write_heightmap(const std::filesystem::path& path);
@@ -81,9 +83,10 @@ void write_raw(const std::filesystem::path& path, const Heightmap& heightmap, st
 // What the formats share.
 /// Refuses a size outside of a terrain's limits before anything of it is allocated.
 void check_file_size(const std::filesystem::path& path, std::int64_t nx, std::int64_t ny);
-/// Turns integers from 0 to `largest` into metres: by the given range, the file's own, or the guess of an eighth of the
-/// longer side, noted.
-void scale_integers(Heightmap& heightmap, double largest, std::optional<Range> own, const ImportSettings& settings);
+/// Turns integers from 0 to `largest` into metres: by the given range, the file's own, or the guess of an
+/// eighth of the longer side, noted.
+void scale_integers(Heightmap& heightmap, double largest, std::optional<Range> own,
+                    const ImportSettings& settings);
 /// Where all floats lie within 0 to 1: spreads them over --range, or offers that.
 void scale_floats(Heightmap& heightmap, const ImportSettings& settings);
 /// Refuses values that are not finite.
@@ -92,8 +95,8 @@ void check_finite(const std::filesystem::path& path, const Heightmap& heightmap)
 std::vector<std::uint16_t> quantise(const Heightmap& heightmap, Range range);
 Range range_for(const Heightmap& heightmap, std::optional<Range> range);
 /// path + ".json": spacing, range, rows and georeference of a file that cannot say them itself.
-void write_sidecar(const std::filesystem::path& path, const Heightmap& heightmap, const std::string& sample_type,
-                   std::optional<Range> range);
+void write_sidecar(const std::filesystem::path& path, const Heightmap& heightmap,
+                   const std::string& sample_type, std::optional<Range> range);
 struct Sidecar {
     std::optional<double> dx;
     std::optional<double> dy;

@@ -2,7 +2,9 @@
 #include "sim/io/picture.h"
 
 #include <OpenImageIO/filesystem.h>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,21 +24,44 @@ std::string one_line(std::string message) {
     return message.empty() ? "the file is damaged or of another kind" : message;
 }
 
+// libpng writes messages of its own to stderr, before ours says the same of the file by name.
+class QuietStderr {
+  public:
+    QuietStderr() : kept_(::dup(STDERR_FILENO)) {
+        const int nothing = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+        if (nothing < 0) return;
+        ::dup2(nothing, STDERR_FILENO);
+        ::close(nothing);
+    }
+    ~QuietStderr() {
+        if (kept_ < 0) return;
+        ::dup2(kept_, STDERR_FILENO);
+        ::close(kept_);
+    }
+    QuietStderr(const QuietStderr&) = delete;
+    QuietStderr& operator=(const QuietStderr&) = delete;
+
+  private:
+    int kept_;
+};
+
 }  // namespace
 
 std::unique_ptr<OIIO::ImageInput> open_picture(const fs::path& path) {
+    const QuietStderr quiet;
     OIIO::ImageSpec wish;
     wish.attribute("oiio:UnassociatedAlpha", 1);
     auto input = OIIO::ImageInput::open(path.string(), &wish);
-    if (!input) throw Error(fmt::format("'{}' cannot be read: {}", path.string(), one_line(OIIO::geterror())));
+    if (!input)
+        throw Error(fmt::format("'{}' cannot be read: {}", path.string(), one_line(OIIO::geterror())));
     const OIIO::ImageSpec& spec = input->spec();
     check_file_size(path, spec.width, spec.height);
     if (spec.nchannels < 1 || spec.nchannels > 64)
         throw Error(fmt::format("'{}' has {} channels, 1 to 64 can be read", path.string(), spec.nchannels));
     // Deflate packs at most 1032 to 1: a PNG that claims more than that holds less than it says.
     if (ending_of(path) == ".png" && spec.image_bytes(true) / 1100 > fs::file_size(path))
-        throw Error(fmt::format("'{}' claims {} x {} samples but its {} bytes cannot hold them", path.string(), spec.width,
-                                spec.height, fs::file_size(path)));
+        throw Error(fmt::format("'{}' claims {} x {} samples but its {} bytes cannot hold them",
+                                path.string(), spec.width, spec.height, fs::file_size(path)));
     return input;
 }
 
@@ -45,7 +70,8 @@ void write_encoded(const fs::path& path, const OIIO::ImageSpec& spec, const void
     OIIO::Filesystem::IOVecOutput memory(content);
     auto output = OIIO::ImageOutput::create(path.string(), &memory);
     if (!output || !output->supports("ioproxy"))
-        throw Error(fmt::format("cannot write '{}': OpenImageIO does not encode {} in memory", path.string(), ending_of(path)));
+        throw Error(fmt::format("cannot write '{}': OpenImageIO does not encode {} in memory", path.string(),
+                                ending_of(path)));
     output->set_ioproxy(&memory);
     if (!output->open(path.string(), spec) || !output->write_image(spec.format, pixels) || !output->close())
         throw Error(fmt::format("cannot write '{}': {}", path.string(), one_line(output->geterror())));
@@ -59,9 +85,10 @@ Heightmap read_picture(const fs::path& path, const ImportSettings& settings) {
     heightmap.grid = {spec.width, spec.height, 1, 1};
     heightmap.heights.resize(heightmap.grid.count());
     const bool floats = spec.format.is_floating_point();
-    heightmap.kind = fmt::format("{}, {}", ending_of(path) == ".png" ? "PNG" : "EXR",
-                                 floats ? (spec.format == OIIO::TypeDesc::HALF ? "16-bit float" : "32-bit float")
-                                        : fmt::format("{}-bit integer", 8 * spec.format.size()));
+    heightmap.kind =
+        fmt::format("{}, {}", ending_of(path) == ".png" ? "PNG" : "EXR",
+                    floats ? (spec.format == OIIO::TypeDesc::HALF ? "16-bit float" : "32-bit float")
+                           : fmt::format("{}-bit integer", 8 * spec.format.size()));
     // Where there are several channels, the one that pictures show.
     int channel = 0;
     for (const char* name : {"Y", "R", "ground", "height", "Z"}) {
@@ -71,9 +98,20 @@ Heightmap read_picture(const fs::path& path, const ImportSettings& settings) {
         break;
     }
     if (spec.nchannels > 1)
-        heightmap.notes.push_back(fmt::format("the file has {} channels, '{}' was read", spec.nchannels, spec.channelnames[channel]));
-    if (!input->read_image(0, 0, channel, channel + 1, OIIO::TypeDesc::FLOAT, heightmap.heights.data()))
-        throw Error(fmt::format("'{}' cannot be read: {}", path.string(), one_line(input->geterror())));
+        heightmap.notes.push_back(fmt::format("the file has {} channels, '{}' was read", spec.nchannels,
+                                              spec.channelnames[channel]));
+    {
+        const QuietStderr quiet;
+        // As integers: OpenImageIO's floats of 0 to 1 would cost the last bits of 65535.
+        std::vector<std::uint16_t> integers(floats ? 0 : heightmap.grid.count());
+        const bool ok =
+            floats ? input->read_image(0, 0, channel, channel + 1, OIIO::TypeDesc::FLOAT,
+                                       heightmap.heights.data())
+                   : input->read_image(0, 0, channel, channel + 1, OIIO::TypeDesc::UINT16, integers.data());
+        if (!ok)
+            throw Error(fmt::format("'{}' cannot be read: {}", path.string(), one_line(input->geterror())));
+        std::copy(integers.begin(), integers.end(), heightmap.heights.begin());
+    }
     check_finite(path, heightmap);
 
     const std::optional<Sidecar> sidecar = read_sidecar(path);
@@ -96,9 +134,9 @@ Heightmap read_picture(const fs::path& path, const ImportSettings& settings) {
     const std::string written = spec.get_string_attribute("talus:range_m");
     double low = 0;
     double high = 0;
-    if (!own && std::sscanf(written.c_str(), "%lf,%lf", &low, &high) == 2) own = Range(low, high);  // NOLINT(cert-err34-c)
-    // OpenImageIO gives integers as 0 to 1.
-    scale_integers(heightmap, 1.0, own, settings);
+    if (!own && std::sscanf(written.c_str(), "%lf,%lf", &low, &high) == 2)
+        own = Range(low, high);  // NOLINT(cert-err34-c)
+    scale_integers(heightmap, 65535, own, settings);
     return heightmap;
 }
 

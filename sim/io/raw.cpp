@@ -46,19 +46,22 @@ double roughness(const std::vector<Word>& words, int nx, bool swap) {
 }
 
 template <typename Word>
-std::vector<float> decode(const std::string& bytes, RawLayout& layout, bool guess_order, std::vector<std::string>& notes) {
+std::vector<float> decode(const std::string& bytes, RawLayout& layout, bool guess_order,
+                          std::vector<std::string>& notes) {
     std::vector<Word> words(bytes.size() / sizeof(Word));
     std::memcpy(words.data(), bytes.data(), words.size() * sizeof(Word));
     if (guess_order) {
         layout.big_endian = roughness(words, layout.nx, true) < roughness(words, layout.nx, false);
-        notes.push_back(fmt::format("byte order guessed as {} by smoothness: --raw sets it", layout.big_endian ? "big" : "little"));
+        notes.push_back(fmt::format("byte order guessed as {} by smoothness: --raw sets it",
+                                    layout.big_endian ? "big" : "little"));
     }
     std::vector<float> heights(words.size());
     for (int row = 0; row < layout.ny; ++row) {
         const int from = layout.south_first ? layout.ny - 1 - row : row;
         for (int column = 0; column < layout.nx; ++column) {
             const Word word = words[static_cast<std::size_t>(from) * layout.nx + column];
-            heights[static_cast<std::size_t>(row) * layout.nx + column] = value_of(layout.big_endian ? swapped(word) : word);
+            heights[static_cast<std::size_t>(row) * layout.nx + column] =
+                value_of(layout.big_endian ? swapped(word) : word);
         }
     }
     return heights;
@@ -75,16 +78,19 @@ RawLayout parse_raw_layout(const std::string& text) {
     RawLayout layout;
     const char* end = text.data() + text.size();
     auto next = std::from_chars(text.data(), end, layout.nx);
-    if (next.ec == std::errc() && next.ptr != end && *next.ptr == 'x') next = std::from_chars(next.ptr + 1, end, layout.ny);
+    if (next.ec == std::errc() && next.ptr != end && *next.ptr == 'x')
+        next = std::from_chars(next.ptr + 1, end, layout.ny);
     std::string rest = next.ec == std::errc() ? std::string(next.ptr, end) : "?";
-    for (const auto& [word, flag] : {std::pair{",big", &layout.big_endian}, std::pair{",bottom", &layout.south_first}}) {
+    for (const auto& [word, flag] :
+         {std::pair{",big", &layout.big_endian}, std::pair{",bottom", &layout.south_first}}) {
         const auto at = rest.find(word);
         if (at == std::string::npos) continue;
         *flag = true;
         rest.erase(at, std::strlen(word));
     }
     if (!rest.empty() || layout.nx <= 0 || layout.ny <= 0)
-        throw Error(fmt::format("--raw '{}' cannot be read, write it as NXxNY with ',big' and ',bottom' where they apply", text));
+        throw Error(fmt::format(
+            "--raw '{}' cannot be read, write it as NXxNY with ',big' and ',bottom' where they apply", text));
     return layout;
 }
 
@@ -92,7 +98,8 @@ Heightmap read_raw(const fs::path& path, const ImportSettings& settings) {
     const std::optional<Sidecar> sidecar = read_sidecar(path);
     const auto length = static_cast<std::size_t>(fs::file_size(path));
     if (length > 4ULL * max_samples * max_samples)
-        throw Error(fmt::format("'{}' is longer than {} x {} samples, the most that Talus takes", path.string(), max_samples, max_samples));
+        throw Error(fmt::format("'{}' is longer than {} x {} samples, the most that Talus takes",
+                                path.string(), max_samples, max_samples));
     const std::string ending = ending_of(path);
     Heightmap heightmap;
     RawLayout layout;
@@ -103,17 +110,19 @@ Heightmap read_raw(const fs::path& path, const ImportSettings& settings) {
         const std::size_t samples = static_cast<std::size_t>(layout.nx) * layout.ny;
         if (ending == ".raw") bytes = length == 4 * samples ? 4 : 2;
         if (samples * bytes != length)
-            throw Error(fmt::format("'{}' has {} bytes where {} x {} samples of {} bytes make {}", path.string(), length, layout.nx,
-                                    layout.ny, bytes, samples * bytes));
+            throw Error(fmt::format("'{}' has {} bytes where {} x {} samples of {} bytes make {}",
+                                    path.string(), length, layout.nx, layout.ny, bytes, samples * bytes));
     } else {
         if (ending == ".raw" && (length % 2 != 0 || square_side(length / 2) == 0)) bytes = 4;
         layout.nx = layout.ny = length % bytes == 0 ? square_side(length / bytes) : 0;
         if (layout.nx == 0)
-            throw Error(fmt::format("'{}' has {} bytes, no square of {}-byte samples: give its size with --raw NXxNY", path.string(),
-                                    length, bytes));
+            throw Error(
+                fmt::format("'{}' has {} bytes, no square of {}-byte samples: give its size with --raw NXxNY",
+                            path.string(), length, bytes));
         check_file_size(path, layout.nx, layout.ny);
-        heightmap.notes.push_back(fmt::format("size guessed from the file's length: {} x {} samples, north row first: --raw sets it",
-                                              layout.nx, layout.ny));
+        heightmap.notes.push_back(fmt::format(
+            "size guessed from the file's length: {} x {} samples, north row first: --raw sets it", layout.nx,
+            layout.ny));
     }
     heightmap.grid = {layout.nx, layout.ny, 1, 1};
     heightmap.kind = bytes == 2 ? "raw, 16-bit integer" : "raw, 32-bit float";

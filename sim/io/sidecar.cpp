@@ -12,7 +12,9 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-fs::path sidecar_path(const fs::path& path) { return path.string() + ".json"; }
+fs::path sidecar_path(const fs::path& path) {
+    return path.string() + ".json";
+}
 
 json to_json(const Georeference& georeference) {
     return {{"wkt", georeference.wkt}, {"transform", georeference.transform}};
@@ -20,15 +22,11 @@ json to_json(const Georeference& georeference) {
 
 }  // namespace
 
-void write_sidecar(const fs::path& path, const Heightmap& heightmap, const std::string& sample_type, std::optional<Range> range) {
-    json side = {{"talus_heightmap", 1},
-                 {"nx", heightmap.grid.nx},
-                 {"ny", heightmap.grid.ny},
-                 {"dx_m", heightmap.grid.dx},
-                 {"dy_m", heightmap.grid.dy},
-                 {"samples", sample_type},
-                 {"byte_order", "little"},
-                 {"rows", "north first"}};
+void write_sidecar(const fs::path& path, const Heightmap& heightmap, const std::string& sample_type,
+                   std::optional<Range> range) {
+    json side = {{"talus_heightmap", 1},      {"nx", heightmap.grid.nx},   {"ny", heightmap.grid.ny},
+                 {"dx_m", heightmap.grid.dx}, {"dy_m", heightmap.grid.dy}, {"samples", sample_type},
+                 {"byte_order", "little"},    {"rows", "north first"}};
     if (range) side["range_m"] = {range->x, range->y};
     if (heightmap.georeference) side["georeference"] = to_json(*heightmap.georeference);
     write_atomically(sidecar_path(path), side.dump(2) + "\n");
@@ -43,13 +41,16 @@ std::optional<Sidecar> read_sidecar(const fs::path& path) {
         Sidecar read;
         read.dx = side.at("dx_m").get<double>();
         read.dy = side.at("dy_m").get<double>();
-        read.raw = RawLayout{side.at("nx"), side.at("ny"), side.at("byte_order") == "big", side.at("rows") == "south first"};
+        read.raw = RawLayout{side.at("nx"), side.at("ny"), side.at("byte_order") == "big",
+                             side.at("rows") == "south first"};
         if (side.contains("range_m")) read.range = Range(side["range_m"].at(0), side["range_m"].at(1));
         if (side.contains("georeference"))
-            read.georeference = Georeference{side["georeference"].at("wkt"), side["georeference"].at("transform")};
+            read.georeference =
+                Georeference{side["georeference"].at("wkt"), side["georeference"].at("transform")};
         return read;
     } catch (const json::exception& error) {
-        throw Error(fmt::format("'{}' is not the sidecar that Talus writes: {}", sidecar_path(path).string(), error.what()));
+        throw Error(fmt::format("'{}' is not the sidecar that Talus writes: {}", sidecar_path(path).string(),
+                                error.what()));
     }
 }
 
@@ -58,7 +59,8 @@ std::string to_text(const ImportSettings& settings) {
     if (settings.spacing_m) text["spacing_m"] = *settings.spacing_m;
     if (settings.range_m) text["range_m"] = {settings.range_m->x, settings.range_m->y};
     if (settings.raw)
-        text["raw"] = {settings.raw->nx, settings.raw->ny, settings.raw->big_endian, settings.raw->south_first};
+        text["raw"] = {settings.raw->nx, settings.raw->ny, settings.raw->big_endian,
+                       settings.raw->south_first};
     return text.dump();
 }
 
@@ -67,7 +69,8 @@ ImportSettings import_settings_from(const std::string& text) {
         const json parsed = json::parse(text);
         ImportSettings settings;
         if (parsed.contains("spacing_m")) settings.spacing_m = parsed["spacing_m"].get<double>();
-        if (parsed.contains("range_m")) settings.range_m = glm::dvec2(parsed["range_m"].at(0), parsed["range_m"].at(1));
+        if (parsed.contains("range_m"))
+            settings.range_m = glm::dvec2(parsed["range_m"].at(0), parsed["range_m"].at(1));
         if (parsed.contains("raw")) {
             const json& raw = parsed["raw"];
             settings.raw = RawLayout{raw.at(0), raw.at(1), raw.at(2), raw.at(3)};

@@ -15,10 +15,10 @@ struct Dab {
     double x_m = 0;
     double y_m = 0;
     double radius_m = 1;
-    double falloff = 1;      ///< 0 hard edge … 1 soft all the way
-    double amount_m = 0;     ///< raise, lower: metres in the middle
-    double blend = 0;        ///< smooth, flatten: share of the way in the middle, 0 … 1
-    double target_m = 0;     ///< flatten: the height to reach
+    double falloff = 1;        ///< 0 hard edge … 1 soft all the way
+    double amount_m = 0;       ///< raise, lower: metres in the middle
+    double blend = 0;          ///< smooth, flatten: share of the way in the middle, 0 … 1
+    double target_m = 0;       ///< flatten: the height to reach
     bool on_regolith = false;  ///< raise adds regolith instead of bedrock
     bool operator==(const Dab&) const = default;
 };

@@ -12,16 +12,19 @@ namespace {
 
 constexpr int max_substeps = 10000;
 
-double inverse_squares(const Grid& grid) { return 1 / (grid.dx * grid.dx) + 1 / (grid.dy * grid.dy); }
+double inverse_squares(const Grid& grid) {
+    return 1 / (grid.dx * grid.dx) + 1 / (grid.dy * grid.dy);
+}
 
 }  // namespace
 
 int thermal_substeps(const Grid& grid, const ThermalSettings& settings, double span_s) {
     const double needed = std::ceil(settings.rate_m2_per_s * span_s * inverse_squares(grid) / 0.5);
     if (needed > max_substeps)
-        throw Error(fmt::format("thermal.rate_m2_per_s = {} needs {:.0f} sub-steps a tick on cells of {} m, at most {} are "
-                                "run: lower it or time.tick_s",
-                                settings.rate_m2_per_s, needed, std::min(grid.dx, grid.dy), max_substeps));
+        throw Error(fmt::format(
+            "thermal.rate_m2_per_s = {} needs {:.0f} sub-steps a tick on cells of {} m, at most {} are "
+            "run: lower it or time.tick_s",
+            settings.rate_m2_per_s, needed, std::min(grid.dx, grid.dy), max_substeps));
     return std::max(1, static_cast<int>(needed));
 }
 
@@ -34,7 +37,9 @@ ThermalStep thermal_step(const Grid& grid, const ThermalSettings& settings, doub
     return step;
 }
 
-double natural_thermal_rate(const Grid& grid, double span_s) { return 0.4 / (span_s * inverse_squares(grid)); }
+double natural_thermal_rate(const Grid& grid, double span_s) {
+    return 0.4 / (span_s * inverse_squares(grid));
+}
 
 Thermal::Thermal(const Terrain& terrain) : program_("sim/thermal.comp"), active_(terrain.tiles.count()) {}
 

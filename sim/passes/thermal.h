@@ -4,8 +4,8 @@
 
 namespace talus {
 
-/// What a sub-step of thermal erosion is made with, in the units of shaders/maths/thermal.glsl. The twin takes the
-/// same numbers.
+/// What a sub-step of thermal erosion is made with, in the units of shaders/maths/thermal.glsl. The twin
+/// takes the same numbers.
 struct ThermalStep {
     float repose_slope = 0;  ///< tangent of the angle of repose
     glm::vec2 cell_m{1};
@@ -28,8 +28,8 @@ ThermalStep thermal_step(const Grid& grid, const ThermalSettings& settings, doub
 /// The largest rate (m²/s) whose tick is a single sub-step at four fifths of the stable length.
 double natural_thermal_rate(const Grid& grid, double span_s);
 
-/// Runs thermal erosion on the tiles that changed in the last sub-step, and their neighbours: the others would keep
-/// their bits (law 2).
+/// Runs thermal erosion on the tiles that changed in the last sub-step, and their neighbours: the others
+/// would keep their bits (law 2).
 class Thermal {
   public:
     explicit Thermal(const Terrain& terrain);

@@ -6,8 +6,9 @@
 
 namespace talus::maths {
 
-/// The CPU twin of shaders/sim/thermal.comp: one sub-step over the whole terrain. In float it agrees with llvmpipe
-/// bit for bit; in double it says what float costs. Samples are (bedrock high, low, regolith high, low), metres.
+/// The CPU twin of shaders/sim/thermal.comp: one sub-step over the whole terrain. In float it agrees with
+/// llvmpipe bit for bit; in double it says what float costs. Samples are (bedrock high, low, regolith high,
+/// low), metres.
 template <typename Real>
 struct ThermalTwin {
     TALUS_TWIN_NAMES(Real)
@@ -30,7 +31,8 @@ struct ThermalTwin {
     void step() {
         std::vector<real4> next(samples.size());
         for (int y = 0; y < ny; ++y)
-            for (int x = 0; x < nx; ++x) next[static_cast<std::size_t>(y) * nx + x] = thermal_sample(int2(x, y));
+            for (int x = 0; x < nx; ++x)
+                next[static_cast<std::size_t>(y) * nx + x] = thermal_sample(int2(x, y));
         samples.swap(next);
     }
 };

@@ -28,7 +28,8 @@ std::uint32_t hash(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
 }
 
 double lattice(std::int64_t x, std::int64_t y, std::uint32_t seed) {
-    return hash(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), seed) * (2.0 / 4294967295.0) - 1.0;
+    return hash(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), seed) * (2.0 / 4294967295.0) -
+           1.0;
 }
 
 struct Noise {
@@ -56,7 +57,9 @@ Noise noise(glm::dvec2 p, std::uint32_t seed) {
 }
 
 // Octaves turn by atan(3/4), so that the lattice shows in none of the directions.
-glm::dvec2 turn(glm::dvec2 p) { return {0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y}; }
+glm::dvec2 turn(glm::dvec2 p) {
+    return {0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y};
+}
 
 // p in units of the terrain's larger extent.
 double hills(glm::dvec2 p, std::uint32_t seed) {
@@ -71,8 +74,8 @@ double hills(glm::dvec2 p, std::uint32_t seed) {
     return sum;
 }
 
-// Ridges where noise crosses zero; each octave counts less where the coarser ones are steep or low, so crests stay
-// sharp, flanks are cut by ravines and valley floors are calm (after Musgrave's ridged multifractal).
+// Ridges where noise crosses zero; each octave counts less where the coarser ones are steep or low, so crests
+// stay sharp, flanks are cut by ravines and valley floors are calm (after Musgrave's ridged multifractal).
 double mountains(glm::dvec2 p, std::uint32_t seed) {
     const glm::dvec2 warp(noise(2.1 * p + glm::dvec2(5.2, 1.3), seed + 101).value,
                           noise(2.1 * p + glm::dvec2(1.7, 9.2), seed + 102).value);

@@ -17,8 +17,8 @@ struct GeneratorSettings {
 /// mountains (ridged noise, its detail damped on slopes, domain warped), hills (fBm), flat (all 0).
 const std::vector<std::string>& generator_kinds();
 
-/// Heights in metres, row 0 north, lowest sample 0, highest relief_m. The same terrain at every grid of the same
-/// extent, and the same bits on every machine: + - * / sqrt floor and whole numbers only.
+/// Heights in metres, row 0 north, lowest sample 0, highest relief_m. The same terrain at every grid of the
+/// same extent, and the same bits on every machine: + - * / sqrt floor and whole numbers only.
 std::vector<float> generate_heights(const Grid& grid, const GeneratorSettings& settings);
 
 }  // namespace talus

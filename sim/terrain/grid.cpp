@@ -11,7 +11,8 @@
 namespace talus {
 namespace {
 
-// Layers (4 x 8 bytes), ground and start (12), pyramid (under 4), and a copy of the layers on its way in or out (16).
+// Layers (4 x 8 bytes), ground and start (12), pyramid (under 4), and a copy of the layers on its way in or
+// out (16).
 constexpr double bytes_per_sample = 64;
 
 double available_bytes() {
@@ -30,14 +31,18 @@ double available_bytes() {
 
 void check_grid(const Grid& grid) {
     if (grid.nx < min_samples || grid.ny < min_samples || grid.nx > max_samples || grid.ny > max_samples)
-        throw Error(fmt::format("a terrain of {} x {} samples cannot be used, each side must have {} to {} samples",
-                                grid.nx, grid.ny, min_samples, max_samples));
+        throw Error(
+            fmt::format("a terrain of {} x {} samples cannot be used, each side must have {} to {} samples",
+                        grid.nx, grid.ny, min_samples, max_samples));
     if (!(grid.dx > 0) || !(grid.dy > 0) || !std::isfinite(grid.dx) || !std::isfinite(grid.dy))
-        throw Error(fmt::format("a spacing of {} x {} m cannot be used, it must be positive", grid.dx, grid.dy));
+        throw Error(
+            fmt::format("a spacing of {} x {} m cannot be used, it must be positive", grid.dx, grid.dy));
     const double needed = bytes_per_sample * static_cast<double>(grid.count());
     if (needed > 0.9 * available_bytes())
-        throw Error(fmt::format("a terrain of {} x {} samples needs about {:.1f} GiB where {:.1f} GiB are free, use a smaller --size",
-                                grid.nx, grid.ny, needed / 1073741824.0, available_bytes() / 1073741824.0));
+        throw Error(
+            fmt::format("a terrain of {} x {} samples needs about {:.1f} GiB where {:.1f} GiB are free, use "
+                        "a smaller --size",
+                        grid.nx, grid.ny, needed / 1073741824.0, available_bytes() / 1073741824.0));
 }
 
 }  // namespace talus

@@ -26,8 +26,8 @@ struct Grid {
     bool operator==(const Grid&) const = default;
 };
 
-/// Throws talus::Error when a side is outside of 2 to 8192, a spacing is not positive and finite, or the machine
-/// has not the memory that the simulation and the picture of such a terrain take.
+/// Throws talus::Error when a side is outside of 2 to 8192, a spacing is not positive and finite, or the
+/// machine has not the memory that the simulation and the picture of such a terrain take.
 void check_grid(const Grid& grid);
 
 }  // namespace talus

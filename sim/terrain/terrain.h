@@ -17,8 +17,8 @@ struct Clock {
     bool operator==(const Clock&) const = default;
 };
 
-/// Everything that a run continues from, in main memory: rows of samples, row 0 north, heights in metres as two
-/// words (high, low). What the document stores.
+/// Everything that a run continues from, in main memory: rows of samples, row 0 north, heights in metres as
+/// two words (high, low). What the document stores.
 struct TerrainState {
     Grid grid;
     std::vector<glm::vec2> bedrock;
@@ -47,10 +47,10 @@ class Terrain {
     explicit Terrain(const TerrainState& state);
 
     const Grid& grid() const { return grid_; }
-    Layer bedrock;         ///< m, two words
-    Layer regolith;        ///< m, two words
-    gpu::Texture ground;   ///< m, one float: what the eye sees; every pass that writes layers writes it too
-    gpu::Texture start;    ///< m, two words: the ground when the terrain was made, for the ledger
+    Layer bedrock;        ///< m, two words
+    Layer regolith;       ///< m, two words
+    gpu::Texture ground;  ///< m, one float: what the eye sees; every pass that writes layers writes it too
+    gpu::Texture start;   ///< m, two words: the ground when the terrain was made, for the ledger
     Tiles tiles;
 
     /// Binds layers, ground and flags as shaders/sim/samples.glsl expects them, and sets its uniforms.

@@ -60,7 +60,8 @@ void Tiles::clear(Mark mark) {
 std::vector<bool> Tiles::read(Mark mark) const {
     const auto words = flags_.read_all<std::uint32_t>();
     std::vector<bool> marked(words.size());
-    std::transform(words.begin(), words.end(), marked.begin(), [mark](std::uint32_t w) { return (w & mark) != 0; });
+    std::transform(words.begin(), words.end(), marked.begin(),
+                   [mark](std::uint32_t w) { return (w & mark) != 0; });
     return marked;
 }
 

@@ -15,8 +15,8 @@ struct TileList {
     gpu::Buffer buffer;
 };
 
-/// The one set of changed tiles. Whatever writes samples marks their tile for all readers at once; each reader
-/// lists and clears its own mark, so that work follows what changed and nothing is read back.
+/// The one set of changed tiles. Whatever writes samples marks their tile for all readers at once; each
+/// reader lists and clears its own mark, so that work follows what changed and nothing is read back.
 class Tiles {
   public:
     enum Mark : std::uint32_t { surface = 1, activity = 2, undo = 4 };
@@ -33,8 +33,8 @@ class Tiles {
 
     const gpu::Buffer& flags() const { return flags_; }
     void mark_all() { flags_.fill(surface | activity | undo); }
-    /// Lists the tiles that carry the mark, or have a neighbour at an offset from reach_low to reach_high that does,
-    /// then clears the mark everywhere. The list's dispatch is groups_per_tile x tiles x 1.
+    /// Lists the tiles that carry the mark, or have a neighbour at an offset from reach_low to reach_high
+    /// that does, then clears the mark everywhere. The list's dispatch is groups_per_tile x tiles x 1.
     void take(Mark mark, int reach_low, int reach_high, int groups_per_tile, TileList& list);
     void clear(Mark mark);
     /// Which tiles carry the mark. Waits for the device.

@@ -48,9 +48,11 @@ std::vector<NamedCamera> cameras(const scenes::Scene& scene) {
         {"-30 degrees", pitched(30)},
         {"-60 degrees", pitched(60)},
         {"straight down", {over, over - glm::dvec3(0, 0, 1), 60}},
-        {"valley looking up", {valley, valley + glm::dvec3(0.5 * w - valley.x, 0.5 * h - valley.y, 0.3 * extent), 70}},
+        {"valley looking up",
+         {valley, valley + glm::dvec3(0.5 * w - valley.x, 0.5 * h - valley.y, 0.3 * extent), 70}},
         {"below ground", {middle - glm::dvec3(0, 0, 30), middle + glm::dvec3(100, 30, -30), 60}},
-        {"along an axis", {{-0.1 * w, 0.5 * h, high * 0.7 + low * 0.3}, {w, 0.5 * h, high * 0.7 + low * 0.3}, 40}},
+        {"along an axis",
+         {{-0.1 * w, 0.5 * h, high * 0.7 + low * 0.3}, {w, 0.5 * h, high * 0.7 + low * 0.3}, 40}},
         {"along a diagonal", {{-0.05 * w, -0.05 * h, high}, {w, h, low}, 50}},
         {"walking", {middle + glm::dvec3(0, 0, 2), middle + glm::dvec3(1, 0.4, 2.05), 60}},
         {"through the side", {{0.4 * w, -0.3 * h, 0.5 * (low + high)}, {0.5 * w, h, low - 0.2 * extent}, 50}},
@@ -85,7 +87,8 @@ TEST_P(Cast, AgreesWithTheDoubleTwin) {
                 const double distance = drawn[static_cast<std::size_t>(y) * width + x].x;
                 const auto relative_error = [&](double off_x, double off_y) {
                     const double expected =
-                        twin.cast_pixel(2 * (x + 0.5 + off_x) / width - 1, 2 * (y + 0.5 + off_y) / height - 1).distance_m;
+                        twin.cast_pixel(2 * (x + 0.5 + off_x) / width - 1, 2 * (y + 0.5 + off_y) / height - 1)
+                            .distance_m;
                     if (expected < 0) return std::isinf(distance) ? 0.0 : HUGE_VAL;
                     if (std::isinf(distance)) return HUGE_VAL;
                     return std::abs(distance - expected) / std::max(expected, 1e-3);
@@ -105,23 +108,25 @@ TEST_P(Cast, AgreesWithTheDoubleTwin) {
                 if (agrees) {
                     ++excused;
                 } else if (++wrong <= 3) {
-                    ADD_FAILURE() << view.name << " pixel " << x << ", " << y << ": distance " << distance
-                                  << ", relative error " << error << ", twin "
-                                  << twin.cast_pixel(2 * (x + 0.5) / width - 1, 2 * (y + 0.5) / height - 1).distance_m;
+                    ADD_FAILURE()
+                        << view.name << " pixel " << x << ", " << y << ": distance " << distance
+                        << ", relative error " << error << ", twin "
+                        << twin.cast_pixel(2 * (x + 0.5) / width - 1, 2 * (y + 0.5) / height - 1).distance_m;
                 }
             }
         }
         EXPECT_EQ(wrong, 0) << view.name;
     }
-    std::printf("%s: 12 cameras, %d pixels hit, %d excused, largest relative error %.2g\n", GetParam().c_str(), pixels_hit,
-                excused, worst);
+    std::printf("%s: 12 cameras, %d pixels hit, %d excused, largest relative error %.2g\n",
+                GetParam().c_str(), pixels_hit, excused, worst);
     EXPECT_GT(pixels_hit, width * height * 4);
 }
 
 INSTANTIATE_TEST_SUITE_P(Terrains, Cast, ::testing::ValuesIn(scenes::names()),
                          [](const auto& scene) { return scene.param; });
 
-// The twin itself against brute force: every patch along the ray, the smallest root of a fine march and bisection.
+// The twin itself against brute force: every patch along the ray, the smallest root of a fine march and
+// bisection.
 TEST(CastTwin, FindsTheFirstCrossingThatAMarchFinds) {
     const Grid grid{17, 12, 2, 3};
     std::mt19937 random(5);
@@ -132,15 +137,18 @@ TEST(CastTwin, FindsTheFirstCrossingThatAMarchFinds) {
     const auto surface = [&](double column, double row) {
         const int i = std::clamp(static_cast<int>(std::floor(column)), 0, grid.nx - 2);
         const int j = std::clamp(static_cast<int>(std::floor(row)), 0, grid.ny - 2);
-        const auto at = [&](int x, int y) { return static_cast<double>(heights[static_cast<std::size_t>(y) * grid.nx + x]); };
+        const auto at = [&](int x, int y) {
+            return static_cast<double>(heights[static_cast<std::size_t>(y) * grid.nx + x]);
+        };
         const double u = column - i;
         const double v = row - j;
-        return (1 - v) * ((1 - u) * at(i, j) + u * at(i + 1, j)) + v * ((1 - u) * at(i, j + 1) + u * at(i + 1, j + 1));
+        return (1 - v) * ((1 - u) * at(i, j) + u * at(i + 1, j)) +
+               v * ((1 - u) * at(i, j + 1) + u * at(i + 1, j + 1));
     };
     int hits = 0;
     for (int ray = 0; ray < 4000; ++ray) {
-        const glm::dvec3 eye(grid.width_m() * (2 * unit(random) - 0.5), grid.height_m() * (2 * unit(random) - 0.5),
-                             12 * unit(random));
+        const glm::dvec3 eye(grid.width_m() * (2 * unit(random) - 0.5),
+                             grid.height_m() * (2 * unit(random) - 0.5), 12 * unit(random));
         const glm::dvec3 aim(grid.width_m() * unit(random), grid.height_m() * unit(random), 8 * unit(random));
         twin.look(grid, {eye, aim, 40}, 1, 1);
         const glm::dvec3 direction = glm::normalize(aim - eye);

@@ -22,8 +22,8 @@ class EmbreeGrid {
         device_ = rtcNewDevice("threads=2");
         scene_ = rtcNewScene(device_);
         RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_GRID);
-        auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                                     3 * sizeof(float), grid.count()));
+        auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), grid.count()));
         for (int row = 0; row < grid.ny; ++row)
             for (int column = 0; column < grid.nx; ++column) {
                 const std::size_t i = static_cast<std::size_t>(row) * grid.nx + column;
@@ -71,7 +71,8 @@ class EmbreeGrid {
         for (int i = 0; i < 8; ++i) {
             const float sx = 2.0F * (static_cast<float>(x0 + i % 4) + 0.5F) / width - 1;
             const float sy = 2.0F * (static_cast<float>(y0 + i / 4) + 0.5F) / height - 1;
-            const glm::vec3 d = glm::normalize(glm::vec3(rays.forward) + sx * glm::vec3(rays.right) + sy * glm::vec3(rays.up));
+            const glm::vec3 d = glm::normalize(glm::vec3(rays.forward) + sx * glm::vec3(rays.right) +
+                                               sy * glm::vec3(rays.up));
             r.ray.org_x[i] = static_cast<float>(camera.eye.x);
             r.ray.org_y[i] = static_cast<float>(camera.eye.y);
             r.ray.org_z[i] = static_cast<float>(camera.eye.z);
@@ -115,24 +116,26 @@ void bench_render() {
     const double extent = grid.width_m();
     const double middle = heights[grid.count() / 2];
     const std::vector<std::pair<std::string, Camera>> views = {
-        {"grazing", {{0.5 * extent, 0.5 * extent, middle + 60}, {0.9 * extent, 0.95 * extent, middle + 40}, 60}},
+        {"grazing",
+         {{0.5 * extent, 0.5 * extent, middle + 60}, {0.9 * extent, 0.95 * extent, middle + 40}, 60}},
         {"fly", {{0.15 * extent, 0.1 * extent, 3600}, {0.55 * extent, 0.6 * extent, 800}, 55}},
         {"straight down", {{0.5 * extent, 0.5 * extent, 12000}, {0.5 * extent, 0.5 * extent, 0}, 60}},
     };
-    fmt::print("pyramid: {:.2f} bytes a sample\n", static_cast<double>(pyramid.bytes()) / static_cast<double>(grid.count()));
-    fmt::print("{:<14} {:>14} {:>14} {:>8} {:>12} {:>12} {:>10}\n", "view", "Talus Mrays/s", "Embree Mrays/s", "ratio",
-               "Talus hits", "Embree hits", "steps");
+    fmt::print("pyramid: {:.2f} bytes a sample\n",
+               static_cast<double>(pyramid.bytes()) / static_cast<double>(grid.count()));
+    fmt::print("{:<14} {:>14} {:>14} {:>8} {:>12} {:>12} {:>10}\n", "view", "Talus Mrays/s", "Embree Mrays/s",
+               "ratio", "Talus hits", "Embree hits", "steps");
     for (const auto& [name, camera] : views) {
         int embree_hits = 0;
-        const std::vector<double> seconds = interleave(
-            {{"talus",
-              [&] {
-                  exact({terrain, pyramid, camera, width, height, framebuffer});
-                  float texel[2];
-                  hits.read({0, 0, 1, 1}, std::as_writable_bytes(std::span(texel)));
-              }},
-             {"embree", [&] { embree_hits = embree.cast(camera); }}},
-            9);
+        const std::vector<double> seconds =
+            interleave({{"talus",
+                         [&] {
+                             exact({terrain, pyramid, camera, width, height, framebuffer});
+                             float texel[2];
+                             hits.read({0, 0, 1, 1}, std::as_writable_bytes(std::span(texel)));
+                         }},
+                        {"embree", [&] { embree_hits = embree.cast(camera); }}},
+                       9);
         int talus_hits = 0;
         double steps = 0;
         for (const glm::vec2 hit : hits.read_all<glm::vec2>()) {
@@ -140,8 +143,8 @@ void bench_render() {
             steps += hit.y;
         }
         const double rays = static_cast<double>(width) * height * 1e-6;
-        fmt::print("{:<14} {:>14.2f} {:>14.2f} {:>8.2f} {:>12} {:>12} {:>10.1f}\n", name, rays / seconds[0], rays / seconds[1],
-                   seconds[1] / seconds[0], talus_hits, embree_hits, steps / (rays * 1e6));
+        fmt::print("{:<14} {:>14.2f} {:>14.2f} {:>8.2f} {:>12} {:>12} {:>10.1f}\n", name, rays / seconds[0],
+                   rays / seconds[1], seconds[1] / seconds[0], talus_hits, embree_hits, steps / (rays * 1e6));
     }
 }
 

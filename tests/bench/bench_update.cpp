@@ -13,7 +13,9 @@ namespace talus::bench {
 void bench_update() {
     struct Case {
         explicit Case(const Grid& grid)
-            : terrain(bedrock_terrain(grid, generate_heights(grid, {"hills", 2, 500}))), pyramid(terrain), brush(terrain) {
+            : terrain(bedrock_terrain(grid, generate_heights(grid, {"hills", 2, 500}))),
+              pyramid(terrain),
+              brush(terrain) {
             pyramid.refresh(terrain);
         }
         Terrain terrain;
@@ -28,9 +30,12 @@ void bench_update() {
         Case& here = *cases.back();
         const auto dab = [&here] {
             const Grid& grid = here.terrain.grid();
-            here.brush.dab(here.terrain, {BrushMode::raise, grid.width_m() / 2, grid.height_m() / 2, 320, 1, 1, 0, 0, false});
+            here.brush.dab(here.terrain, {BrushMode::raise, grid.width_m() / 2, grid.height_m() / 2, 320, 1,
+                                          1, 0, 0, false});
         };
-        contestants.push_back({fmt::format("{}² dab", size), [dab] { for (int i = 0; i < 50; ++i) dab(); }});
+        contestants.push_back({fmt::format("{}² dab", size), [dab] {
+                                   for (int i = 0; i < 50; ++i) dab();
+                               }});
         contestants.push_back({fmt::format("{}² dab and refresh", size), [dab, &here] {
                                    for (int i = 0; i < 50; ++i) {
                                        dab();
@@ -39,8 +44,9 @@ void bench_update() {
                                }});
     }
     const std::vector<double> seconds = interleave(contestants, 9);
-    fmt::print("a dab of 64 x 64 samples, then the pyramid's refresh; CPU time of one\n{:<8} {:>10} {:>12} {:>10}\n", "samples",
-               "dab ms", "refresh ms", "to 512²");
+    fmt::print(
+        "a dab of 64 x 64 samples, then the pyramid's refresh; CPU time of one\n{:<8} {:>10} {:>12} {:>10}\n",
+        "samples", "dab ms", "refresh ms", "to 512²");
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         const double dab_ms = seconds[2 * i] * 20;
         const double refresh_ms = (seconds[2 * i + 1] - seconds[2 * i]) * 20;

@@ -1,4 +1,5 @@
-// Benchmarks: talus_bench render | update [SHADER_DIR]. Figures are process CPU time, interleaved, medians (docs/benchmarks.md).
+// Benchmarks: talus_bench render | update [SHADER_DIR]. Figures are process CPU time, interleaved, medians
+// (docs/benchmarks.md).
 #include <fmt/format.h>
 
 #include <exception>

@@ -8,7 +8,9 @@
 
 namespace talus::scenes {
 
-std::vector<std::string> names() { return {"fbm", "spikes", "ridges", "rough"}; }
+std::vector<std::string> names() {
+    return {"fbm", "spikes", "ridges", "rough"};
+}
 
 Scene make(const std::string& name) {
     if (name == "fbm") {

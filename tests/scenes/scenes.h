@@ -12,8 +12,8 @@ struct Scene {
     std::vector<float> heights;
 };
 
-/// fbm, spikes and, where TALUS_DATA names the folder of real elevation files, bigtujunga and coast; ridges and
-/// hills of the same sizes without it.
+/// fbm, spikes and, where TALUS_DATA names the folder of real elevation files, bigtujunga and coast; ridges
+/// and hills of the same sizes without it.
 std::vector<std::string> names();
 Scene make(const std::string& name);
 

@@ -16,7 +16,8 @@ namespace {
 std::vector<glm::vec4> samples_of(const TerrainState& state) {
     std::vector<glm::vec4> samples;
     samples.reserve(state.bedrock.size());
-    for (std::size_t i = 0; i < state.bedrock.size(); ++i) samples.emplace_back(state.bedrock[i], state.regolith[i]);
+    for (std::size_t i = 0; i < state.bedrock.size(); ++i)
+        samples.emplace_back(state.bedrock[i], state.regolith[i]);
     return samples;
 }
 
@@ -73,7 +74,8 @@ TEST(Twins, BrushAndThermalAgreeToTheBitAfter500Ticks) {
     }
     const TerrainState after = terrain.read();
     EXPECT_EQ(differing(samples_of(after), samples), 0U);
-    EXPECT_GT(differing(samples_of(after), samples_of(state)), grid.count() / 2) << "the run must have moved the ground";
+    EXPECT_GT(differing(samples_of(after), samples_of(state)), grid.count() / 2)
+        << "the run must have moved the ground";
     EXPECT_EQ(terrain.ground.read_all<float>(), after.ground());
 }
 

@@ -1,0 +1,226 @@
+// The program as people and scripts run it: exit codes, sentences, files, hashes.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+struct Outcome {
+    int code = -1;
+    std::string output;  // of both streams
+};
+
+class Program : public ::testing::Test {
+  protected:
+    void SetUp() override { fs::create_directories(folder_); }
+    void TearDown() override { fs::remove_all(folder_); }
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+    // `before` may hold assignments of the environment.
+    Outcome talus(const std::string& arguments, const std::string& before = "") const {
+        const std::string command =
+            "cd " + folder_.string() + " && " + before + " " TALUS_BINARY " " + arguments + " 2>&1";
+        Outcome outcome;
+        FILE* pipe = ::popen(command.c_str(), "r");
+        std::array<char, 4096> chunk{};
+        while (std::fgets(chunk.data(), chunk.size(), pipe)) outcome.output += chunk.data();
+        const int status = ::pclose(pipe);
+        outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+        return outcome;
+    }
+    json report(const std::string& name) const { return json::parse(std::ifstream(path(name))); }
+    std::string hash(const std::string& arguments, const std::string& before = "") const {
+        const Outcome outcome = talus(arguments + " --report hash.json", before);
+        EXPECT_EQ(outcome.code, 0) << outcome.output;
+        return report("hash.json")["hash"];
+    }
+    // One sentence after the program's name, and exit code 1 or 2.
+    std::string refusal(const std::string& arguments, const std::string& before = "") const {
+        const Outcome outcome = talus(arguments, before);
+        EXPECT_TRUE(outcome.code == 1 || outcome.code == 2) << arguments << ": " << outcome.code << "\n"
+                                                            << outcome.output;
+        const auto at = outcome.output.find("talus: ");
+        EXPECT_NE(at, std::string::npos) << arguments << "\n" << outcome.output;
+        if (at == std::string::npos) return "";
+        const std::string sentence = outcome.output.substr(at + 7);
+        EXPECT_EQ(sentence.find('\n'), sentence.size() - 1) << sentence;
+        return sentence;
+    }
+
+  private:
+    fs::path folder_ = fs::temp_directory_path() / ("talus_cli_" + std::to_string(::getpid()));
+};
+
+const std::string small = "run --preset alpine --size 130x97 ";
+
+TEST_F(Program, RunLeavesFilesThatItCanReadAgain) {
+    const Outcome outcome =
+        talus(small + "--ticks 40 --out a.tif --out a.exr --out a.png --out a.r16 --out a.r32 --image a.jpg");
+    EXPECT_EQ(outcome.code, 1) << "a picture that cannot be written is refused before the run";
+    EXPECT_FALSE(fs::exists(path("a.tif")));
+    ASSERT_EQ(talus(small + "--ticks 40 --out a.tif --out a.exr --out a.png --out a.r16 --out a.r32 --image "
+                            "a_view.png --report r.json")
+                  .code,
+              0);
+    const json r = report("r.json");
+    EXPECT_EQ(r["nx"], 130);
+    EXPECT_EQ(r["ny"], 97);
+    EXPECT_EQ(r["ticks"], 40);
+    EXPECT_NEAR(r["simulated_s"], 40.0 / 60, 1e-9);
+    EXPECT_GT(r["ledger"]["moved_m3"], 0);
+    EXPECT_LE(r["ledger"]["closing_error_of_moved"], 1e-6);
+    for (const char* key : {"device", "dx", "dy", "wall_s", "cpu_s", "hash", "height_min", "height_max"})
+        EXPECT_TRUE(r.contains(key)) << key;
+    for (const char* name : {"a.tif", "a.exr", "a.png", "a.r16", "a.r32"}) {
+        const Outcome about = talus(std::string("info --json ") + name);
+        ASSERT_EQ(about.code, 0) << about.output;
+        const json j = json::parse(about.output);
+        EXPECT_EQ(j["nx"], 130) << name;
+        EXPECT_EQ(j["dx"], 20) << name;
+        EXPECT_NEAR(j["height_max"], r["height_max"], 0.02) << name;
+    }
+    EXPECT_GT(fs::file_size(path("a_view.png")), 50000U);
+}
+
+TEST_F(Program, OneHashForThreadsContinuationAndReplay) {
+    const std::string whole = hash(small + "--ticks 60 --journal run.journal --out whole.exr");
+    for (const char* threads :
+         {"LP_NUM_THREADS=0", "LP_NUM_THREADS=1", "LP_NUM_THREADS=2", "LP_NUM_THREADS=4"})
+        EXPECT_EQ(hash(small + "--ticks 60", threads), whole) << threads;
+    EXPECT_EQ(hash("replay run.journal"), whole);
+    hash(small + "--ticks 25 --out mid.exr");
+    EXPECT_EQ(hash("run --preset alpine --in mid.exr --ticks 35"), whole);
+    EXPECT_EQ(hash("run --in mid.exr --ticks 35"), whole) << "the document brings its parameters";
+    EXPECT_EQ(hash("run --in whole.exr --ticks 0"), whole);
+    EXPECT_NE(hash(small + "--ticks 61"), whole);
+}
+
+TEST_F(Program, ConvertsWithoutLosingABit) {
+    ASSERT_EQ(talus(small + "--ticks 5 --out a.exr").code, 0);
+    ASSERT_EQ(talus("convert a.exr b.tif").code, 0);
+    ASSERT_EQ(talus("convert b.tif c.r32").code, 0);
+    ASSERT_EQ(talus("convert c.r32 d.tif").code, 0);
+    const json b = json::parse(talus("info --json b.tif").output);
+    const json d = json::parse(talus("info --json d.tif").output);
+    EXPECT_EQ(b["hash"], d["hash"]);
+    ASSERT_EQ(talus("convert a.exr e.tif --layer regolith").code, 0);
+    EXPECT_LT(json::parse(talus("info --json e.tif").output)["height_max"], b["height_max"]);
+    ASSERT_EQ(talus("convert b.tif f.png --range -500,4000").code, 0);
+    EXPECT_NEAR(json::parse(talus("info --json f.png").output)["height_max"], b["height_max"], 0.035);
+}
+
+TEST_F(Program, RendersWithDepthAndViews) {
+    ASSERT_EQ(talus(small + "--ticks 0 --out a.exr").code, 0);
+    for (const char* view : {"shaded", "hillshade", "slope", "bands", "steps"}) {
+        const Outcome outcome = talus(std::string("render a.exr --size 320x180 --image v.png --depth d.exr "
+                                                  "--report v.json --method exact --view ") +
+                                      view);
+        ASSERT_EQ(outcome.code, 0) << outcome.output;
+        EXPECT_GT(report("v.json")["pixels_hit"], 10000);
+    }
+    ASSERT_EQ(
+        talus("render a.exr --size 64x48 --eye 1000,900,5000 --target 1000,900,0 --fov 40 --depth d.exr")
+            .code,
+        0);
+    EXPECT_GT(fs::file_size(path("d.exr")), 1000U);
+}
+
+TEST_F(Program, ListsPresetsAndParameters) {
+    EXPECT_EQ(json::parse(talus("presets --json").output).size(), 3U);
+    EXPECT_GT(json::parse(talus("parameters --json").output).size(), 20U);
+    EXPECT_NE(talus("parameters").output.find("thermal.repose_deg = 33 °"), std::string::npos);
+    EXPECT_EQ(talus("--version").code, 0);
+    EXPECT_EQ(talus("run --help").code, 0);
+}
+
+TEST_F(Program, RefusesInOneSentence) {
+    std::ofstream(path("bad.toml")) << "[thermal]\nrepose_deg = 120.0\n";
+    std::ofstream(path("unknown.toml")) << "[thermal]\nspeed = 120.0\n";
+    std::ofstream(path("bad.journal")) << "{}\n";
+    EXPECT_EQ(refusal("run --preset bad.toml"),
+              "preset bad: thermal.repose_deg = 120 is out of range, it must be 1 to 80 °\n");
+    EXPECT_EQ(refusal("run --preset unknown.toml"),
+              "preset unknown: there is no parameter 'thermal.speed', 'talus parameters' lists them\n");
+    EXPECT_EQ(refusal("run --preset nothing"),
+              "there is no preset 'nothing', use one of: alpine, blank, slopes, or a file ending in .toml\n");
+    refusal("run --in missing.tif");
+    refusal("run --size 1x50 --ticks 1");
+    refusal("run --size 9000x9000 --ticks 1");
+    refusal("run --size big --ticks 1");
+    refusal("run --ticks -3");
+    refusal("run --ticks many");
+    refusal("run --ticks 1 --time 1");
+    refusal("run --set thermal.repose_deg");
+    refusal("run --spacing -2 --ticks 1");
+    refusal("run --spacing 0 --ticks 1");
+    refusal("run --ticks 1 --set thermal.rate_m2_per_s=1e9");
+    refusal("run --ticks 1 --out a.jpg");
+    refusal("run --size 32x32 --ticks 1 --out /no/such/folder/a.tif");
+    refusal("run --size 32x32 --ticks 1 --layer snow --out a.tif");
+    refusal("render missing.tif --image a.png");
+    refusal("replay bad.journal");
+    refusal("replay missing.journal");
+    refusal("run --gpu 77 --ticks 1");
+    refusal("run --shader-dir /nowhere --ticks 1");
+    refusal("fly --now");
+    refusal("convert a.tif");
+}
+
+TEST_F(Program, AFullDiskLeavesTheOldFile) {
+    ASSERT_EQ(talus(small + "--ticks 3 --out a.exr").code, 0);
+    const std::string before = json::parse(talus("info --json a.exr").output)["hash"];
+    // A limit on the size of files is what a full disk looks like to write().
+    const std::string sentence = refusal(small + "--ticks 9 --out a.exr", "ulimit -f 16;");
+    EXPECT_NE(sentence.find("a.exr"), std::string::npos) << sentence;
+    EXPECT_EQ(json::parse(talus("info --json a.exr").output)["hash"], before);
+    for (const auto& entry : fs::directory_iterator(path("."))) EXPECT_EQ(entry.path().filename(), "a.exr");
+}
+
+TEST_F(Program, SaysWhyNoWindowCanOpen) {
+    EXPECT_EQ(refusal("why-no-window", "DISPLAY= WAYLAND_DISPLAY=").find("no window can open"), 0U);
+    EXPECT_EQ(refusal("", "DISPLAY=:93 WAYLAND_DISPLAY=").find("no window can open"), 0U);
+}
+
+TEST_F(Program, TheIssuesRealRunKeepsLedgerAndGeoreference) {
+    const char* data = std::getenv("TALUS_DATA");
+    if (!data) {
+        std::puts("TALUS_DATA is not set: the real run was not made");
+        return;
+    }
+    const std::string input = std::string(data) + "/bigtujunga_30m_1197x643.tif";
+    ASSERT_EQ(talus("run --in " + input +
+                    " --preset slopes --ticks 300 --out eroded.tif --out eroded.exr --image eroded.png "
+                    "--report r.json")
+                  .code,
+              0);
+    const json r = report("r.json");
+    std::printf("ledger closes to %.3g of %.4g m3 moved\n",
+                r["ledger"]["closing_error_of_moved"].get<double>(), r["ledger"]["moved_m3"].get<double>());
+    EXPECT_LE(r["ledger"]["closing_error_of_moved"], 1e-6);
+    EXPECT_GT(r["ledger"]["moved_m3"], 1e6);
+    const json before = json::parse(talus("info --json " + input).output);
+    const json after = json::parse(talus("info --json eroded.tif").output);
+    EXPECT_EQ(before["geotransform"], after["geotransform"]);
+    EXPECT_EQ(before["crs"], after["crs"]);
+    // GDAL's own program agrees.
+    ASSERT_EQ(std::system(("gdalsrsinfo -o epsg " + path("eroded.tif") + " | grep -q EPSG:32611").c_str()),
+              0);
+    for (const char* step : {"eroded.tif a.exr", "a.exr b.r32", "b.r32 c.tif"})
+        ASSERT_EQ(talus(std::string("convert ") + step).code, 0);
+    EXPECT_EQ(json::parse(talus("info --json c.tif").output)["hash"],
+              json::parse(talus("info --json eroded.tif").output)["hash"]);
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,88 @@
+#!/usr/bin/env bash
+# A window on a virtual display: a stroke of the mouse changes the ground under the cursor, undo takes it back to the
+# bit, play runs, replaying the window's journal gives the window's terrain. Screenshots stay in the folder.
+set -euo pipefail
+talus=$1
+folder=$2
+if [ -z "${TALUS_UNDER_XVFB:-}" ]; then
+    TALUS_UNDER_XVFB=1 exec xvfb-run -a -s "-screen 0 1280x720x24" bash "$0" "$@"
+fi
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder"
+export LIBGL_ALWAYS_SOFTWARE=1
+
+fail() { echo "FAILED: $1"; cat window.log; exit 1; }
+hash_of() { "$talus" info --json "$1" | sed -n 's/.*"hash": "\(.*\)".*/\1/p'; }
+# Saves with Ctrl+S and waits until the file is a new one.
+save() {
+    local before
+    before=$(stat -c %i ground.exr)
+    xdotool key ctrl+s
+    for _ in $(seq 100); do
+        [ "$(stat -c %i ground.exr)" != "$before" ] && return
+        sleep 0.1
+    done
+    fail "Ctrl+S did not save"
+}
+
+"$talus" run --preset alpine --size 257x257 --spacing 40 --ticks 0 --out ground.exr 2>/dev/null
+cp ground.exr start.exr
+"$talus" ground.exr --journal window.journal >window.log 2>&1 &
+pid=$!
+for _ in $(seq 100); do
+    window=$(xdotool search --name 'Talus$' 2>/dev/null | head -n 1) && [ -n "$window" ] && break
+    kill -0 "$pid" 2>/dev/null || fail "the window did not open"
+    sleep 0.1
+done
+[ -n "${window:-}" ] || fail "no window appeared"
+sleep 2
+import -window root 1_open.png
+
+xdotool mousemove 760 420
+sleep 1
+xdotool mousedown 1
+sleep 1.2
+xdotool mousemove 775 425
+sleep 0.8
+xdotool mouseup 1
+sleep 1
+import -window root 2_stroke.png
+save
+cp ground.exr stroke.exr
+[ "$(hash_of stroke.exr)" != "$(hash_of start.exr)" ] || fail "the stroke changed nothing"
+
+xdotool key ctrl+z
+sleep 1
+import -window root 3_undone.png
+save
+[ "$(hash_of ground.exr)" = "$(hash_of start.exr)" ] || fail "undo is not the start to the bit"
+
+xdotool key ctrl+shift+z
+sleep 0.5
+save
+[ "$(hash_of ground.exr)" = "$(hash_of stroke.exr)" ] || fail "redo is not the stroke to the bit"
+
+xdotool key space
+sleep 3
+xdotool key space
+sleep 1
+import -window root 4_played.png
+save
+[ "$(hash_of ground.exr)" != "$(hash_of stroke.exr)" ] || fail "play changed nothing"
+cp ground.exr played.exr
+
+xdotool key ctrl+q
+for _ in $(seq 100); do kill -0 "$pid" 2>/dev/null || break; sleep 0.1; done
+kill -0 "$pid" 2>/dev/null && fail "Ctrl+Q did not close the window"
+wait "$pid" || fail "the window ended with an error"
+
+# The journal starts from the file as it was opened.
+cp start.exr ground.exr
+"$talus" replay window.journal --out replayed.exr 2>replay.log || { cat replay.log; fail "the journal does not replay"; }
+[ "$(hash_of replayed.exr)" = "$(hash_of played.exr)" ] || fail "the replay is not the window's terrain"
+
+# What the stroke changed lies under the cursor: the pictures differ there, and not in a corner far from it.
+difference=$(compare -metric AE -extract 60x40+730+400 1_open.png 2_stroke.png null: 2>&1 || true)
+[ "${difference%%.*}" -gt 100 ] || fail "the picture shows no stroke under the cursor"
+echo "window: stroke, undo, redo, play, save, replay: $(hash_of played.exr)"

@@ -1,0 +1,297 @@
+// Files: round trips to the bit, guesses, and damaged or hostile input refused in one sentence.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "app/scene.h"
+#include "sim/gpu/error.h"
+#include "sim/io/atomic_file.h"
+#include "sim/io/document.h"
+#include "sim/io/heightmap.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Files : public ::testing::Test {
+  protected:
+    void SetUp() override { fs::create_directories(folder_); }
+    void TearDown() override { fs::remove_all(folder_); }
+    fs::path path(const std::string& name) const { return folder_ / name; }
+    void write(const std::string& name, const std::string& content) const {
+        std::ofstream(path(name), std::ios::binary) << content;
+    }
+
+    // One sentence: no line breaks, names the file, not a word of it twice the same.
+    std::string refusal(const std::string& name, const ImportSettings& settings = {}) const {
+        try {
+            open_document(path(name), settings);
+        } catch (const Error& error) {
+            const std::string message = error.what();
+            EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+            EXPECT_NE(message.find(name), std::string::npos) << message;
+            return message;
+        }
+        ADD_FAILURE() << name << " was taken";
+        return "";
+    }
+
+  private:
+    fs::path folder_ = fs::temp_directory_path() / ("talus_files_" + std::to_string(::getpid()));
+};
+
+Heightmap rough(int nx, int ny) {
+    Heightmap heightmap;
+    heightmap.grid = {nx, ny, 30, 20};
+    std::mt19937 random(7);
+    std::normal_distribution<float> normal(1500, 400);
+    heightmap.heights.resize(heightmap.grid.count());
+    for (float& h : heightmap.heights) h = normal(random);
+    return heightmap;
+}
+
+TEST_F(Files, FloatsRoundTripToTheBitThroughEveryFloatFormat) {
+    const Heightmap original = rough(77, 53);
+    write_heightmap(path("a.tif"), original, std::nullopt);
+    Heightmap step = read_heightmap(path("a.tif"), {});
+    EXPECT_EQ(step.heights, original.heights);
+    EXPECT_EQ(step.grid, original.grid);
+    write_heightmap(path("b.exr"), step, std::nullopt);
+    step = read_heightmap(path("b.exr"), {});
+    EXPECT_EQ(step.heights, original.heights);
+    write_heightmap(path("c.r32"), step, std::nullopt);
+    step = read_heightmap(path("c.r32"), {});
+    EXPECT_EQ(step.grid, original.grid);
+    write_heightmap(path("d.tif"), step, std::nullopt);
+    step = read_heightmap(path("d.tif"), {});
+    EXPECT_EQ(step.heights, original.heights);
+    EXPECT_EQ(step.grid, original.grid);
+}
+
+TEST_F(Files, IntegersComeBackWithinHalfAStep) {
+    const Heightmap original = rough(64, 48);
+    const auto [low, high] = std::minmax_element(original.heights.begin(), original.heights.end());
+    // Half a step, and half an ulp of the float that the height comes back as.
+    const double half_step = (*high - *low) / 65535.0 / 2 + 0.5 * (std::nextafter(*high, HUGE_VALF) - *high);
+    for (const char* name : {"a.png", "a.r16"}) {
+        write_heightmap(path(name), original, std::nullopt);
+        const Heightmap back = read_heightmap(path(name), {});
+        EXPECT_EQ(back.grid, original.grid) << name;
+        double worst = 0;
+        for (std::size_t i = 0; i < back.heights.size(); ++i)
+            worst = std::max(worst, std::abs(static_cast<double>(back.heights[i]) - original.heights[i]));
+        EXPECT_LE(worst, half_step) << name;
+        EXPECT_GT(worst, 0) << name;
+    }
+    // The range travels inside the PNG too, for when the sidecar is lost.
+    fs::remove(path("a.png.json"));
+    const Heightmap alone = read_heightmap(path("a.png"), {});
+    EXPECT_NEAR(alone.heights[100], original.heights[100], half_step + 1e-3);
+    EXPECT_EQ(alone.grid.dx, 30);
+}
+
+TEST_F(Files, TheDocumentKeepsEveryBitAndTheClock) {
+    Document document;
+    document.state = bedrock_terrain({70, 41, 12.5, 8}, std::vector<float>(70 * 41, 1000.0F));
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> small(-1e-5F, 1e-5F);
+    for (std::size_t i = 0; i < document.state.bedrock.size(); ++i) {
+        document.state.bedrock[i] += glm::vec2(small(random) * 1e6F, small(random));
+        document.state.regolith[i] = glm::vec2(small(random) + 1e-5F, small(random) * 1e-7F);
+    }
+    document.state.clock = {1234567, 0.1 + 0.2};
+    document.parameters = "[thermal]\nrepose_deg = 31.0\n";
+    document.georeference = Georeference{"", {500000.25, 12.5, 0, 4000000.125, 0, -8}};
+    save_document(path("d.exr"), document);
+    const Document back = open_document(path("d.exr"), {});
+    EXPECT_EQ(state_hash(back.state), state_hash(document.state));
+    EXPECT_EQ(back.parameters, document.parameters);
+    EXPECT_EQ(back.georeference, document.georeference);
+    EXPECT_EQ(back.state.clock, document.state.clock);
+}
+
+TEST_F(Files, RawSizeAndByteOrderAreGuessedAndSaid) {
+    Heightmap smooth;
+    smooth.grid = {65, 65, 1, 1};
+    for (int i = 0; i < 65 * 65; ++i) smooth.heights.push_back(static_cast<float>(100 + i % 65 + i / 65));
+    write_heightmap(path("a.r16"), smooth, glm::dvec2(0, 65535));
+    std::string bytes = read_text(path("a.r16"));
+    for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) std::swap(bytes[i], bytes[i + 1]);
+    write("big.r16", bytes);
+    ImportSettings settings;
+    settings.range_m = glm::dvec2(0, 65535);
+    const Heightmap guessed = read_heightmap(path("big.r16"), settings);
+    EXPECT_EQ(guessed.heights, smooth.heights);
+    ASSERT_EQ(guessed.notes.size(), 3U);
+    EXPECT_NE(guessed.notes[0].find("65 x 65"), std::string::npos);
+    EXPECT_NE(guessed.notes[1].find("big"), std::string::npos);
+    settings.raw = parse_raw_layout("65x65,big,bottom");
+    const Heightmap turned = read_heightmap(path("big.r16"), settings);
+    EXPECT_EQ(turned.heights[0], smooth.heights[64 * 65]);
+    EXPECT_THROW(parse_raw_layout("65by65"), Error);
+    EXPECT_THROW(parse_raw_layout("65x65,middle"), Error);
+}
+
+TEST_F(Files, DeclaredNodataIsFilledAndCounted) {
+    write("v.asc",
+          "ncols 4\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 10\nNODATA_value -9999\n"
+          "1 2 3 4\n5 -9999 7 8\n9 10 11 -9999\n");
+    const Heightmap filled = read_heightmap(path("v.asc"), {});
+    EXPECT_EQ(filled.grid, (Grid{4, 3, 10, 10}));
+    ASSERT_FALSE(filled.notes.empty());
+    EXPECT_NE(filled.notes[0].find("2 void samples"), std::string::npos);
+    EXPECT_GT(filled.heights[5], 2);
+    EXPECT_LT(filled.heights[5], 10);
+    write("only.asc",
+          "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\nNODATA_value -9999\n-9999 -9999\n-9999 "
+          "-9999\n");
+    EXPECT_NE(refusal("only.asc").find("nothing but nodata"), std::string::npos);
+}
+
+TEST_F(Files, RefusesWhatIsNoTerrain) {
+    refusal("missing.tif");
+    write("empty.tif", "");
+    refusal("empty.tif");
+    write("text.tif", "this is no picture");
+    write("text.exr", "this is no picture");
+    write("text.png", "this is no picture");
+    write("text.hgt", "this is no picture");
+    write("text.asc", "this is no picture");
+    write("text.xyz", "this is no picture");
+    for (const char* name : {"text.tif", "text.exr", "text.png", "text.hgt", "text.asc", "text.xyz"})
+        refusal(name);
+    write("odd.r16", std::string(998, 'x'));
+    EXPECT_NE(refusal("odd.r16").find("--raw"), std::string::npos);
+    write("row.asc", "ncols 40\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 10\n" + std::string(40 * 2, ' ') +
+                         "1 1 1\n");
+    EXPECT_NE(refusal("row.asc").find("40 x 1"), std::string::npos);
+    write("huge.asc", "ncols 1000000\nnrows 1000000\nxllcorner 0\nyllcorner 0\ncellsize 10\n1 2 3\n");
+    EXPECT_NE(refusal("huge.asc").find("2 to 8192"), std::string::npos);
+    fs::create_directories(path("folder.tif"));
+    EXPECT_NE(refusal("folder.tif").find("folder"), std::string::npos);
+}
+
+TEST_F(Files, RefusesValuesThatAreNotFinite) {
+    for (const float bad : {NAN, HUGE_VALF, -HUGE_VALF}) {
+        Heightmap heightmap = rough(16, 16);
+        heightmap.heights[17] = bad;
+        for (const char* name : {"bad.tif", "bad.exr", "bad.r32"}) {
+            write_heightmap(path(name), heightmap, std::nullopt);
+            EXPECT_NE(refusal(name).find("not finite"), std::string::npos) << name;
+        }
+        Document document;
+        document.state = bedrock_terrain({8, 8, 1, 1}, std::vector<float>(64, 1.0F));
+        document.state.regolith[3].y = bad;
+        save_document(path("doc.exr"), document);
+        EXPECT_NE(refusal("doc.exr").find("not finite"), std::string::npos);
+    }
+}
+
+TEST_F(Files, RefusesTruncatedFilesOfEveryKind) {
+    const Heightmap heightmap = rough(120, 90);
+    Document document;
+    document.state = bedrock_terrain(heightmap.grid, heightmap.heights);
+    save_document(path("doc.exr"), document);
+    for (const char* name : {"a.tif", "a.exr", "a.png", "a.r16", "a.r32"})
+        write_heightmap(path(name), heightmap, std::nullopt);
+    for (const std::string name : {"a.tif", "a.exr", "a.png", "a.r16", "a.r32", "doc.exr"}) {
+        const std::string whole = read_text(path(name));
+        for (const double share : {0.02, 0.3, 0.6, 0.95}) {
+            write(name, whole.substr(0, static_cast<std::size_t>(share * static_cast<double>(whole.size()))));
+            refusal(name);
+        }
+    }
+}
+
+TEST_F(Files, NeverCrashesOnDamagedBytes) {
+    const Heightmap heightmap = rough(40, 30);
+    for (const char* name : {"a.tif", "a.exr", "a.png"}) write_heightmap(path(name), heightmap, std::nullopt);
+    std::mt19937 random(99);
+    for (const std::string name : {"a.tif", "a.exr", "a.png"}) {
+        const std::string whole = read_text(path(name));
+        for (int i = 0; i < 150; ++i) {
+            std::string damaged = whole;
+            for (int k = 0; k < 1 + i % 8; ++k)
+                damaged[random() % std::min<std::size_t>(damaged.size(), 600)] = static_cast<char>(random());
+            write(name, damaged);
+            try {
+                open_document(path(name), {});
+            } catch (const Error& error) {
+                EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+            }
+        }
+    }
+}
+
+TEST_F(Files, RefusesBombs) {
+    // A PNG header that claims 40000 x 40000 16-bit samples, and one within limits that its bytes cannot
+    // hold.
+    const auto png = [](unsigned side) {
+        std::string header = "\x89PNG\r\n\x1a\n";
+        header += std::string("\0\0\0\rIHDR", 8);
+        for (int i = 0; i < 2; ++i)
+            for (int shift = 24; shift >= 0; shift -= 8)
+                header += static_cast<char>(side >> static_cast<unsigned>(shift) & 0xffU);
+        header += std::string("\x10\0\0\0\0", 5);
+        unsigned crc = ~0U;
+        for (std::size_t i = 12; i < header.size(); ++i) {
+            crc ^= static_cast<unsigned char>(header[i]);
+            for (int k = 0; k < 8; ++k) crc = (crc >> 1U) ^ (0xedb88320U & (0U - (crc & 1U)));
+        }
+        crc = ~crc;
+        for (int shift = 24; shift >= 0; shift -= 8)
+            header += static_cast<char>(crc >> static_cast<unsigned>(shift) & 0xffU);
+        return header + std::string("\0\0\0\0IDAT", 8) + std::string(300, 'x');
+    };
+    write("bomb.png", png(40000));
+    refusal("bomb.png");
+    write("claim.png", png(8192));
+    refusal("claim.png");
+}
+
+TEST_F(Files, AFailedWriteLeavesTheOldFile) {
+    write("old.tif", "precious");
+    fs::create_directories(path("readonly"));
+    EXPECT_THROW(write_atomically(path("no/such/folder/a.tif"), "x"), Error);
+    EXPECT_THROW(write_atomically(path("readonly"), "x"), Error);
+    write_atomically(path("old.tif"), "newer");
+    EXPECT_EQ(read_text(path("old.tif")), "newer");
+    // Nothing but the files themselves is left behind.
+    int entries = 0;
+    for (const auto& entry : fs::directory_iterator(path(".")))
+        entries += entry.path().filename() != "readonly" ? 1 : 0;
+    EXPECT_EQ(entries, 1);
+}
+
+TEST_F(Files, RealFilesAreReadAsTheirSourcesSay) {
+    const char* data = std::getenv("TALUS_DATA");
+    if (!data) {
+        std::puts("TALUS_DATA is not set: real files were not read");
+        return;
+    }
+    const Heightmap hills = read_heightmap(fs::path(data) / "bigtujunga_30m_1197x643.tif", {});
+    EXPECT_EQ(hills.grid.nx, 1197);
+    EXPECT_EQ(hills.grid.ny, 643);
+    EXPECT_NEAR(hills.grid.dx, 30, 1e-9);
+    const auto [low, high] = std::minmax_element(hills.heights.begin(), hills.heights.end());
+    EXPECT_EQ(*low, 315);
+    EXPECT_EQ(*high, 2295);
+    EXPECT_NE(hills.georeference->wkt.find("32611"), std::string::npos);
+    const Heightmap tatras = read_heightmap(fs::path(data) / "N49E020.hgt", {});
+    EXPECT_EQ(tatras.grid.nx, 1201);
+    EXPECT_NEAR(tatras.grid.dx, 60.3, 0.5);
+    EXPECT_NEAR(tatras.grid.dy, 92.6, 0.3);
+    EXPECT_GE(*std::min_element(tatras.heights.begin(), tatras.heights.end()), 150);
+    EXPECT_NE(tatras.notes[0].find("29 void samples"), std::string::npos) << tatras.notes[0];
+    // GeoTIFF keeps where it lies.
+    write_heightmap(path("copy.tif"), hills, std::nullopt);
+    EXPECT_EQ(read_heightmap(path("copy.tif"), {}).georeference->transform, hills.georeference->transform);
+}
+
+}  // namespace
+}  // namespace talus

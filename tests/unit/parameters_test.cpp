@@ -1,0 +1,87 @@
+// Parameters, presets: what is refused, in which words, and what round-trips.
+#include <gtest/gtest.h>
+
+#include "app/app_parameters.h"
+#include "sim/gpu/error.h"
+#include "sim/preset.h"
+
+namespace talus {
+namespace {
+
+std::string error_of(const std::function<void()>& act) {
+    try {
+        act();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(Parameters, RefuseInOneSentenceThatNamesTheParameter) {
+    Parameters p(all_parameters());
+    EXPECT_EQ(error_of([&] { p.set_assignment("thermal.repose_deg=95"); }),
+              "thermal.repose_deg = 95 is out of range, it must be 1 to 80 °");
+    EXPECT_EQ(error_of([&] { p.set_assignment("thermal.repose_deg=nan"); }),
+              "thermal.repose_deg = nan is out of range, it must be 1 to 80 °");
+    EXPECT_EQ(error_of([&] { p.set_assignment("thermal.on=7"); }),
+              "thermal.on cannot be '7', it must be true or false");
+    EXPECT_EQ(error_of([&] { p.set_assignment("terrain.seed=1.5"); }),
+              "terrain.seed cannot be '1.5', it must be a whole number");
+    EXPECT_EQ(error_of([&] { p.set_assignment("render.view=x"); }),
+              "render.view cannot be 'x', it must be one of: shaded, hillshade, slope, bands, steps");
+    EXPECT_EQ(error_of([&] { p.set_assignment("no.such=1"); }),
+              "there is no parameter 'no.such', 'talus parameters' lists them");
+    EXPECT_EQ(error_of([&] { p.set_assignment("thermal.on"); }),
+              "'thermal.on' sets nothing, write it as section.name=value");
+    EXPECT_EQ(p, Parameters(all_parameters()));
+}
+
+TEST(Parameters, EveryOneIsDeclaredWithHelpAndItsDefaultIsAllowed) {
+    for (const Parameter& parameter : all_parameters()) {
+        Parameters p(all_parameters());
+        EXPECT_NO_THROW(p.set(parameter.name, parameter.preset)) << parameter.name;
+        EXPECT_FALSE(parameter.help.empty()) << parameter.name;
+        EXPECT_NE(parameter.name.find('.'), std::string::npos) << parameter.name;
+    }
+}
+
+TEST(Presets, AllBuiltInOnesApply) {
+    const std::vector<Preset> presets = built_in_presets();
+    ASSERT_EQ(presets.size(), 3U);
+    for (const Preset& preset : presets) {
+        Parameters p(all_parameters());
+        EXPECT_NO_THROW(apply_preset(preset, p)) << preset.name;
+        EXPECT_FALSE(preset.description.empty());
+    }
+}
+
+TEST(Presets, RefuseUnknownKeysAndWrongTypesAndChangeNothing) {
+    Parameters p(all_parameters());
+    const auto apply = [&](const std::string& text) {
+        return error_of([&] { from_toml(text, "my.toml", p); });
+    };
+    EXPECT_EQ(apply("[thermal]\nrepose_deg = 30.0\nspeed = 1\n"),
+              "my.toml: there is no parameter 'thermal.speed', 'talus parameters' lists them");
+    EXPECT_EQ(apply("[thermal]\nrepose_deg = \"steep\"\n"),
+              "my.toml: thermal.repose_deg cannot be 'steep', it must be a number");
+    EXPECT_EQ(apply("[thermal]\nrepose_deg = [1]\n"),
+              "my.toml: thermal.repose_deg must be a number, a text or true or false");
+    EXPECT_EQ(apply("colour = 1\n"),
+              "my.toml: unknown key 'colour', only title, description and [sections] stand at the top");
+    EXPECT_NE(apply("[thermal\n").find("my.toml: line 1 is not TOML"), std::string::npos);
+    EXPECT_EQ(p, Parameters(all_parameters()));
+}
+
+TEST(Presets, TomlKeepsEveryBit) {
+    Parameters p(all_parameters());
+    p.set("thermal.rate_m2_per_s", 1.0 / 3.0);
+    p.set("time.tick_s", 0.1 + 0.2);
+    p.set("thermal.repose_deg", 30.0);
+    p.set("terrain.kind", std::string("hills"));
+    Parameters q(all_parameters());
+    from_toml(to_toml(p), "text", q);
+    EXPECT_EQ(p, q);
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,231 @@
+// What a session relies on: undo to the bit, replay, rest, the ledger.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "sim/gpu/context.h"
+#include "sim/gpu/error.h"
+#include "sim/simulation.h"
+#include "sim/simulation_parameters.h"
+#include "sim/terrain/generate.h"
+
+namespace talus {
+namespace {
+
+constexpr std::size_t undo_bytes = 256U << 20U;
+const Grid grid{200, 137, 20, 25};
+
+TerrainState mountains() {
+    return bedrock_terrain(grid, generate_heights(grid, {"mountains", 5, 1500}));
+}
+Parameters parameters() {
+    return Parameters(simulation_parameters());
+}
+
+Dab random_dab(std::mt19937& random) {
+    std::uniform_real_distribution<double> unit(0, 1);
+    Dab dab;
+    dab.mode = static_cast<BrushMode>(random() % 4);
+    dab.x_m = grid.width_m() * unit(random);
+    dab.y_m = grid.height_m() * unit(random);
+    dab.radius_m = 30 + 500 * unit(random);
+    dab.falloff = unit(random);
+    dab.amount_m = 50 * unit(random);
+    dab.blend = unit(random);
+    dab.target_m = 1000 * unit(random);
+    dab.on_regolith = random() % 2 == 0;
+    return dab;
+}
+
+std::uint64_t hash_of(const Simulation& simulation) {
+    return state_hash(simulation.read());
+}
+
+TEST(Simulation, UndoesAndRedoesStrokesRunsAndParametersToTheBit) {
+    const gpu::Context context;
+    Simulation simulation(mountains(), parameters(), undo_bytes);
+    std::mt19937 random(17);
+    std::vector<std::uint64_t> hashes = {hash_of(simulation)};
+    std::vector<LedgerReading> ledgers = {simulation.ledger()};
+    for (int entry = 0; entry < 12; ++entry) {
+        if (entry % 3 == 0) {
+            simulation.begin_stroke("raise");
+            for (int i = 0; i < 5; ++i) {
+                simulation.apply(random_dab(random));
+                if (entry % 2 == 0) simulation.apply(Ticks{2});
+            }
+            simulation.end_entry();
+        } else if (entry % 3 == 1) {
+            simulation.apply(Ticks{7});
+            simulation.end_entry();
+        } else {
+            simulation.apply(SetParameter{"thermal.repose_deg", 25.0 + entry});
+        }
+        hashes.push_back(hash_of(simulation));
+        ledgers.push_back(simulation.ledger());
+    }
+    const std::vector<Operation> all = simulation.journal().operations();
+    for (int entry = 11; entry >= 0; --entry) {
+        ASSERT_TRUE(simulation.can_undo());
+        simulation.undo();
+        EXPECT_EQ(hash_of(simulation), hashes[entry]) << "entry " << entry;
+        EXPECT_DOUBLE_EQ(simulation.ledger().solid_in, ledgers[entry].solid_in);
+    }
+    EXPECT_FALSE(simulation.can_undo());
+    EXPECT_TRUE(simulation.journal().operations().empty());
+    for (int entry = 0; entry < 12; ++entry) {
+        simulation.redo();
+        EXPECT_EQ(hash_of(simulation), hashes[entry + 1]) << "entry " << entry;
+    }
+    EXPECT_FALSE(simulation.can_redo());
+    EXPECT_EQ(simulation.journal().operations(), all);
+}
+
+TEST(Simulation, ANewStrokeDropsTheRedo) {
+    const gpu::Context context;
+    Simulation simulation(mountains(), parameters(), undo_bytes);
+    std::mt19937 random(1);
+    simulation.begin_stroke("raise");
+    simulation.apply(random_dab(random));
+    simulation.end_entry();
+    simulation.undo();
+    EXPECT_TRUE(simulation.can_redo());
+    simulation.begin_stroke("lower");
+    EXPECT_FALSE(simulation.can_redo());
+}
+
+TEST(Simulation, UndoKeepsUnderItsCap) {
+    const gpu::Context context;
+    const std::size_t cap = 2U << 20U;
+    Simulation simulation(mountains(), parameters(), cap);
+    std::mt19937 random(2);
+    for (int i = 0; i < 40; ++i) {
+        simulation.begin_stroke("raise");
+        simulation.apply(random_dab(random));
+        simulation.end_entry();
+        EXPECT_LE(simulation.undo_history().bytes(), cap);
+    }
+    EXPECT_TRUE(simulation.can_undo());
+}
+
+TEST(Simulation, ReplayOfItsJournalGivesTheSameBits) {
+    const gpu::Context context;
+    Simulation live(mountains(), parameters(), undo_bytes);
+    std::mt19937 random(23);
+    for (int i = 0; i < 20; ++i) {
+        live.begin_stroke("stroke");
+        live.apply(random_dab(random));
+        // In parts, as a window runs ticks.
+        while (!live.advance(1)) {
+        }
+        live.end_entry();
+        if (i % 4 == 1) live.undo();
+        if (i % 8 == 1) live.redo();
+        if (i == 9) live.apply(SetParameter{"thermal.repose_deg", 28.0});
+    }
+    const std::string text = write_journal({"", "", "{}", 0}, live.journal());
+    Simulation replayed(mountains(), parameters());
+    for (const Operation& operation : read_journal(text, "journal").operations) replayed.apply(operation);
+    EXPECT_EQ(hash_of(live), hash_of(replayed));
+}
+
+TEST(Simulation, SavedMidwayAndContinuedGivesTheSameBits) {
+    const gpu::Context context;
+    Simulation whole(mountains(), parameters());
+    whole.apply(Ticks{60});
+    Simulation first(mountains(), parameters());
+    first.apply(Ticks{23});
+    Simulation second(first.read(), first.parameters());
+    second.apply(Ticks{37});
+    EXPECT_EQ(hash_of(whole), hash_of(second));
+}
+
+TEST(Simulation, SleepingTilesChangeNothing) {
+    const gpu::Context context;
+    // A lone steep hill on a plain: most tiles sleep. Waking all of them every tick must not change a bit.
+    const Grid wide{400, 400, 10, 10};
+    std::vector<float> heights(wide.count(), 0.0F);
+    for (int y = 150; y < 190; ++y)
+        for (int x = 170; x < 200; ++x) heights[static_cast<std::size_t>(y) * wide.nx + x] = 300;
+    Simulation sparse(bedrock_terrain(wide, heights), parameters());
+    Simulation dense(bedrock_terrain(wide, heights), parameters());
+    for (int i = 0; i < 200; ++i) {
+        sparse.apply(Ticks{1});
+        dense.terrain().tiles.mark_all();
+        dense.apply(Ticks{1});
+    }
+    EXPECT_EQ(hash_of(sparse), hash_of(dense));
+    EXPECT_GT(sparse.ledger().moved_m3, 1e5);
+    // And they did sleep: tiles far from the hill were not active in the last tick.
+    const std::vector<bool> active = sparse.terrain().tiles.read(Tiles::activity);
+    EXPECT_LT(std::count(active.begin(), active.end(), true), static_cast<std::ptrdiff_t>(active.size() / 2));
+}
+
+TEST(Simulation, TurnedTerrainGivesTurnedBits) {
+    const gpu::Context context;
+    const Grid square{129, 129, 15, 15};
+    const std::vector<float> heights = generate_heights(square, {"mountains", 8, 900});
+    std::vector<float> turned(heights.size());
+    const int n = square.nx;
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x)
+            turned[static_cast<std::size_t>(x) * n + (n - 1 - y)] =
+                heights[static_cast<std::size_t>(y) * n + x];
+    Simulation straight(bedrock_terrain(square, heights), parameters());
+    Simulation rotated(bedrock_terrain(square, turned), parameters());
+    straight.apply(Ticks{100});
+    rotated.apply(Ticks{100});
+    const TerrainState a = straight.read();
+    const TerrainState b = rotated.read();
+    int different = 0;
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x) {
+            const std::size_t from = static_cast<std::size_t>(y) * n + x;
+            const std::size_t to = static_cast<std::size_t>(x) * n + (n - 1 - y);
+            different += a.bedrock[from] != b.bedrock[to] || a.regolith[from] != b.regolith[to] ? 1 : 0;
+        }
+    EXPECT_EQ(different, 0);
+}
+
+TEST(Simulation, LedgerClosesWithBrushAndErosion) {
+    const gpu::Context context;
+    Simulation simulation(mountains(), parameters());
+    std::mt19937 random(31);
+    for (int i = 0; i < 50; ++i) {
+        simulation.apply(random_dab(random));
+        simulation.apply(Ticks{3});
+    }
+    const LedgerReading ledger = simulation.ledger();
+    EXPECT_GT(ledger.solid_in, 0);
+    EXPECT_GT(ledger.solid_out, 0);
+    EXPECT_GT(ledger.moved_m3, 1e6);
+    EXPECT_LE(ledger.closing_error_of_moved(), 1e-6);
+}
+
+TEST(Simulation, IncrementsBelowOneUlpAddUp) {
+    const gpu::Context context;
+    const Grid flat{8, 8, 10, 10};
+    Simulation simulation(bedrock_terrain(flat, std::vector<float>(flat.count(), 4000.0F)), parameters());
+    Dab dab;
+    dab.x_m = dab.y_m = 35;
+    dab.radius_m = 1000;
+    dab.falloff = 0;
+    dab.amount_m = 1e-7;
+    for (int i = 0; i < 10000; ++i) simulation.apply(dab);
+    const TerrainState state = simulation.read();
+    EXPECT_NEAR(static_cast<double>(state.bedrock[27].x) - 4000 + state.bedrock[27].y, 1e-3, 1e-8);
+}
+
+TEST(Simulation, RefusesWhatCannotBeSetAndChangesNothing) {
+    const gpu::Context context;
+    Simulation simulation(mountains(), parameters(), undo_bytes);
+    const std::uint64_t before = hash_of(simulation);
+    EXPECT_THROW(simulation.apply(SetParameter{"thermal.repose_deg", 300.0}), Error);
+    EXPECT_THROW(simulation.apply(SetParameter{"thermal.unknown", 1.0}), Error);
+    EXPECT_TRUE(simulation.journal().operations().empty());
+    EXPECT_FALSE(simulation.can_undo());
+    EXPECT_EQ(hash_of(simulation), before);
+}
+
+}  // namespace
+}  // namespace talus
