@@ -31,7 +31,7 @@ void write_terrain(const std::string& path, const Document& document, const std:
     write_heightmap(path, heightmap, range_m);
 }
 
-void write_outputs(const Outputs& outputs, Scene& scene, Simulation& simulation, RunFigures figures) {
+void write_outputs(const Outputs& outputs, Scene& scene, Simulation& simulation, const RunFigures& figures) {
     scene.document.state = simulation.read();
     scene.document.parameters = to_toml(simulation.parameters());
     for (const std::string& file : outputs.files)

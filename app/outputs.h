@@ -13,6 +13,6 @@ void write_terrain(const std::string& path, const Document& document, const std:
 
 /// Writes the files, the picture (first look, with the view's legend), the journal and the report of a
 /// finished run.
-void write_outputs(const Outputs& outputs, Scene& scene, Simulation& simulation, RunFigures figures);
+void write_outputs(const Outputs& outputs, Scene& scene, Simulation& simulation, const RunFigures& figures);
 
 }  // namespace talus

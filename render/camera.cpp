@@ -24,12 +24,15 @@ CastOrigin cast_origin(const Grid& grid, glm::dvec3 point) {
 }
 
 Camera overview(const Grid& grid, double lowest_m, double highest_m) {
-    const double extent = std::max(grid.width_m(), grid.height_m());
-    const glm::dvec3 middle(grid.width_m() / 2, grid.height_m() / 2, (lowest_m + highest_m) / 2);
+    // The whole rectangle within the view, from a little west of south and high enough to see its relief.
     Camera camera;
-    camera.eye = middle + glm::dvec3(-0.42, -0.72, 0.42) * extent;
-    camera.eye.z = std::max(camera.eye.z, highest_m + 0.1 * extent);
-    camera.target = middle - glm::dvec3(0, 0, 0.02 * extent);
+    const double radius = 0.5 * std::hypot(grid.width_m(), grid.height_m());
+    const glm::dvec3 middle(grid.width_m() / 2, grid.height_m() / 2, (lowest_m + highest_m) / 2);
+    const double distance = 0.60 * radius / std::tan(camera.fov_deg * std::numbers::pi / 360) + 0.2 * radius;
+    const glm::dvec3 away = glm::normalize(glm::dvec3(-0.38, -0.80, 0.50));
+    camera.eye = middle + distance * away;
+    camera.eye.z = std::max(camera.eye.z, highest_m + 0.1 * radius);
+    camera.target = middle - glm::dvec3(0, 0, 0.10 * radius);
     return camera;
 }
 

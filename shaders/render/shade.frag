@@ -56,21 +56,48 @@ float hash(ivec2 p) {
     return float((n ^ (n >> 13)) & 0xffffu) / 65535.0;
 }
 
-// Meadow, forest, rock, scree and snow by height, steepness and loose cover.
+float smooth_hash(vec2 at) {
+    ivec2 cell = ivec2(floor(at));
+    vec2 f = smoothstep(0.0, 1.0, fract(at));
+    return mix(mix(hash(cell), hash(cell + ivec2(1, 0)), f.x), mix(hash(cell + ivec2(0, 1)), hash(cell + 1), f.x), f.y);
+}
+
+float regolith_at(vec2 place) {
+    ivec2 cell = clamp(origin_cell + ivec2(floor(place)), ivec2(0), patches - 1);
+    vec2 w = clamp(place - vec2(cell - origin_cell), 0.0, 1.0);
+    float a = mix(texelFetch(regolith, cell, 0).r, texelFetch(regolith, cell + ivec2(1, 0), 0).r, w.x);
+    float b = mix(texelFetch(regolith, cell + ivec2(0, 1), 0).r, texelFetch(regolith, cell + 1, 0).r, w.x);
+    return mix(a, b, w.y);
+}
+
+// Meadow, forest, rock, scree and snow by height, steepness and loose cover. Albedo, linear.
 vec3 material(vec2 place, float share, vec2 gradient, float scree_m) {
     float steep = length(gradient);
-    ivec2 cell = origin_cell + ivec2(floor(place));
-    vec2 f = smoothstep(0.0, 1.0, fract(place));
-    float grain = mix(mix(hash(cell), hash(cell + ivec2(1, 0)), f.x), mix(hash(cell + ivec2(0, 1)), hash(cell + 1), f.x), f.y);
-    float rough_share = share + 0.05 * (grain - 0.5);
-    vec3 green = mix(vec3(0.125, 0.185, 0.070), vec3(0.235, 0.265, 0.105), smoothstep(0.1, 0.5, rough_share));
-    vec3 heath = vec3(0.33, 0.30, 0.18);
-    vec3 rock = mix(vec3(0.27, 0.245, 0.22), vec3(0.37, 0.355, 0.335), smoothstep(0.3, 0.9, rough_share)) * (0.88 + 0.24 * grain);
-    vec3 ground_colour = mix(green, heath, smoothstep(0.35, 0.62, rough_share));
-    ground_colour = mix(ground_colour, rock, smoothstep(0.42, 0.78, steep + 0.25 * (rough_share - 0.5)));
-    ground_colour = mix(ground_colour, vec3(0.50, 0.455, 0.39) * (0.86 + 0.28 * grain), smoothstep(0.05, 1.5, scree_m) * 0.9);
-    float snow = smoothstep(0.66, 0.80, rough_share) * (1.0 - smoothstep(0.65, 1.15, steep));
-    return mix(ground_colour, vec3(0.86, 0.89, 0.93), snow);
+    vec2 absolute = place + vec2(origin_cell);
+    float broad = smooth_hash(absolute * 0.11);
+    float grain = 0.6 * smooth_hash(absolute * 0.45) + 0.4 * smooth_hash(absolute * 1.3 + 7.0);
+    float level = share + 0.10 * (broad - 0.5) + 0.04 * (grain - 0.5);
+    vec3 forest = mix(vec3(0.045, 0.068, 0.026), vec3(0.070, 0.092, 0.034), grain);
+    vec3 meadow = mix(vec3(0.082, 0.105, 0.038), vec3(0.120, 0.128, 0.055), grain);
+    vec3 heath = mix(vec3(0.155, 0.130, 0.075), vec3(0.190, 0.165, 0.105), grain);
+    vec3 rock = mix(vec3(0.120, 0.108, 0.098), vec3(0.235, 0.222, 0.208), 0.35 * broad + 0.65 * grain);
+    vec3 scree = mix(vec3(0.240, 0.215, 0.180), vec3(0.330, 0.300, 0.260), grain);
+    vec3 cover = mix(meadow, forest, smoothstep(0.42, 0.58, broad + 0.25 * (grain - 0.5)) * (1.0 - smoothstep(0.30, 0.42, level)));
+    cover = mix(cover, heath, smoothstep(0.34, 0.52, level));
+    vec3 colour = mix(cover, rock, smoothstep(0.46, 0.80, steep + 0.45 * (level - 0.45) + 0.12 * (grain - 0.5)));
+    colour = mix(colour, scree, 0.85 * (1.0 - exp(-max(scree_m, 0.0) / 2.5)));
+    float snow = smoothstep(0.58, 0.70, level + 0.06 * normalize(vec3(-gradient, 1.0)).y) * (1.0 - smoothstep(0.62, 1.05, steep));
+    return mix(colour, vec3(0.80, 0.83, 0.88), snow);
+}
+
+// The face that the terrain's rectangle is cut out by: layers of rock, fading out below.
+vec3 cut_face(float above_eye, float lowest, float highest, vec3 backdrop, vec2 side) {
+    float relief = max(highest - lowest, 1e-3 * extent_m);
+    float depth = (above_eye - lowest) / relief;
+    float bend = depth * 14.0 + 0.8 * smooth_hash(side * 0.02 + 3.0) + 0.3 * smooth_hash(side * 0.09);
+    float layer = hash(ivec2(int(floor(bend)), 5));
+    vec3 rock = mix(vec3(0.34, 0.31, 0.28), vec3(0.45, 0.41, 0.37), layer) * (0.93 + 0.07 * smoothstep(0.0, 0.15, fract(bend)));
+    return mix(backdrop, rock, smoothstep(-0.42, -0.05, depth));
 }
 
 void main() {
@@ -82,8 +109,9 @@ void main() {
         colour_out = vec4(colour_map(hit.y / steps_scale), 1.0);
         return;
     }
+    vec3 backdrop = view == 0 ? sqrt(sky(world_ray)) : vec3(0.16, 0.17, 0.19);
     if (missed) {
-        colour_out = vec4(view == 0 ? sqrt(sky(world_ray)) : vec3(0.16, 0.17, 0.19), 1.0);
+        colour_out = vec4(backdrop, 1.0);
         return;
     }
     vec2 place = origin_fraction + hit.x * ray.xy;
@@ -95,6 +123,11 @@ void main() {
     float lowest = (texelFetch(bottoms, whole_texel(), 0).r - origin_height_m.x) - origin_height_m.y;
     float share = (above_eye - lowest) / max(highest - lowest, 1e-3);
     vec3 colour;
+    if (above_eye < height_at(place) - 1e-3 * extent_m * 0.05 - 1e-4 * hit.x) {
+        vec2 absolute = place + vec2(origin_cell);
+        colour_out = vec4(cut_face(above_eye, lowest, highest, backdrop, absolute), 1.0);
+        return;
+    }
     if (view == 1) {
         colour = vec3(max(dot(normal, sun), 0.0));
     } else if (view == 2) {
@@ -106,8 +139,7 @@ void main() {
         float top_band = floor((highest + origin_height_m.x) / band_m);
         colour = colour_map((band - bottom_band) / max(top_band - bottom_band, 1.0)) * (0.55 + 0.45 * max(dot(normal, sun), 0.0));
     } else {
-        ivec2 cell = clamp(origin_cell + ivec2(floor(place + 0.5)), ivec2(0), patches);
-        vec3 albedo = material(place, share, gradient, texelFetch(regolith, cell, 0).r);
+        vec3 albedo = material(place, share, gradient, regolith_at(place));
         float light = max(dot(normal, sun), 0.0);
         if (shadows != 0 && light > 0.0) {
             // From a little above the ground, towards the eye, so that a hill does not shade its own patch by rounding.
@@ -118,10 +150,10 @@ void main() {
             CastHit shade = cast_ray(origin_cell + from_cell, from - vec2(from_cell), to_sun, 0.0, 5, above_eye + 2.0 * lift);
             if (shade.distance_m > lift) light = 0.0;
         }
-        vec3 ambient = mix(vec3(0.30, 0.28, 0.25), vec3(0.46, 0.56, 0.72), 0.5 + 0.5 * normal.z) * (0.45 + 0.55 * normal.z);
-        colour = albedo * (light * vec3(2.45, 2.25, 1.95) + 0.85 * ambient);
-        float haze = 1.0 - exp(-0.35 * hit.x / extent_m);
-        colour = mix(colour, sky(normalize(vec3(world_ray.xy, 0.06))), haze * 0.75);
+        vec3 ambient = mix(vec3(0.16, 0.15, 0.13), vec3(0.36, 0.46, 0.62), 0.5 + 0.5 * normal.z);
+        colour = albedo * (light * vec3(3.5, 3.2, 2.75) + 0.9 * ambient);
+        float haze = 1.0 - exp(-0.16 * hit.x / extent_m);
+        colour = mix(colour, sky(normalize(vec3(world_ray.xy, 0.06))), 0.85 * haze);
         colour = sqrt(clamp(colour, 0.0, 1.0));
     }
     if (ring_m.z > 0.0) {

@@ -27,76 +27,65 @@ std::uint32_t hash(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     return z ^ (x >> 3U);
 }
 
-double lattice(std::int64_t x, std::int64_t y, std::uint32_t seed) {
-    return hash(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), seed) * (2.0 / 4294967295.0) -
-           1.0;
-}
-
-struct Noise {
-    double value;      // about -1 to 1
-    glm::dvec2 slope;  // its derivative
-};
-
-// Value noise with a quintic blend, and its exact derivative.
-Noise noise(glm::dvec2 p, std::uint32_t seed) {
+// Gradient noise (Perlin 2002, "Improving noise": quintic blend) with gradients on the unit circle, about -0.7 to 0.7.
+double noise(glm::dvec2 p, std::uint32_t seed) {
     const glm::dvec2 cell(std::floor(p.x), std::floor(p.y));
     const glm::dvec2 f = p - cell;
-    const auto x = static_cast<std::int64_t>(cell.x);
-    const auto y = static_cast<std::int64_t>(cell.y);
+    const auto slope_at = [&](int i, int j) {
+        const std::uint32_t bits = hash(static_cast<std::uint32_t>(static_cast<std::int64_t>(cell.x) + i),
+                                        static_cast<std::uint32_t>(static_cast<std::int64_t>(cell.y) + j), seed);
+        // A direction from a point of the square, without sine or cosine: the same bits on every machine.
+        const double x = (bits & 0xffffU) * (2.0 / 65535) - 1;
+        const double y = (bits >> 16U) * (2.0 / 65535) - 1;
+        const double length = std::sqrt(x * x + y * y) + 1e-9;
+        return (x * (f.x - i) + y * (f.y - j)) / length;
+    };
     const auto blend = [](double t) { return t * t * t * (t * (t * 6 - 15) + 10); };
-    const auto blend_slope = [](double t) { return 30 * t * t * (t * (t - 2) + 1); };
-    const double a = lattice(x, y, seed);
-    const double b = lattice(x + 1, y, seed);
-    const double c = lattice(x, y + 1, seed);
-    const double d = lattice(x + 1, y + 1, seed);
     const double u = blend(f.x);
     const double v = blend(f.y);
-    const double k = a - b - c + d;
-    return {a + u * (b - a) + v * (c - a) + k * u * v,
-            {blend_slope(f.x) * ((b - a) + k * v), blend_slope(f.y) * ((c - a) + k * u)}};
+    const double top = slope_at(0, 0) + u * (slope_at(1, 0) - slope_at(0, 0));
+    const double bottom = slope_at(0, 1) + u * (slope_at(1, 1) - slope_at(0, 1));
+    return top + v * (bottom - top);
 }
 
 // Octaves turn by atan(3/4), so that the lattice shows in none of the directions.
-glm::dvec2 turn(glm::dvec2 p) {
-    return {0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y};
-}
+glm::dvec2 turn(glm::dvec2 p) { return {0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y}; }
 
-// p in units of the terrain's larger extent.
-double hills(glm::dvec2 p, std::uint32_t seed) {
+double fbm(glm::dvec2 p, std::uint32_t seed, int octaves, double gain) {
     double sum = 0;
     double weight = 1;
-    p = 3.0 * p;
-    for (std::uint32_t octave = 0; octave < 10; ++octave) {
-        sum += weight * noise(p, seed + octave).value;
-        weight *= 0.47;
+    for (int octave = 0; octave < octaves; ++octave) {
+        sum += weight * noise(p, seed + static_cast<std::uint32_t>(octave));
+        weight *= gain;
         p = 2.03 * turn(p) + glm::dvec2(17.1, 9.7);
     }
     return sum;
 }
 
-// Ridges where noise crosses zero; each octave counts less where the coarser ones are steep or low, so crests
-// stay sharp, flanks are cut by ravines and valley floors are calm (after Musgrave's ridged multifractal).
+// p in units of the terrain's larger extent.
+double hills(glm::dvec2 p, std::uint32_t seed) { return fbm(3.0 * p, seed, 10, 0.47); }
+
+// Ridged multifractal (Musgrave, in Ebert et al. 2003, "Texturing and Modeling", chapter 16): ridges where noise
+// crosses zero, each octave weighted by the one before, so crests are rough and valley floors calm. Its domain is
+// warped so that ridges wind, and a broad swell sets ranges apart from lowland.
 double mountains(glm::dvec2 p, std::uint32_t seed) {
-    const glm::dvec2 warp(noise(2.1 * p + glm::dvec2(5.2, 1.3), seed + 101).value,
-                          noise(2.1 * p + glm::dvec2(1.7, 9.2), seed + 102).value);
-    const double massif = 0.5 + 0.5 * noise(1.9 * p + glm::dvec2(3.3, 7.7), seed + 103).value;
-    glm::dvec2 q = 3.1 * (p + 0.09 * warp);
+    const glm::dvec2 warp(fbm(2.3 * p + glm::dvec2(5.2, 1.3), seed + 101, 4, 0.5), fbm(2.3 * p + glm::dvec2(1.7, 9.2), seed + 131, 4, 0.5));
+    glm::dvec2 q = 2.6 * (p + 0.10 * warp);
+    const double swell = std::clamp(0.62 + 1.1 * noise(1.35 * p + 0.15 * warp + glm::dvec2(3.3, 7.7), seed + 163), 0.0, 1.0);
     double sum = 0;
     double weight = 1;
     double amplitude = 1;
-    glm::dvec2 slope(0);
     for (std::uint32_t octave = 0; octave < 11; ++octave) {
-        const Noise n = noise(q, seed + octave);
-        const double ridge = 1 - std::sqrt(n.value * n.value + 0.0009 * amplitude);
-        slope += amplitude * n.slope;
-        const double damping = 1 / (1 + 0.12 * glm::dot(slope, slope));
-        const double sharp = octave < 4 ? ridge * ridge : 0.5 + 0.5 * n.value;
-        sum += amplitude * weight * damping * sharp;
-        weight = std::clamp(weight * (0.25 + 1.1 * ridge), 0.0, 1.0);
-        amplitude *= 0.48;
-        q = 2.02 * turn(q) + glm::dvec2(31.4, 27.2);
+        const double n = 1.35 * noise(q, seed + octave);
+        double ridge = 1 - std::sqrt(n * n + 0.0004);
+        ridge *= ridge;
+        sum += amplitude * weight * ridge;
+        weight = std::clamp(1.7 * ridge * weight, 0.0, 1.0);
+        amplitude *= 0.46;
+        q = 2.07 * turn(q) + glm::dvec2(31.4, 27.2);
     }
-    return sum * (0.35 + massif);
+    const double ground = 0.12 * fbm(5.0 * p, seed + 201, 8, 0.5);
+    return sum * (0.30 + 0.70 * swell * swell * (3 - 2 * swell)) + ground;
 }
 
 }  // namespace
