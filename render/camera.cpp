@@ -28,11 +28,11 @@ Camera overview(const Grid& grid, double lowest_m, double highest_m) {
     Camera camera;
     const double radius = 0.5 * std::hypot(grid.width_m(), grid.height_m());
     const glm::dvec3 middle(grid.width_m() / 2, grid.height_m() / 2, (lowest_m + highest_m) / 2);
-    const double distance = 0.60 * radius / std::tan(camera.fov_deg * std::numbers::pi / 360) + 0.2 * radius;
+    const double distance = 0.66 * radius / std::tan(camera.fov_deg * std::numbers::pi / 360) + 0.2 * radius;
     const glm::dvec3 away = glm::normalize(glm::dvec3(-0.38, -0.80, 0.50));
     camera.eye = middle + distance * away;
     camera.eye.z = std::max(camera.eye.z, highest_m + 0.1 * radius);
-    camera.target = middle - glm::dvec3(0, 0, 0.10 * radius);
+    camera.target = middle - glm::dvec3(0, 0, 0.24 * radius);
     return camera;
 }
 

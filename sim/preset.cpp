@@ -47,7 +47,7 @@ Preset find_preset(const std::string& name_or_path) {
     std::string names;
     for (Preset& preset : built_in_presets()) {
         if (preset.name == name_or_path) return preset;
-        names += (names.empty() ? "" : ", ") + preset.name;
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", preset.name);
     }
     throw Error(fmt::format("there is no preset '{}', use one of: {}, or a file ending in .toml",
                             name_or_path, names));
@@ -69,7 +69,7 @@ std::string to_toml(const Parameters& parameters) {
             text += fmt::format("[{}]\n", section);
         }
         std::string written = to_text(value);
-        if (std::holds_alternative<std::string>(value)) written = '"' + written + '"';
+        if (std::holds_alternative<std::string>(value)) written = fmt::format("\"{}\"", written);
         if (std::holds_alternative<double>(value) && written.find_first_of(".einf") == std::string::npos)
             written += ".0";
         text += fmt::format("{} = {}\n", p.name.substr(dot + 1), written);

@@ -4,7 +4,7 @@
 
 namespace talus {
 
-Simulation::Simulation(const TerrainState& state, Parameters parameters, std::size_t undo_bytes)
+Simulation::Simulation(const TerrainState& state, const Parameters& parameters, std::size_t undo_bytes)
     : terrain_(state),
       brush_(terrain_),
       thermal_(terrain_),

@@ -23,7 +23,7 @@ namespace talus {
 class Simulation {
   public:
     /// undo_bytes 0: no undo, as in headless runs.
-    Simulation(const TerrainState& state, Parameters parameters, std::size_t undo_bytes = 0);
+    Simulation(const TerrainState& state, const Parameters& parameters, std::size_t undo_bytes = 0);
 
     Terrain& terrain() { return terrain_; }
     const Terrain& terrain() const { return terrain_; }

@@ -71,7 +71,7 @@ float regolith_at(vec2 place) {
 }
 
 // Meadow, forest, rock, scree and snow by height, steepness and loose cover. Albedo, linear.
-vec3 material(vec2 place, float share, vec2 gradient, float scree_m) {
+vec3 material(vec2 place, float share, float height_m, vec2 gradient, float scree_m) {
     float steep = length(gradient);
     vec2 absolute = place + vec2(origin_cell);
     float broad = smooth_hash(absolute * 0.11);
@@ -82,11 +82,11 @@ vec3 material(vec2 place, float share, vec2 gradient, float scree_m) {
     vec3 heath = mix(vec3(0.155, 0.130, 0.075), vec3(0.190, 0.165, 0.105), grain);
     vec3 rock = mix(vec3(0.120, 0.108, 0.098), vec3(0.235, 0.222, 0.208), 0.35 * broad + 0.65 * grain);
     vec3 scree = mix(vec3(0.240, 0.215, 0.180), vec3(0.330, 0.300, 0.260), grain);
-    vec3 cover = mix(meadow, forest, smoothstep(0.42, 0.58, broad + 0.25 * (grain - 0.5)) * (1.0 - smoothstep(0.30, 0.42, level)));
+    vec3 cover = mix(meadow, forest, 0.6 * smoothstep(0.35, 0.65, broad + 0.25 * (grain - 0.5)) * (1.0 - smoothstep(0.30, 0.42, level)));
     cover = mix(cover, heath, smoothstep(0.34, 0.52, level));
     vec3 colour = mix(cover, rock, smoothstep(0.46, 0.80, steep + 0.45 * (level - 0.45) + 0.12 * (grain - 0.5)));
     colour = mix(colour, scree, 0.85 * (1.0 - exp(-max(scree_m, 0.0) / 2.5)));
-    float snow = smoothstep(0.58, 0.70, level + 0.06 * normalize(vec3(-gradient, 1.0)).y) * (1.0 - smoothstep(0.62, 1.05, steep));
+    float snow = smoothstep(1250.0, 1450.0, height_m) * smoothstep(0.58, 0.70, level + 0.06 * normalize(vec3(-gradient, 1.0)).y) * (1.0 - smoothstep(0.62, 1.05, steep));
     return mix(colour, vec3(0.80, 0.83, 0.88), snow);
 }
 
@@ -139,7 +139,7 @@ void main() {
         float top_band = floor((highest + origin_height_m.x) / band_m);
         colour = colour_map((band - bottom_band) / max(top_band - bottom_band, 1.0)) * (0.55 + 0.45 * max(dot(normal, sun), 0.0));
     } else {
-        vec3 albedo = material(place, share, gradient, regolith_at(place));
+        vec3 albedo = material(place, share, origin_height_m.x + above_eye, gradient, regolith_at(place));
         float light = max(dot(normal, sun), 0.0);
         if (shadows != 0 && light > 0.0) {
             // From a little above the ground, towards the eye, so that a hill does not shade its own patch by rounding.

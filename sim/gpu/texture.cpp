@@ -35,8 +35,8 @@ Layout layout_of(Format format) {
 
 // Offsets into a bound pixel buffer travel as pointers in OpenGL's interface.
 void* as_offset(std::size_t offset) {
-    return reinterpret_cast<void*>(offset);
-}  // NOLINT(performance-no-int-to-ptr)
+    return reinterpret_cast<void*>(offset);  // NOLINT(performance-no-int-to-ptr)
+}
 
 }  // namespace
 

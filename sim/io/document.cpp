@@ -52,7 +52,7 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
         georeference.wkt = spec.get_string_attribute("talus:crs");
         std::array<double, 6>& t = georeference.transform;
         if (std::sscanf(transform.c_str(), "%lf %lf %lf %lf %lf %lf", &t[0], &t[1], &t[2], &t[3], &t[4],
-                        &t[5]) == 6)  // NOLINT(cert-err34-c)
+                        &t[5]) == 6)
             document.georeference = georeference;
     }
     std::vector<float> values(state.grid.count());

@@ -134,8 +134,7 @@ Heightmap read_picture(const fs::path& path, const ImportSettings& settings) {
     const std::string written = spec.get_string_attribute("talus:range_m");
     double low = 0;
     double high = 0;
-    if (!own && std::sscanf(written.c_str(), "%lf,%lf", &low, &high) == 2)
-        own = Range(low, high);  // NOLINT(cert-err34-c)
+    if (!own && std::sscanf(written.c_str(), "%lf,%lf", &low, &high) == 2) own = Range(low, high);
     scale_integers(heightmap, 65535, own, settings);
     return heightmap;
 }

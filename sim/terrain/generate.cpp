@@ -27,13 +27,15 @@ std::uint32_t hash(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     return z ^ (x >> 3U);
 }
 
-// Gradient noise (Perlin 2002, "Improving noise": quintic blend) with gradients on the unit circle, about -0.7 to 0.7.
+// Gradient noise (Perlin 2002, "Improving noise": quintic blend) with gradients on the unit circle, about
+// -0.7 to 0.7.
 double noise(glm::dvec2 p, std::uint32_t seed) {
     const glm::dvec2 cell(std::floor(p.x), std::floor(p.y));
     const glm::dvec2 f = p - cell;
     const auto slope_at = [&](int i, int j) {
-        const std::uint32_t bits = hash(static_cast<std::uint32_t>(static_cast<std::int64_t>(cell.x) + i),
-                                        static_cast<std::uint32_t>(static_cast<std::int64_t>(cell.y) + j), seed);
+        const std::uint32_t bits =
+            hash(static_cast<std::uint32_t>(static_cast<std::int64_t>(cell.x) + i),
+                 static_cast<std::uint32_t>(static_cast<std::int64_t>(cell.y) + j), seed);
         // A direction from a point of the square, without sine or cosine: the same bits on every machine.
         const double x = (bits & 0xffffU) * (2.0 / 65535) - 1;
         const double y = (bits >> 16U) * (2.0 / 65535) - 1;
@@ -49,7 +51,9 @@ double noise(glm::dvec2 p, std::uint32_t seed) {
 }
 
 // Octaves turn by atan(3/4), so that the lattice shows in none of the directions.
-glm::dvec2 turn(glm::dvec2 p) { return {0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y}; }
+glm::dvec2 turn(glm::dvec2 p) {
+    return {0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y};
+}
 
 double fbm(glm::dvec2 p, std::uint32_t seed, int octaves, double gain) {
     double sum = 0;
@@ -63,15 +67,19 @@ double fbm(glm::dvec2 p, std::uint32_t seed, int octaves, double gain) {
 }
 
 // p in units of the terrain's larger extent.
-double hills(glm::dvec2 p, std::uint32_t seed) { return fbm(3.0 * p, seed, 10, 0.47); }
+double hills(glm::dvec2 p, std::uint32_t seed) {
+    return fbm(3.0 * p, seed, 10, 0.47);
+}
 
-// Ridged multifractal (Musgrave, in Ebert et al. 2003, "Texturing and Modeling", chapter 16): ridges where noise
-// crosses zero, each octave weighted by the one before, so crests are rough and valley floors calm. Its domain is
-// warped so that ridges wind, and a broad swell sets ranges apart from lowland.
+// Ridged multifractal (Musgrave, in Ebert et al. 2003, "Texturing and Modeling", chapter 16): ridges where
+// noise crosses zero, each octave weighted by the one before, so crests are rough and valley floors calm. Its
+// domain is warped so that ridges wind, and a broad swell sets ranges apart from lowland.
 double mountains(glm::dvec2 p, std::uint32_t seed) {
-    const glm::dvec2 warp(fbm(2.3 * p + glm::dvec2(5.2, 1.3), seed + 101, 4, 0.5), fbm(2.3 * p + glm::dvec2(1.7, 9.2), seed + 131, 4, 0.5));
+    const glm::dvec2 warp(fbm(2.3 * p + glm::dvec2(5.2, 1.3), seed + 101, 4, 0.5),
+                          fbm(2.3 * p + glm::dvec2(1.7, 9.2), seed + 131, 4, 0.5));
     glm::dvec2 q = 2.6 * (p + 0.10 * warp);
-    const double swell = std::clamp(0.62 + 1.1 * noise(1.35 * p + 0.15 * warp + glm::dvec2(3.3, 7.7), seed + 163), 0.0, 1.0);
+    const double swell =
+        std::clamp(0.62 + 1.1 * noise(1.35 * p + 0.15 * warp + glm::dvec2(3.3, 7.7), seed + 163), 0.0, 1.0);
     double sum = 0;
     double weight = 1;
     double amplitude = 1;
@@ -105,6 +113,7 @@ std::vector<float> generate_heights(const Grid& grid, const GeneratorSettings& s
     const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     {
         std::vector<std::jthread> workers;
+        workers.reserve(static_cast<std::size_t>(threads));
         for (int t = 0; t < threads; ++t)
             workers.emplace_back([&, t] {
                 for (int row = t; row < grid.ny; row += threads)

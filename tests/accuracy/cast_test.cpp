@@ -35,7 +35,8 @@ std::vector<NamedCamera> cameras(const scenes::Scene& scene) {
         return static_cast<double>(scene.heights[static_cast<std::size_t>(row) * grid.nx + column]);
     };
     const auto lowest = static_cast<int>(low_it - scene.heights.begin());
-    const glm::dvec3 valley(lowest % grid.nx * grid.dx, (grid.ny - 1 - lowest / grid.nx) * grid.dy, low + 2);
+    const int lowest_row = lowest / grid.nx;
+    const glm::dvec3 valley(lowest % grid.nx * grid.dx, (grid.ny - 1 - lowest_row) * grid.dy, low + 2);
     const glm::dvec3 middle(0.5 * w, 0.5 * h, ground(0.5 * w, 0.5 * h));
     const auto pitched = [&](double deg) {
         const double a = deg * 3.14159265358979 / 180;

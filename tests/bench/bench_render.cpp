@@ -70,7 +70,8 @@ class EmbreeGrid {
         RTCRayHit8 r;
         for (int i = 0; i < 8; ++i) {
             const float sx = 2.0F * (static_cast<float>(x0 + i % 4) + 0.5F) / width - 1;
-            const float sy = 2.0F * (static_cast<float>(y0 + i / 4) + 0.5F) / height - 1;
+            const int y = y0 + i / 4;
+            const float sy = 2.0F * (static_cast<float>(y) + 0.5F) / height - 1;
             const glm::vec3 d = glm::normalize(glm::vec3(rays.forward) + sx * glm::vec3(rays.right) +
                                                sy * glm::vec3(rays.up));
             r.ray.org_x[i] = static_cast<float>(camera.eye.x);
@@ -125,7 +126,9 @@ void bench_render() {
                static_cast<double>(pyramid.bytes()) / static_cast<double>(grid.count()));
     fmt::print("{:<14} {:>14} {:>14} {:>8} {:>12} {:>12} {:>10}\n", "view", "Talus Mrays/s", "Embree Mrays/s",
                "ratio", "Talus hits", "Embree hits", "steps");
-    for (const auto& [name, camera] : views) {
+    for (const auto& view : views) {
+        const std::string& name = view.first;
+        const Camera& camera = view.second;
         int embree_hits = 0;
         const std::vector<double> seconds =
             interleave({{"talus",

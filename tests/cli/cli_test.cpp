@@ -53,7 +53,7 @@ class Program : public ::testing::Test {
         const auto at = outcome.output.find("talus: ");
         EXPECT_NE(at, std::string::npos) << arguments << "\n" << outcome.output;
         if (at == std::string::npos) return "";
-        const std::string sentence = outcome.output.substr(at + 7);
+        std::string sentence = outcome.output.substr(at + 7);
         EXPECT_EQ(sentence.find('\n'), sentence.size() - 1) << sentence;
         return sentence;
     }

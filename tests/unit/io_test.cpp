@@ -32,7 +32,7 @@ class Files : public ::testing::Test {
         try {
             open_document(path(name), settings);
         } catch (const Error& error) {
-            const std::string message = error.what();
+            std::string message = error.what();
             EXPECT_EQ(message.find('\n'), std::string::npos) << message;
             EXPECT_NE(message.find(name), std::string::npos) << message;
             return message;
@@ -118,7 +118,9 @@ TEST_F(Files, TheDocumentKeepsEveryBitAndTheClock) {
 TEST_F(Files, RawSizeAndByteOrderAreGuessedAndSaid) {
     Heightmap smooth;
     smooth.grid = {65, 65, 1, 1};
-    for (int i = 0; i < 65 * 65; ++i) smooth.heights.push_back(static_cast<float>(100 + i % 65 + i / 65));
+    for (int row = 0; row < 65; ++row)
+        for (int column = 0; column < 65; ++column)
+            smooth.heights.push_back(static_cast<float>(100 + column + row));
     write_heightmap(path("a.r16"), smooth, glm::dvec2(0, 65535));
     std::string bytes = read_text(path("a.r16"));
     for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) std::swap(bytes[i], bytes[i + 1]);
