@@ -100,12 +100,14 @@ TEST_P(Cast, AgreesWithTheDoubleTwin) {
                     worst = std::max(worst, error);
                     continue;
                 }
+                // Is there a ray less than 1/1000 pixel away that agrees? A ray that grazes a crest changes
+                // its hit by metres within less than that, so the search goes down to a millionth.
                 bool agrees = false;
-                for (int i = 0; i < 16 && !agrees; ++i) {
-                    const double angle = i * 0.392699;
-                    const double off = i % 2 == 0 ? 0.00099 : 0.0005;
-                    agrees = relative_error(off * std::cos(angle), off * std::sin(angle)) <= 1e-4;
-                }
+                for (double off = 0.00099; off > 1e-6 && !agrees; off *= 0.7)
+                    for (int i = 0; i < 8 && !agrees; ++i) {
+                        const double angle = i * 0.785398;
+                        agrees = relative_error(off * std::cos(angle), off * std::sin(angle)) <= 1e-4;
+                    }
                 if (agrees) {
                     ++excused;
                 } else if (++wrong <= 3) {

@@ -4,11 +4,13 @@
 #include <random>
 #include <stdexcept>
 
+#include "sim/io/heightmap.h"
 #include "sim/terrain/generate.h"
 
 namespace talus::scenes {
 
 std::vector<std::string> names() {
+    if (std::getenv("TALUS_DATA")) return {"fbm", "spikes", "bigtujunga", "coast"};
     return {"fbm", "spikes", "ridges", "rough"};
 }
 
@@ -33,6 +35,12 @@ Scene make(const std::string& name) {
         const Grid grid{1025, 1025, 60, 92};
         return {grid, generate_heights(grid, {"mountains", 9, 2500})};
     }
+    const auto real_file = [](const char* file) {
+        Heightmap heightmap = read_heightmap(std::filesystem::path(std::getenv("TALUS_DATA")) / file, {});
+        return Scene{heightmap.grid, std::move(heightmap.heights)};
+    };
+    if (name == "bigtujunga") return real_file("bigtujunga_30m_1197x643.tif");
+    if (name == "coast") return real_file("santa_ynez_coast_30m_1537.tif");
     throw std::invalid_argument("no scene " + name);
 }
 
