@@ -79,6 +79,24 @@ void Journal::record(const Operation& operation) {
     operations_.push_back(operation);
 }
 
+Journal::Mark Journal::mark() const {
+    return {operations_.size(), operations_.empty() ? Operation(Ticks{0}) : operations_.back()};
+}
+
+std::vector<Operation> Journal::cut(const Mark& mark) {
+    // The tail begins with the operation that stood last at the mark, as it is now.
+    const auto from = operations_.begin() + static_cast<std::ptrdiff_t>(mark.count > 0 ? mark.count - 1 : 0);
+    std::vector<Operation> tail(from, operations_.end());
+    operations_.resize(mark.count);
+    if (mark.count > 0) operations_.back() = mark.last;
+    return tail;
+}
+
+void Journal::restore(const Mark& mark, const std::vector<Operation>& tail) {
+    operations_.resize(mark.count > 0 ? mark.count - 1 : 0);
+    operations_.insert(operations_.end(), tail.begin(), tail.end());
+}
+
 std::string write_journal(const JournalStart& start, const Journal& journal) {
     std::string text = json{{"talus_journal", 1},
                             {"input", start.input},

@@ -21,8 +21,15 @@ class Journal {
     void record(const Operation& operation);
     const std::vector<Operation>& operations() const { return operations_; }
 
-    /// Puts operations as they stood at another time.
-    void replace(std::vector<Operation> operations) { operations_ = std::move(operations); }
+    /// Where the journal stands, to come back to.
+    struct Mark {
+        std::size_t count = 0;
+        Operation last = Ticks{0};  ///< ticks may be added to it later
+    };
+    Mark mark() const;
+    /// Goes back to the mark and returns what it takes to come forward again.
+    std::vector<Operation> cut(const Mark& mark);
+    void restore(const Mark& mark, const std::vector<Operation>& tail);
 
   private:
     std::vector<Operation> operations_;

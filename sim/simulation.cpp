@@ -9,7 +9,7 @@ Simulation::Simulation(const TerrainState& state, const Parameters& parameters, 
       brush_(terrain_),
       thermal_(terrain_),
       ledger_(terrain_),
-      moment_{state.clock, parameters, {}},
+      moment_{state.clock, parameters},
       undo_(undo_bytes),
       keeps_undo_(undo_bytes > 0) {
     moment_.parameters.suggest("thermal.rate_m2_per_s",
@@ -28,24 +28,21 @@ void Simulation::apply(const Operation& operation) {
         Parameters changed = moment_.parameters;
         changed.set(set->name, set->value);
         const bool entry = keeps_undo_ && !undo_.is_open();
-        if (entry) undo_.open(set->name, terrain_, brush_, moment_now());
+        if (entry) undo_.open(set->name, terrain_, brush_, journal_, moment_);
         moment_.parameters = changed;
         journal_.record(operation);
-        if (entry) undo_.close(terrain_);
+        if (entry) undo_.close(terrain_, journal_);
         // Rest was decided under the old values.
         terrain_.tiles.mark_all();
         return;
     }
-    do_dab(std::get<Dab>(operation));
-    journal_.record(operation);
-}
-
-void Simulation::do_dab(const Dab& dab) {
-    if (keeps_undo_) {
-        if (!undo_.is_open()) undo_.open("dab", terrain_, brush_, moment_now());
-        undo_.keep(terrain_, terrain_.tiles.touched_by(dab_region(terrain_.grid(), dab)));
-    }
+    const auto& dab = std::get<Dab>(operation);
+    const bool entry = keeps_undo_ && !undo_.is_open();
+    if (entry) undo_.open("dab", terrain_, brush_, journal_, moment_);
+    if (keeps_undo_) undo_.keep(terrain_, terrain_.tiles.touched_by(dab_region(terrain_.grid(), dab)));
     brush_.dab(terrain_, dab);
+    journal_.record(operation);
+    if (entry) end_entry();
 }
 
 bool Simulation::advance(int substeps) {
@@ -58,7 +55,7 @@ bool Simulation::advance(int substeps) {
         substeps_of_tick_ = thermal ? thermal_substeps(terrain_.grid(), settings, tick_s) : 0;
         if (thermal) step_ = thermal_step(terrain_.grid(), settings, tick_s, substeps_of_tick_);
         if (keeps_undo_) {
-            if (!undo_.is_open()) undo_.open("run", terrain_, brush_, moment_now());
+            if (!undo_.is_open()) undo_.open("run", terrain_, brush_, journal_, moment_);
             undo_.keep_all(terrain_);
         }
     }
@@ -75,33 +72,27 @@ bool Simulation::advance(int substeps) {
 void Simulation::begin_stroke(const std::string& name) {
     if (!keeps_undo_) return;
     end_entry();
-    undo_.open(name, terrain_, brush_, moment_now());
+    undo_.open(name, terrain_, brush_, journal_, moment_);
 }
 
 void Simulation::end_entry() {
-    undo_.close(terrain_);
+    undo_.close(terrain_, journal_);
 }
 
-Moment Simulation::moment_now() const {
-    return {moment_.clock, moment_.parameters, journal_.operations()};
-}
-
-void Simulation::exchange(void (Undo::*way)(Terrain&, Brush&, Moment&)) {
-    while (mid_tick()) advance(1 << 20);
-    end_entry();
-    Moment now = moment_now();
-    (undo_.*way)(terrain_, brush_, now);
-    journal_.replace(std::move(now.operations));
-    moment_.clock = now.clock;
-    moment_.parameters = now.parameters;
+void Simulation::exchange(void (Undo::*way)(Terrain&, Brush&, Journal&, Moment&)) {
+    (undo_.*way)(terrain_, brush_, journal_, moment_);
     terrain_.tiles.mark_all();
 }
 
 void Simulation::undo() {
+    while (mid_tick()) advance(1 << 20);
+    end_entry();
     if (can_undo()) exchange(&Undo::undo);
 }
 
 void Simulation::redo() {
+    while (mid_tick()) advance(1 << 20);
+    end_entry();
     if (can_redo()) exchange(&Undo::redo);
 }
 

@@ -57,9 +57,7 @@ class Simulation {
     TerrainState read() const;
 
   private:
-    void do_dab(const Dab& dab);
-    void exchange(void (Undo::*way)(Terrain&, Brush&, Moment&));
-    Moment moment_now() const;
+    void exchange(void (Undo::*way)(Terrain&, Brush&, Journal&, Moment&));
 
     Terrain terrain_;
     Brush brush_;

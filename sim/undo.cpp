@@ -23,9 +23,9 @@ gpu::Buffer copy_books(const Brush& brush) {
 
 }  // namespace
 
-void Undo::open(std::string name, Terrain& terrain, const Brush& brush, Moment before) {
+void Undo::open(std::string name, Terrain& terrain, const Brush& brush, const Journal& journal, Moment before) {
     undone_.clear();
-    done_.push_back({std::move(name), {}, copy_books(brush), std::move(before), 0});
+    done_.push_back({std::move(name), {}, copy_books(brush), std::move(before), journal.mark(), {}, 0});
     open_ = true;
     all_kept_ = false;
     // From here on the marks say what this entry changed.
@@ -49,10 +49,15 @@ void Undo::keep_all(const Terrain& terrain) {
     all_kept_ = true;
 }
 
-void Undo::close(Terrain& terrain) {
+void Undo::close(Terrain& terrain, const Journal& journal) {
     if (!open_) return;
     open_ = false;
     Entry& entry = done_.back();
+    const Journal::Mark now = journal.mark();
+    if (now.count == entry.mark.count && now.last == entry.mark.last) {
+        done_.pop_back();
+        return;
+    }
     const std::vector<bool> changed = terrain.tiles.read(Tiles::undo);
     for (auto tile = entry.tiles.begin(); tile != entry.tiles.end();) {
         if (changed[static_cast<std::size_t>(tile->first)]) {
@@ -91,15 +96,20 @@ void Undo::swap(Entry& entry, Terrain& terrain, Brush& brush, Moment& now) {
     std::swap(entry.moment, now);
 }
 
-void Undo::undo(Terrain& terrain, Brush& brush, Moment& now) {
-    swap(done_.back(), terrain, brush, now);
-    undone_.push_back(std::move(done_.back()));
+void Undo::undo(Terrain& terrain, Brush& brush, Journal& journal, Moment& now) {
+    Entry& entry = done_.back();
+    entry.tail = journal.cut(entry.mark);
+    swap(entry, terrain, brush, now);
+    undone_.push_back(std::move(entry));
     done_.pop_back();
 }
 
-void Undo::redo(Terrain& terrain, Brush& brush, Moment& now) {
-    swap(undone_.back(), terrain, brush, now);
-    done_.push_back(std::move(undone_.back()));
+void Undo::redo(Terrain& terrain, Brush& brush, Journal& journal, Moment& now) {
+    Entry& entry = undone_.back();
+    journal.restore(entry.mark, entry.tail);
+    entry.tail.clear();
+    swap(entry, terrain, brush, now);
+    done_.push_back(std::move(entry));
     undone_.pop_back();
 }
 

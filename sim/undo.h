@@ -14,7 +14,6 @@ namespace talus {
 struct Moment {
     Clock clock;
     Parameters parameters;
-    std::vector<Operation> operations;
 };
 
 /// Undo and redo by tiles. An entry keeps the tiles as they were before an act, on the device; undoing swaps
@@ -24,22 +23,23 @@ class Undo {
     /// Beyond this many bytes the oldest entries go.
     explicit Undo(std::size_t capacity_bytes) : capacity_bytes_(capacity_bytes) {}
 
-    /// Opens an entry and drops what could be redone. An open entry is closed first.
-    void open(std::string name, Terrain& terrain, const Brush& brush, Moment before);
+    /// Opens an entry and drops what could be redone. No entry may be open.
+    void open(std::string name, Terrain& terrain, const Brush& brush, const Journal& journal, Moment before);
     bool is_open() const { return open_; }
     /// Keeps these tiles as they are now, once per entry. Call before they change.
     void keep(const Terrain& terrain, const std::vector<int>& tiles);
     void keep_all(const Terrain& terrain);
-    /// Ends the open entry. Tiles that did not change are let go; an entry that changed nothing vanishes.
-    void close(Terrain& terrain);
+    /// Ends the open entry, if there is one. Tiles that did not change are let go; an entry during which nothing was
+    /// recorded vanishes.
+    void close(Terrain& terrain, const Journal& journal);
 
     bool can_undo() const { return !done_.empty(); }
     bool can_redo() const { return !undone_.empty(); }
     const std::string& undo_name() const { return done_.back().name; }
     const std::string& redo_name() const { return undone_.back().name; }
-    /// Both swap the terrain, the brush's books and the moment with the entry's.
-    void undo(Terrain& terrain, Brush& brush, Moment& now);
-    void redo(Terrain& terrain, Brush& brush, Moment& now);
+    /// Both swap the terrain, the brush's books and the moment with the entry's, and cut or restore the journal.
+    void undo(Terrain& terrain, Brush& brush, Journal& journal, Moment& now);
+    void redo(Terrain& terrain, Brush& brush, Journal& journal, Moment& now);
 
     std::size_t bytes() const;
 
@@ -49,6 +49,8 @@ class Undo {
         std::map<int, gpu::Buffer> tiles;  // bedrock, then regolith
         gpu::Buffer books;
         Moment moment;
+        Journal::Mark mark;           // before the act
+        std::vector<Operation> tail;  // of the journal, while undone
         std::size_t bytes = 0;
     };
     void swap(Entry& entry, Terrain& terrain, Brush& brush, Moment& now);
