@@ -23,7 +23,8 @@ gpu::Buffer copy_books(const Brush& brush) {
 
 }  // namespace
 
-void Undo::open(std::string name, Terrain& terrain, const Brush& brush, const Journal& journal, Moment before) {
+void Undo::open(std::string name, Terrain& terrain, const Brush& brush, const Journal& journal,
+                Moment before) {
     undone_.clear();
     done_.push_back({std::move(name), {}, copy_books(brush), std::move(before), journal.mark(), {}, 0});
     open_ = true;

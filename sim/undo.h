@@ -29,15 +29,16 @@ class Undo {
     /// Keeps these tiles as they are now, once per entry. Call before they change.
     void keep(const Terrain& terrain, const std::vector<int>& tiles);
     void keep_all(const Terrain& terrain);
-    /// Ends the open entry, if there is one. Tiles that did not change are let go; an entry during which nothing was
-    /// recorded vanishes.
+    /// Ends the open entry, if there is one. Tiles that did not change are let go; an entry during which
+    /// nothing was recorded vanishes.
     void close(Terrain& terrain, const Journal& journal);
 
     bool can_undo() const { return !done_.empty(); }
     bool can_redo() const { return !undone_.empty(); }
     const std::string& undo_name() const { return done_.back().name; }
     const std::string& redo_name() const { return undone_.back().name; }
-    /// Both swap the terrain, the brush's books and the moment with the entry's, and cut or restore the journal.
+    /// Both swap the terrain, the brush's books and the moment with the entry's, and cut or restore the
+    /// journal.
     void undo(Terrain& terrain, Brush& brush, Journal& journal, Moment& now);
     void redo(Terrain& terrain, Brush& brush, Journal& journal, Moment& now);
 

@@ -18,9 +18,8 @@ constexpr int height = 720;
 
 class EmbreeGrid {
   public:
-    EmbreeGrid(const Grid& grid, const std::vector<float>& heights) : grid_(grid) {
-        device_ = rtcNewDevice("threads=2");
-        scene_ = rtcNewScene(device_);
+    EmbreeGrid(const Grid& grid, const std::vector<float>& heights)
+        : device_(rtcNewDevice("threads=2")), scene_(rtcNewScene(device_)) {
         RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_GRID);
         auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
             geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), grid.count()));
@@ -95,7 +94,6 @@ class EmbreeGrid {
         return hits;
     }
 
-    Grid grid_;
     RTCDevice device_;
     RTCScene scene_;
 };
