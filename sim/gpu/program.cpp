@@ -193,114 +193,115 @@ void Program::build() {
     glGetProgramiv(fresh, GL_LINK_STATUS, &ok);
     if (!ok) {
         forget_errors();
-        throw Error(fmt::format(
-            "shaders/{}: {}", paths_.back(),
-            program_log(fresh);
+        throw Error(fmt::format("shaders/{}: {}", paths_.back(), program_log(fresh)));
+    }
+    glObjectLabel(GL_PROGRAM, fresh, static_cast<GLsizei>(paths_.back().size()), paths_.back().data());
+    handle_ = std::move(fresh);
     locations_.clear();
     for (const auto& [name, value] : values_) upload(name, value);
     raise_errors();
-    }
+}
 
-    void Program::use() {
-        if (generation_ != folder().generation) {
-            try {
-                build();
-            } catch (const Error& error) {
-                folder().receive(fmt::format("kept the old program: {}", error.what()));
-            }
-        }
-        glUseProgram(handle_);
-    }
-
-    void Program::upload(std::string_view name, const Value& value) {
-        auto found = locations_.find(name);
-        if (found == locations_.end()) {
-            const std::string text(name);
-            found = locations_.emplace(text, glGetUniformLocation(handle_, text.c_str())).first;
-        }
-        const GLint at = found->second;
-        switch (value.kind) {
-            case 1:
-                glProgramUniform1fv(handle_, at, 1, value.real.data());
-                break;
-            case 2:
-                glProgramUniform2fv(handle_, at, 1, value.real.data());
-                break;
-            case 3:
-                glProgramUniform3fv(handle_, at, 1, value.real.data());
-                break;
-            case 4:
-                glProgramUniform4fv(handle_, at, 1, value.real.data());
-                break;
-            case 5:
-                glProgramUniform1iv(handle_, at, 1, value.whole.data());
-                break;
-            case 6:
-                glProgramUniform2iv(handle_, at, 1, value.whole.data());
-                break;
-            default:
-                glProgramUniform1ui(handle_, at, static_cast<GLuint>(value.whole[0]));
-                break;
+void Program::use() {
+    if (generation_ != folder().generation) {
+        try {
+            build();
+        } catch (const Error& error) {
+            folder().receive(fmt::format("kept the old program: {}", error.what()));
         }
     }
+    glUseProgram(handle_);
+}
 
-    void Program::remember(std::string_view name, const Value& value) {
-        const auto found = values_.find(name);
-        if (found == values_.end())
-            values_.emplace(std::string(name), value);
-        else
-            found->second = value;
-        upload(name, value);
+void Program::upload(std::string_view name, const Value& value) {
+    auto found = locations_.find(name);
+    if (found == locations_.end()) {
+        const std::string text(name);
+        found = locations_.emplace(text, glGetUniformLocation(handle_, text.c_str())).first;
     }
+    const GLint at = found->second;
+    switch (value.kind) {
+        case 1:
+            glProgramUniform1fv(handle_, at, 1, value.real.data());
+            break;
+        case 2:
+            glProgramUniform2fv(handle_, at, 1, value.real.data());
+            break;
+        case 3:
+            glProgramUniform3fv(handle_, at, 1, value.real.data());
+            break;
+        case 4:
+            glProgramUniform4fv(handle_, at, 1, value.real.data());
+            break;
+        case 5:
+            glProgramUniform1iv(handle_, at, 1, value.whole.data());
+            break;
+        case 6:
+            glProgramUniform2iv(handle_, at, 1, value.whole.data());
+            break;
+        default:
+            glProgramUniform1ui(handle_, at, static_cast<GLuint>(value.whole[0]));
+            break;
+    }
+}
 
-    void Program::set(std::string_view name, float value) {
-        remember(name, {1, {value}, {}});
-    }
-    void Program::set(std::string_view name, glm::vec2 v) {
-        remember(name, {2, {v.x, v.y}, {}});
-    }
-    void Program::set(std::string_view name, glm::vec3 v) {
-        remember(name, {3, {v.x, v.y, v.z}, {}});
-    }
-    void Program::set(std::string_view name, glm::vec4 v) {
-        remember(name, {4, {v.x, v.y, v.z, v.w}, {}});
-    }
-    void Program::set(std::string_view name, int value) {
-        remember(name, {5, {}, {value}});
-    }
-    void Program::set(std::string_view name, glm::ivec2 v) {
-        remember(name, {6, {}, {v.x, v.y}});
-    }
-    void Program::set(std::string_view name, unsigned value) {
-        remember(name, {7, {}, {static_cast<int>(value)}});
-    }
+void Program::remember(std::string_view name, const Value& value) {
+    const auto found = values_.find(name);
+    if (found == values_.end())
+        values_.emplace(std::string(name), value);
+    else
+        found->second = value;
+    upload(name, value);
+}
 
-    void Program::dispatch(int groups_x, int groups_y, int groups_z) {
-        use();
-        glDispatchCompute(static_cast<GLuint>(groups_x), static_cast<GLuint>(groups_y),
-                          static_cast<GLuint>(groups_z));
-        glMemoryBarrier(GL_ALL_BARRIER_BITS);
-        raise_errors();
-    }
+void Program::set(std::string_view name, float value) {
+    remember(name, {1, {value}, {}});
+}
+void Program::set(std::string_view name, glm::vec2 v) {
+    remember(name, {2, {v.x, v.y}, {}});
+}
+void Program::set(std::string_view name, glm::vec3 v) {
+    remember(name, {3, {v.x, v.y, v.z}, {}});
+}
+void Program::set(std::string_view name, glm::vec4 v) {
+    remember(name, {4, {v.x, v.y, v.z, v.w}, {}});
+}
+void Program::set(std::string_view name, int value) {
+    remember(name, {5, {}, {value}});
+}
+void Program::set(std::string_view name, glm::ivec2 v) {
+    remember(name, {6, {}, {v.x, v.y}});
+}
+void Program::set(std::string_view name, unsigned value) {
+    remember(name, {7, {}, {static_cast<int>(value)}});
+}
 
-    void Program::dispatch_indirect(const Buffer& arguments, std::size_t offset) {
-        use();
-        glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, arguments.name());
-        glDispatchComputeIndirect(static_cast<GLintptr>(offset));
-        glMemoryBarrier(GL_ALL_BARRIER_BITS);
-        raise_errors();
-    }
+void Program::dispatch(int groups_x, int groups_y, int groups_z) {
+    use();
+    glDispatchCompute(static_cast<GLuint>(groups_x), static_cast<GLuint>(groups_y),
+                      static_cast<GLuint>(groups_z));
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    raise_errors();
+}
 
-    void Program::draw_fullscreen() {
-        use();
-        // OpenGL's core profile draws nothing without a vertex array, so each draw brings an empty one.
-        GLuint array = 0;
-        glCreateVertexArrays(1, &array);
-        glBindVertexArray(array);
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-        glBindVertexArray(0);
-        glDeleteVertexArrays(1, &array);
-        raise_errors();
-    }
+void Program::dispatch_indirect(const Buffer& arguments, std::size_t offset) {
+    use();
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, arguments.name());
+    glDispatchComputeIndirect(static_cast<GLintptr>(offset));
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    raise_errors();
+}
+
+void Program::draw_fullscreen() {
+    use();
+    // OpenGL's core profile draws nothing without a vertex array, so each draw brings an empty one.
+    GLuint array = 0;
+    glCreateVertexArrays(1, &array);
+    glBindVertexArray(array);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
+    glDeleteVertexArrays(1, &array);
+    raise_errors();
+}
 
 }  // namespace talus::gpu
