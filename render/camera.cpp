@@ -45,6 +45,7 @@ void set_camera(gpu::Program& program, const Grid& grid, const Camera& camera, i
     program.set("ray_right", glm::vec3(rays.right));
     program.set("ray_up", glm::vec3(rays.up));
     program.set("cell_m", glm::vec2(grid.dx, grid.dy));
+    program.set("cells_per_m", glm::vec2(1 / grid.dx, 1 / grid.dy));
     program.set("patches", glm::ivec2(grid.nx - 1, grid.ny - 1));
     program.set("origin_cell", origin.cell);
     program.set("origin_fraction", glm::vec2(origin.fraction));

@@ -15,7 +15,7 @@ struct CastTwin {
     static constexpr bool count_steps = true;
     int2 patches{0};
     int top_level = 0;
-    real2 cell_m{1};
+    real2 cells_per_m{1};
     real3 ray_forward{0};
     real3 ray_right{0};
     real3 ray_up{0};
@@ -26,7 +26,7 @@ struct CastTwin {
 
     CastTwin(const Grid& grid, std::vector<float> ground) : heights(std::move(ground)) {
         patches = int2(grid.nx - 1, grid.ny - 1);
-        cell_m = real2(grid.dx, grid.dy);
+        cells_per_m = real2(1 / grid.dx, 1 / grid.dy);
         const int side = max(patches.x, patches.y);
         while ((1 << top_level) < side && top_level < 8) ++top_level;
         top_level = max(top_level, 1);

@@ -1,6 +1,7 @@
 // Where a fragment lies in the picture, from its pixel centre: interpolated values would differ by driver.
 uniform real2 picture_size;
 
+uniform real2 cells_per_m;
 uniform real3 ray_forward;
 uniform real3 ray_right;
 uniform real3 ray_up;
