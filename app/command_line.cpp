@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
@@ -16,6 +17,8 @@
 namespace talus {
 namespace {
 
+constexpr std::int64_t max_ticks = 1000000000;
+
 std::vector<double> numbers(const std::string& option, const std::string& text, char separator,
                             std::size_t count) {
     std::vector<double> values;
@@ -28,7 +31,9 @@ std::vector<double> numbers(const std::string& option, const std::string& text, 
         values.push_back(value);
         at = next + 1;
     }
-    if (values.size() != count || at != end + 1)
+    const bool finite =
+        std::all_of(values.begin(), values.end(), [](double v) { return std::abs(v) <= 1e12; });
+    if (values.size() != count || at != end + 1 || !finite)
         throw Error(fmt::format("{} '{}' cannot be read, write it as {} numbers with '{}' between", option,
                                 text, count, separator));
     return values;
@@ -194,8 +199,9 @@ int parse_and_do(int argc, char** argv) {
         run_options.gpu = t.context();
         run_options.scene = t.scene(t.input);
         if (!t.size.empty()) run_options.scene.size = size_from(t.size);
-        if (run_options.ticks && *run_options.ticks < 0)
-            throw Error(fmt::format("--ticks {} cannot be run, it must be 0 or more", *run_options.ticks));
+        if (run_options.ticks && (*run_options.ticks < 0 || *run_options.ticks > max_ticks))
+            throw Error(
+                fmt::format("--ticks {} cannot be run, it must be 0 to {}", *run_options.ticks, max_ticks));
         if (run_options.time_s && !(*run_options.time_s >= 0 && *run_options.time_s < 1e15))
             throw Error(
                 fmt::format("--time {} cannot be run, it must be 0 or more seconds", *run_options.time_s));
@@ -211,6 +217,7 @@ int parse_and_do(int argc, char** argv) {
         render(render_options);
     } else if (convert_command->parsed()) {
         convert_options.import = t.import();
+        convert_options.range_m = t.range_m();
         convert(convert_options);
     } else if (replay_command->parsed()) {
         replay_options.gpu = t.context();

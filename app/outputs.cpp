@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+
 #include "app/panels/legend.h"
 #include "render/renderer.h"
 #include "sim/gpu/error.h"
@@ -11,6 +15,25 @@
 
 namespace talus {
 
+namespace {
+
+// The first look at the terrain, with the view's legend.
+void write_overview(const std::string& path, const Scene& scene, Simulation& simulation) {
+    constexpr int width = 1280;
+    constexpr int height = 720;
+    Renderer renderer(simulation.terrain());
+    const ViewSettings settings = view_settings(scene.view);
+    const std::vector<float> ground = scene.document.state.ground();
+    const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
+    Camera camera = overview(scene.document.state.grid, *low, *high);
+    camera.fov_deg = scene.view.number("camera.fov_deg");
+    renderer.draw(simulation.terrain(), camera, settings, width, height);
+    draw_legend_into(renderer.framebuffer(), width, height, legend_of(settings, *low, *high));
+    write_rgb(path, width, height, renderer.read_rgb(width, height));
+}
+
+}  // namespace
+
 void check_outputs(const Outputs& outputs) {
     for (const std::string& file : outputs.files)
         if (!can_write_heightmap(file))
@@ -19,6 +42,14 @@ void check_outputs(const Outputs& outputs) {
     if (!outputs.image.empty() && ending_of(outputs.image) != ".png")
         throw Error(fmt::format("cannot write the picture '{}': its ending must be .png", outputs.image));
     if (!outputs.layer.empty()) layer_of({}, outputs.layer);
+    std::vector<std::string> all = outputs.files;
+    for (const std::string& file : {outputs.image, outputs.report, outputs.journal})
+        if (!file.empty()) all.push_back(file);
+    for (const std::string& file : all) {
+        const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+        if (!std::filesystem::is_directory(folder))
+            throw Error(fmt::format("cannot write '{}': there is no folder '{}'", file, folder.string()));
+    }
 }
 
 void write_terrain(const std::string& path, const Document& document, const std::string& layer,
@@ -34,27 +65,26 @@ void write_terrain(const std::string& path, const Document& document, const std:
 void write_outputs(const Outputs& outputs, Scene& scene, Simulation& simulation, const RunFigures& figures) {
     scene.document.state = simulation.read();
     scene.document.parameters = to_toml(simulation.parameters());
+    // One output that fails takes none of the others with it.
+    std::string failures;
+    const auto attempt = [&](const std::function<void()>& write) {
+        try {
+            write();
+        } catch (const Error& error) {
+            failures += (failures.empty() ? "" : "; ") + std::string(error.what());
+        }
+    };
     for (const std::string& file : outputs.files)
-        write_terrain(file, scene.document, outputs.layer, outputs.range_m);
-    if (!outputs.image.empty()) {
-        constexpr int width = 1280;
-        constexpr int height = 720;
-        Renderer renderer(simulation.terrain());
-        const std::vector<float> ground = scene.document.state.ground();
-        const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
-        const ViewSettings settings = view_settings(scene.view);
-        Camera camera = overview(scene.document.state.grid, *low, *high);
-        camera.fov_deg = scene.view.number("camera.fov_deg");
-        renderer.draw(simulation.terrain(), camera, settings, width, height);
-        draw_legend_into(renderer.framebuffer(), width, height, legend_of(settings, *low, *high));
-        write_rgb(outputs.image, width, height, renderer.read_rgb(width, height));
-    }
+        attempt([&] { write_terrain(file, scene.document, outputs.layer, std::nullopt); });
+    if (!outputs.image.empty()) attempt([&] { write_overview(outputs.image, scene, simulation); });
     if (!outputs.journal.empty())
-        write_atomically(outputs.journal, write_journal(scene.start, simulation.journal()));
-    if (outputs.report.empty() && !outputs.json) return;
-    const std::string report = run_report(figures, scene.document.state, simulation.ledger());
-    if (!outputs.report.empty()) write_atomically(outputs.report, report);
-    if (outputs.json) fmt::print("{}", report);
+        attempt([&] { write_atomically(outputs.journal, write_journal(scene.start, simulation.journal())); });
+    if (!outputs.report.empty() || outputs.json) {
+        const std::string report = run_report(figures, scene.document.state, simulation.ledger());
+        if (!outputs.report.empty()) attempt([&] { write_atomically(outputs.report, report); });
+        if (outputs.json) fmt::print("{}", report);
+    }
+    if (!failures.empty()) throw Error(failures);
 }
 
 }  // namespace talus

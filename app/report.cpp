@@ -1,4 +1,5 @@
 #include "app/report.h"
+#include "sim/terrain/state_hash.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>

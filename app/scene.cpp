@@ -10,6 +10,7 @@
 #include "sim/preset.h"
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"
+#include "sim/terrain/state_hash.h"
 
 namespace talus {
 namespace {
@@ -57,6 +58,10 @@ Scene make_scene(const SceneRequest& request) {
         if (!document.parameters.empty()) from_toml(document.parameters, request.input, all);
         if (!request.preset.empty()) apply_preset(preset, all);
     }
+    if (request.size && !request.input.empty())
+        throw Error(
+            fmt::format("--size sets generated terrain, '{}' has a size of its own: leave one of the two out",
+                        request.input));
     if (request.size) {
         all.set("terrain.nx", request.size->x);
         all.set("terrain.ny", request.size->y);

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "app/outputs.h"
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/preset.h"
+#include "sim/terrain/state_hash.h"
 
 namespace talus {
 namespace {
@@ -19,7 +21,7 @@ double now_s() {
 
 Session::Session(const SceneRequest& request) : request_(request), scene_(make_scene(request)) {
     start(std::move(scene_));
-    path_ = request.input;
+    path_ = document_path();
 }
 
 void Session::start(Scene scene) {
@@ -52,7 +54,11 @@ void Session::open(const std::string& path) {
     request.import = {};
     start(make_scene(request));
     request_ = request;
-    path_ = path;
+    path_ = document_path();
+}
+
+std::string Session::document_path() const {
+    return scene_.document.kind == "Talus document" ? request_.input : "";
 }
 
 void Session::reset() {
@@ -63,6 +69,8 @@ void Session::save(const std::string& path) {
     scene_.document.state = simulation_->read();
     scene_.document.parameters = to_toml(simulation_->parameters());
     write_terrain(path, scene_.document, "", std::nullopt);
+    // Other formats hold the ground alone: what was saved there is an export.
+    if (ending_of(path) != ".exr") return;
     path_ = path;
     saved_operations_ = simulation_->journal().operations();
 }
@@ -77,7 +85,12 @@ bool Session::is_simulated(const std::string& name) const {
 }
 
 void Session::set(const std::string& name, const Value& value) {
-    if (!is_simulated(name)) return scene_.view.set(name, value);
+    if (!is_simulated(name)) {
+        scene_.view.set(name, value);
+        if (name == "undo.memory_mib")
+            simulation_->set_undo_capacity(static_cast<std::size_t>(scene_.view.whole(name)) << 20U);
+        return;
+    }
     while (simulation_->mid_tick()) simulation_->advance(1 << 20);
     simulation_->apply(SetParameter{name, value});
 }
@@ -118,6 +131,13 @@ void Session::pause() {
     if (!stroking_) simulation_->end_entry();
 }
 
+void Session::toggle_play() {
+    if (playing)
+        pause();
+    else
+        playing = true;
+}
+
 void Session::step() {
     pause();
     simulation_->apply(Ticks{1});
@@ -128,27 +148,35 @@ void Session::begin_stroke(glm::dvec3 at) {
     while (simulation_->mid_tick()) simulation_->advance(1 << 20);
     simulation_->begin_stroke(scene_.view.choice("brush.mode"));
     stroke_height_m_ = at.z;
+    stroke_at_ = at;
     stroking_ = true;
 }
 
 void Session::stroke(glm::dvec3 at, double wall_s) {
     while (simulation_->mid_tick()) simulation_->advance(1 << 20);
     const Parameters& view = scene_.view;
-    const std::string& mode = view.choice("brush.mode");
+    const auto& modes = view.declaration("brush.mode").choices;
     Dab dab;
-    dab.mode = mode == "raise"
-                   ? BrushMode::raise
-                   : (mode == "lower" ? BrushMode::lower
-                                      : (mode == "smooth" ? BrushMode::smooth : BrushMode::flatten));
-    dab.x_m = at.x;
-    dab.y_m = at.y;
+    dab.mode = static_cast<BrushMode>(std::find(modes.begin(), modes.end(), view.choice("brush.mode")) -
+                                      modes.begin());
     dab.radius_m = view.number("brush.radius_m");
     dab.falloff = view.number("brush.falloff");
-    dab.amount_m = view.number("brush.rate_m_per_s") * wall_s;
-    dab.blend = std::min(1.0, view.number("brush.blend_per_s") * wall_s);
     dab.target_m = stroke_height_m_;
     dab.on_regolith = view.choice("brush.material") == "regolith";
-    simulation_->apply(dab);
+    // A fast stroke is a row of dabs a quarter radius apart that share the time: its strength along the way
+    // does not depend on how many frames it took.
+    const double way_m = std::hypot(at.x - stroke_at_.x, at.y - stroke_at_.y);
+    const int dabs = std::clamp(static_cast<int>(std::ceil(way_m / (0.25 * dab.radius_m))), 1, 64);
+    const double dab_s = wall_s / dabs;
+    dab.amount_m = view.number("brush.rate_m_per_s") * dab_s;
+    dab.blend = -std::expm1(-view.number("brush.blend_per_s") * dab_s);
+    for (int i = 1; i <= dabs; ++i) {
+        const glm::dvec3 place = stroke_at_ + (at - stroke_at_) * (static_cast<double>(i) / dabs);
+        dab.x_m = place.x;
+        dab.y_m = place.y;
+        simulation_->apply(dab);
+    }
+    stroke_at_ = at;
 }
 
 void Session::end_stroke() {

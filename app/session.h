@@ -33,6 +33,7 @@ class Session {
     double speed_reached() const { return speed_reached_; }
     double tick_ms() const { return tick_ms_; }
     void pause();
+    void toggle_play();
     void step();
 
     /// Another file, or the same scene from its start: what was here before stays where that fails.
@@ -41,6 +42,7 @@ class Session {
     void frame_terrain();
     /// Writes the document or heightmap by the path's ending; the document's path becomes the session's.
     void save(const std::string& path);
+    /// The document that save goes to; empty where a heightmap was opened or nothing was saved yet.
     const std::string& path() const { return path_; }
     bool unsaved() const { return simulation_->journal().operations() != saved_operations_; }
     void write_journal_to(const std::string& path) const;
@@ -61,6 +63,7 @@ class Session {
 
   private:
     void start(Scene scene);
+    std::string document_path() const;
     bool is_simulated(const std::string& name) const;
 
     SceneRequest request_;
@@ -76,6 +79,7 @@ class Session {
     double tick_ms_ = 0;
     bool stroking_ = false;
     double stroke_height_m_ = 0;
+    glm::dvec3 stroke_at_{0};
 };
 
 }  // namespace talus

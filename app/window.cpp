@@ -132,7 +132,8 @@ class Window {
     void attempt(Act&& act) {
         try {
             act();
-        } catch (const Error& error) {
+        } catch (const std::exception& error) {
+            session_.playing = false;
             say(fmt::format("talus: {}", error.what()));
             tell(error.what());
         }
@@ -143,7 +144,12 @@ class Window {
         wake();
         const bool control = (mods & GLFW_MOD_CONTROL) != 0;
         const bool shift = (mods & GLFW_MOD_SHIFT) != 0;
-        if (dialog_.purpose != FileDialog::Purpose::none) return;
+        if (dialog_.purpose != FileDialog::Purpose::none) {
+            // A key pressed and released within one slow frame would escape the panels.
+            if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) dialog_.accepted = true;
+            if (key == GLFW_KEY_ESCAPE) dialog_.cancelled = true;
+            return;
+        }
         if (control) {
             if (key == GLFW_KEY_Z) (shift ? requests_.redo : requests_.undo) = true;
             if (key == GLFW_KEY_Y) requests_.redo = true;
@@ -163,13 +169,10 @@ class Window {
         const std::vector<std::string>& modes = session_.declaration("brush.mode").choices;
         switch (key) {
             case GLFW_KEY_SPACE:
-                if (session_.playing)
-                    session_.pause();
-                else
-                    session_.playing = true;
+                requests_.acts.emplace_back([](Session& session) { session.toggle_play(); });
                 break;
             case GLFW_KEY_PERIOD:
-                attempt([&] { session_.step(); });
+                requests_.acts.emplace_back([](Session& session) { session.step(); });
                 break;
             case GLFW_KEY_F:
                 requests_.framing = true;
@@ -253,7 +256,7 @@ class Window {
             title();
         }
         if (session_.stroking() && cursor_) {
-            session_.stroke(*cursor_, std::min(passed_s, 0.1));
+            attempt([&] { session_.stroke(*cursor_, passed_s); });
             moving_s_ = 0.25;
         }
     }
@@ -274,12 +277,14 @@ class Window {
                 if (!journal_path_.empty()) session_.write_journal_to(journal_path_);
                 tell(fmt::format("saved {}", *asked.save));
             });
+        for (const auto& act : asked.acts) attempt([&] { act(session_); });
         if (asked.reset) attempt([&] { session_.reset(); });
         if (asked.undo) attempt([&] { session_.undo(); });
         if (asked.redo) attempt([&] { session_.redo(); });
         if (asked.framing) session_.frame_terrain();
         if (asked.quit) glfwSetWindowShouldClose(window_, GLFW_TRUE);
-        if (asked.open || asked.save || asked.reset || asked.undo || asked.redo || asked.framing) {
+        if (asked.open || asked.save || asked.reset || asked.undo || asked.redo || asked.framing ||
+            !asked.acts.empty()) {
             title();
             wake();
         }
@@ -301,7 +306,7 @@ class Window {
         sculpt(passed_s);
         if (mouse != mouse_) wake();
         mouse_ = mouse;
-        if (session_.playing) session_.play(passed_s, frame_goal_s / 2);
+        if (session_.playing) attempt([&] { session_.play(passed_s, frame_goal_s / 2); });
 
         // While anything moves, the resolution gives way so that frames keep coming; at rest it is full.
         const bool moving = session_.playing || session_.stroking() || moving_s_ > 0;
@@ -310,7 +315,7 @@ class Window {
             scale_ = std::clamp(scale_ * std::sqrt(frame_goal_s / std::max(frame_s_, 1e-3)), 0.9 * scale_,
                                 1.05 * scale_);
         moved_before_ = moving;
-        scale_ = std::clamp(scale_, 0.2, 1.0);
+        scale_ = std::clamp(scale_, 0.3, 1.0);
         const double used = moving ? scale_ : 1.0;
         const int drawn_width = std::max(1, static_cast<int>(width * used));
         const int drawn_height = std::max(1, static_cast<int>(height * used));
@@ -333,7 +338,8 @@ class Window {
         draw_main_panel(session_, dialog_, requests_);
         draw_notes(session_, notes_shown_);
         draw_file_dialog(dialog_, requests_);
-        draw_legend(legend_of(settings, session_.bounds().x, session_.bounds().y), width, height - 26);
+        draw_legend(legend_of(settings, session_.renderer().bounds().x, session_.renderer().bounds().y),
+                    width, height - 26);
         StatusFigures figures{device_.renderer, now < message_until_s_ ? message_ : "", std::nullopt,
                               frame_s_ * 1000, used};
         if (cursor_) figures.cursor_height_m = cursor_->z;

@@ -26,7 +26,7 @@ CastOrigin cast_origin(const Grid& grid, glm::dvec3 point) {
 Camera overview(const Grid& grid, double lowest_m, double highest_m) {
     // The whole rectangle within the view, from a little west of south and high enough to see its relief.
     Camera camera;
-    const double radius = 0.5 * std::hypot(grid.width_m(), grid.height_m());
+    const double radius = 0.5 * std::hypot(grid.width_m(), grid.height_m(), highest_m - lowest_m);
     const glm::dvec3 middle(grid.width_m() / 2, grid.height_m() / 2, (lowest_m + highest_m) / 2);
     const double distance = 0.66 * radius / std::tan(camera.fov_deg * std::numbers::pi / 360) + 0.2 * radius;
     const glm::dvec3 away = glm::normalize(glm::dvec3(-0.38, -0.80, 0.50));

@@ -6,20 +6,28 @@
 namespace talus {
 namespace {
 
-// Up to level 8, so that a ray over the widest terrain crosses 32 cells at most; small terrains stop at a
-// tile, or padding to whole cells of the coarsest level would cost more memory than it saves steps.
+int padded(int patches, int levels) {
+    const int block = 1 << levels;
+    return (patches + block - 1) / block * block;
+}
+
+// Up to level 8, so that a ray over the widest terrain crosses 32 cells at most; fewer where padding to whole
+// cells of the coarsest level would take more than 4 bytes a sample for both bounds (3 are taken without
+// padding).
 int levels_for(const Grid& grid) {
-    return std::min(grid.nx, grid.ny) > 1024 ? 8 : 6;
+    for (int levels = 8; levels > 1; --levels) {
+        const double texels = static_cast<double>(padded(grid.nx - 1, levels)) * padded(grid.ny - 1, levels);
+        if (3 * texels <= 4 * static_cast<double>(grid.count())) return levels;
+    }
+    return 1;
 }
 
 glm::ivec2 level_1_for(const Grid& grid) {
-    const int block = 1 << levels_for(grid);
-    const auto padded = [block](int patches) { return (patches + block - 1) / block * block / 2; };
-    return {padded(grid.nx - 1), padded(grid.ny - 1)};
+    return glm::ivec2(padded(grid.nx - 1, levels_for(grid)), padded(grid.ny - 1, levels_for(grid))) / 2;
 }
 
 gpu::Texture bounds_texture(const char* label, glm::ivec2 level_1) {
-    return {label, gpu::Format::r32f, level_1.x, level_1.y + level_1.y / 2};
+    return {label, gpu::Format::r32f, level_1.x, level_1.y + std::max(level_1.y / 2, 1)};
 }
 
 }  // namespace
@@ -46,6 +54,7 @@ void Pyramid::refresh(Terrain& terrain) {
     lowest.bind_image(1, gpu::Access::read_write);
     for (gpu::Program* program : {&low_levels_, &high_levels_}) {
         program->set("level_1_size", level_1_size_);
+        program->set("top_level", top_level_);
         program->set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
     }
     low_levels_.set("patches", glm::ivec2(terrain.grid().nx - 1, terrain.grid().ny - 1));

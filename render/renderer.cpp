@@ -28,6 +28,7 @@ void Renderer::draw(Terrain& terrain, const Camera& camera, const ViewSettings& 
                     int height) {
     resize(width, height);
     pyramid_.refresh(terrain);
+    follow_bounds();
     const std::string key = settings.method + (settings.view == View::steps ? " counting" : "");
     auto found =
         std::find_if(methods_.begin(), methods_.end(), [&](const auto& m) { return m.first == key; });
@@ -51,6 +52,10 @@ void Renderer::draw(Terrain& terrain, const Camera& camera, const ViewSettings& 
     shade_.set("shadows", settings.shadows ? 1 : 0);
     shade_.set("extent_m", static_cast<float>(std::max(grid.width_m(), grid.height_m())));
     shade_.set("pixel_angle", static_cast<float>(camera.fov_deg * std::numbers::pi / 180 / height));
+    // The ring is as wide at any resolution, but never thinner than a pixel.
+    const double ring_pixels = std::max(1.3 * height / 720, 0.6);
+    shade_.set("ring_angle",
+               static_cast<float>(ring_pixels * camera.fov_deg * std::numbers::pi / 180 / height));
     shade_.set("band_m", static_cast<float>(settings.band_m));
     shade_.set("slope_scale_deg", static_cast<float>(slope_scale_deg));
     shade_.set("steps_scale", static_cast<float>(steps_scale));
@@ -91,12 +96,12 @@ std::vector<float> Renderer::read_steps(int width, int height) const {
     return read_hits(width, height, 1);
 }
 
-glm::dvec2 Renderer::read_bounds() const {
-    glm::vec2 bounds(0);
+void Renderer::follow_bounds() {
     const gpu::Region last{pyramid_.highest.width() - 1, pyramid_.highest.height() - 1, 1, 1};
-    pyramid_.lowest.read(last, std::as_writable_bytes(std::span(&bounds.x, 1)));
-    pyramid_.highest.read(last, std::as_writable_bytes(std::span(&bounds.y, 1)));
-    return bounds;
+    if (const auto texel = lowest_readback_.poll()) bounds_.x = (*texel)[0];
+    if (const auto texel = highest_readback_.poll()) bounds_.y = (*texel)[0];
+    if (!lowest_readback_.pending()) lowest_readback_.start(pyramid_.lowest, last);
+    if (!highest_readback_.pending()) highest_readback_.start(pyramid_.highest, last);
 }
 
 }  // namespace talus

@@ -7,6 +7,7 @@
 #include "render/methods/method.h"
 #include "render/pyramid.h"
 #include "render/view.h"
+#include "sim/gpu/readback.h"
 
 namespace talus {
 
@@ -30,11 +31,13 @@ class Renderer {
     std::vector<std::uint8_t> read_rgb(int width, int height) const;
     std::vector<float> read_depth(int width, int height) const;
     std::vector<float> read_steps(int width, int height) const;
-    /// Lowest and highest sample of the terrain as last drawn; waits for the device.
-    glm::dvec2 read_bounds() const;
+    /// Lowest and highest sample of the terrain, a frame or two old: read without waiting. 0 before the
+    /// second frame.
+    glm::dvec2 bounds() const { return bounds_; }
 
   private:
     void resize(int width, int height);
+    void follow_bounds();
     std::vector<float> read_hits(int width, int height, int component) const;
 
     Pyramid pyramid_;
@@ -44,6 +47,9 @@ class Renderer {
     gpu::Texture colour_;
     gpu::Framebuffer hits_buffer_;
     gpu::Framebuffer colour_buffer_;
+    gpu::Readback lowest_readback_;
+    gpu::Readback highest_readback_;
+    glm::dvec2 bounds_{0};
 };
 
 }  // namespace talus

@@ -40,14 +40,13 @@ Operation to_operation(const json& line) {
     const std::string op = line.at("op");
     if (op == "ticks") {
         const std::int64_t count = line.at("count");
-        if (count < 0) throw Error("count must not be negative");
+        if (count < 0 || count > 1000000000) throw Error("count must be 0 to 1000000000");
         return Ticks{count};
     }
     if (op == "set") {
         const json& value = line.at("value");
         const std::string name = line.at("name");
         if (value.is_boolean()) return SetParameter{name, value.get<bool>()};
-        if (value.is_number_integer()) return SetParameter{name, value.get<int>()};
         if (value.is_number()) return SetParameter{name, value.get<double>()};
         return SetParameter{name, value.get<std::string>()};
     }
@@ -65,6 +64,7 @@ Operation to_operation(const json& line) {
     dab.blend = line.at("blend");
     dab.target_m = line.at("target_m");
     dab.on_regolith = line.at("on_regolith");
+    check_dab(dab);
     return dab;
 }
 
@@ -103,7 +103,7 @@ std::string write_journal(const JournalStart& start, const Journal& journal) {
                             {"import", start.import_guess},
                             {"parameters", start.parameters},
                             {"hash", fmt::format("{:016x}", start.hash)}}
-                           .dump() +
+                           .dump(-1, ' ', false, json::error_handler_t::replace) +
                        '\n';
     for (const Operation& operation : journal.operations()) text += to_json(operation).dump() + '\n';
     return text;

@@ -39,6 +39,8 @@ std::vector<Preset> built_in_presets() {
 
 Preset find_preset(const std::string& name_or_path) {
     if (name_or_path.ends_with(".toml")) {
+        if (std::filesystem::is_directory(name_or_path))
+            throw Error(fmt::format("preset '{}' is a folder, a TOML file is needed", name_or_path));
         std::ifstream file(name_or_path, std::ios::binary);
         if (!file) throw Error(fmt::format("preset '{}' cannot be read, no such file", name_or_path));
         const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -83,7 +85,9 @@ void from_toml(const std::string& text, const std::string& source, Parameters& p
     for (const auto& [section, node] : table) {
         const std::string_view name = section.str();
         if (!node.is_table()) {
-            if (name == "title" || name == "description") continue;
+            if ((name == "title" || name == "description") && node.is_string()) continue;
+            if (name == "title" || name == "description")
+                throw Error(fmt::format("{}: {} must be a text in quotes", source, name));
             throw Error(
                 fmt::format("{}: unknown key '{}', only title, description and [sections] stand at the top",
                             source, name));

@@ -3,6 +3,13 @@
 #include "sim/gpu/error.h"
 
 namespace talus {
+namespace {
+
+ThermalSettings thermal_settings(const Parameters& parameters) {
+    return {parameters.number("thermal.repose_deg"), parameters.number("thermal.rate_m2_per_s")};
+}
+
+}  // namespace
 
 Simulation::Simulation(const TerrainState& state, const Parameters& parameters, std::size_t undo_bytes)
     : terrain_(state),
@@ -14,6 +21,7 @@ Simulation::Simulation(const TerrainState& state, const Parameters& parameters, 
       keeps_undo_(undo_bytes > 0) {
     moment_.parameters.suggest("thermal.rate_m2_per_s",
                                natural_thermal_rate(state.grid, parameters.number("time.tick_s")));
+    check_tick(moment_.parameters);
 }
 
 void Simulation::apply(const Operation& operation) {
@@ -27,7 +35,9 @@ void Simulation::apply(const Operation& operation) {
     if (const auto* set = std::get_if<SetParameter>(&operation)) {
         Parameters changed = moment_.parameters;
         changed.set(set->name, set->value);
-        const bool entry = keeps_undo_ && !undo_.is_open();
+        check_tick(changed);
+        // A slider that is dragged is one entry.
+        const bool entry = keeps_undo_ && !undo_.is_open() && !undo_.extends(set->name);
         if (entry) undo_.open(set->name, terrain_, brush_, journal_, moment_);
         moment_.parameters = changed;
         journal_.record(operation);
@@ -37,6 +47,7 @@ void Simulation::apply(const Operation& operation) {
         return;
     }
     const auto& dab = std::get<Dab>(operation);
+    check_dab(dab);
     const bool entry = keeps_undo_ && !undo_.is_open();
     if (entry) undo_.open("dab", terrain_, brush_, journal_, moment_);
     if (keeps_undo_) undo_.keep(terrain_, terrain_.tiles.touched_by(dab_region(terrain_.grid(), dab)));
@@ -45,13 +56,17 @@ void Simulation::apply(const Operation& operation) {
     if (entry) end_entry();
 }
 
+void Simulation::check_tick(const Parameters& parameters) const {
+    if (parameters.toggle("thermal.on"))
+        thermal_substeps(terrain_.grid(), thermal_settings(parameters), parameters.number("time.tick_s"));
+}
+
 bool Simulation::advance(int substeps) {
     const Parameters& parameters = moment_.parameters;
     const double tick_s = parameters.number("time.tick_s");
     const bool thermal = parameters.toggle("thermal.on");
     if (substeps_done_ == 0) {
-        const ThermalSettings settings{parameters.number("thermal.repose_deg"),
-                                       parameters.number("thermal.rate_m2_per_s")};
+        const ThermalSettings settings = thermal_settings(parameters);
         substeps_of_tick_ = thermal ? thermal_substeps(terrain_.grid(), settings, tick_s) : 0;
         if (thermal) step_ = thermal_step(terrain_.grid(), settings, tick_s, substeps_of_tick_);
         if (keeps_undo_) {

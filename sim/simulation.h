@@ -47,6 +47,7 @@ class Simulation {
     bool can_undo() const { return undo_.can_undo(); }
     bool can_redo() const { return undo_.can_redo(); }
     const Undo& undo_history() const { return undo_; }
+    void set_undo_capacity(std::size_t bytes) { undo_.set_capacity(bytes); }
     /// To the bit: layers, residual words, clock, parameters, ledger, journal. A half done tick is completed
     /// first.
     void undo();
@@ -57,6 +58,8 @@ class Simulation {
     TerrainState read() const;
 
   private:
+    /// Throws talus::Error when a tick with these parameters cannot be run.
+    void check_tick(const Parameters& parameters) const;
     void exchange(void (Undo::*way)(Terrain&, Brush&, Journal&, Moment&));
 
     Terrain terrain_;

@@ -33,6 +33,17 @@ void Undo::open(std::string name, Terrain& terrain, const Brush& brush, const Jo
     terrain.tiles.clear(Tiles::undo);
 }
 
+bool Undo::extends(const std::string& name) {
+    if (done_.empty() || done_.back().name != name || !done_.back().tiles.empty()) return false;
+    undone_.clear();
+    return true;
+}
+
+void Undo::set_capacity(std::size_t bytes) {
+    capacity_bytes_ = bytes;
+    trim();
+}
+
 void Undo::keep(const Terrain& terrain, const std::vector<int>& tiles) {
     Entry& entry = done_.back();
     for (const int tile : tiles) {
@@ -77,8 +88,8 @@ void Undo::trim() {
 
 std::size_t Undo::bytes() const {
     std::size_t total = 0;
-    for (const Entry& entry : done_) total += entry.bytes;
-    for (const Entry& entry : undone_) total += entry.bytes;
+    for (const Entry& entry : done_) total += entry.bytes + entry.books.bytes();
+    for (const Entry& entry : undone_) total += entry.bytes + entry.books.bytes();
     return total;
 }
 

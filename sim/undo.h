@@ -26,6 +26,10 @@ class Undo {
     /// Opens an entry and drops what could be redone. No entry may be open.
     void open(std::string name, Terrain& terrain, const Brush& brush, const Journal& journal, Moment before);
     bool is_open() const { return open_; }
+    /// True when the newest entry has this name and keeps no tiles, so that another change of the same
+    /// parameter belongs to it; what could be redone is dropped then.
+    bool extends(const std::string& name);
+    void set_capacity(std::size_t bytes);
     /// Keeps these tiles as they are now, once per entry. Call before they change.
     void keep(const Terrain& terrain, const std::vector<int>& tiles);
     void keep_all(const Terrain& terrain);

@@ -13,7 +13,6 @@ namespace talus {
 struct Outputs {
     std::vector<std::string> files;
     std::string layer;  ///< empty: ground; with a name, .exr holds that layer alone instead of the document
-    std::optional<glm::dvec2> range_m;
     std::string image;
     std::string report;
     std::string journal;
@@ -53,7 +52,7 @@ struct ConvertOptions {
     std::string input;
     std::string output;
     ImportSettings import;
-    std::optional<glm::dvec2> range_m;
+    std::optional<glm::dvec2> range_m;  ///< heights of 0 and 65535 in integer outputs
     std::string layer;
 };
 void convert(const ConvertOptions& options);

@@ -6,6 +6,7 @@
 #include "app/app_parameters.h"
 #include "app/commands/commands.h"
 #include "sim/preset.h"
+#include "sim/terrain/state_hash.h"
 
 namespace talus {
 namespace {
@@ -39,7 +40,7 @@ void info(const std::string& file, const ImportSettings& import, bool json) {
     }
     about["notes"] = document.notes;
     if (json) {
-        fmt::print("{}\n", about.dump(2));
+        fmt::print("{}\n", about.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
         return;
     }
     fmt::print(

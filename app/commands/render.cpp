@@ -19,6 +19,12 @@ void render(const RenderOptions& options) {
     if (options.size.x < 1 || options.size.y < 1 || options.size.x > 16384 || options.size.y > 16384)
         throw Error(fmt::format("--size {}x{} cannot be drawn, each side must be 1 to 16384 pixels",
                                 options.size.x, options.size.y));
+    if (options.image.empty() && options.depth.empty() && options.report.empty() && !options.json)
+        throw Error("render writes nothing: give --image, --depth or --report");
+    if (!options.image.empty() && ending_of(options.image) != ".png")
+        throw Error(fmt::format("cannot write the picture '{}': its ending must be .png", options.image));
+    if (!options.depth.empty() && ending_of(options.depth) != ".exr")
+        throw Error(fmt::format("cannot write the depth '{}': its ending must be .exr", options.depth));
     const gpu::Context context(options.gpu);
     say(gpu::describe(context.device()));
     const Scene scene = make_scene(options.scene);

@@ -8,6 +8,7 @@
 #include "app/outputs.h"
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
+#include "sim/terrain/state_hash.h"
 
 namespace talus {
 namespace {
@@ -54,8 +55,13 @@ void run(const RunOptions& options) {
     say_notes(scene);
     scene.start.hash = state_hash(scene.document.state);
     std::int64_t ticks = options.ticks.value_or(default_ticks);
-    if (options.time_s)
-        ticks = std::llround(std::ceil(*options.time_s / scene.simulation.number("time.tick_s") - 1e-9));
+    if (options.time_s) {
+        const double needed = std::ceil(*options.time_s / scene.simulation.number("time.tick_s") - 1e-9);
+        if (needed > 1e9)
+            throw Error(fmt::format("--time {} takes {:.3g} ticks of time.tick_s = {} s, at most 1e9 are run",
+                                    *options.time_s, needed, scene.simulation.number("time.tick_s")));
+        ticks = static_cast<std::int64_t>(needed);
+    }
     const auto start = Clock_::now();
     const double cpu_start = process_cpu_s();
     Simulation simulation(scene.document.state, scene.simulation);

@@ -2,6 +2,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "app/panels/panels.h"
 #include "sim/io/heightmap.h"
@@ -13,11 +14,13 @@ namespace fs = std::filesystem;
 void FileDialog::begin(Purpose what, const std::string& near) {
     std::error_code ignored;
     purpose = what;
-    folder = fs::absolute(near.empty() ? fs::path(".") : fs::path(near).parent_path(), ignored)
+    folder = fs::absolute(near.empty() ? fs::path("terrain.exr") : fs::path(near), ignored)
+                 .parent_path()
                  .lexically_normal()
                  .string();
     name = what == Purpose::save ? (near.empty() ? "terrain.exr" : fs::path(near).filename().string()) : "";
     error.clear();
+    accepted = cancelled = false;
 }
 
 void draw_file_dialog(FileDialog& dialog, PanelRequests& requests) {
@@ -48,10 +51,9 @@ void draw_file_dialog(FileDialog& dialog, PanelRequests& requests) {
     ImGui::SetNextItemWidth(-1);
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     const bool entered = ImGui::InputText("##name", &dialog.name, ImGuiInputTextFlags_EnterReturnsTrue);
-    const bool accepted = ImGui::Button(title) || entered;
+    const bool accepted = ImGui::Button(title) || entered || std::exchange(dialog.accepted, false);
     ImGui::SameLine();
-    const bool cancelled =
-        ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    const bool cancelled = ImGui::Button("Cancel") || dialog.cancelled;
     ImGui::SameLine();
     ImGui::TextUnformatted(saving ? (dialog.error.empty() ? heightmap_endings : dialog.error.c_str()) : "");
     if (accepted && !dialog.name.empty()) {

@@ -35,11 +35,13 @@ void draw_menu(Session& session, FileDialog& dialog, PanelRequests& requests) {
     ImGui::EndMenuBar();
 }
 
-void draw_section(Session& session, const std::string& section, const Parameters& parameters) {
+void draw_section(const Session& session, const std::string& section, const Parameters& parameters,
+                  PanelRequests& requests) {
     for (const Parameter& p : parameters.declared()) {
         if (!p.name.starts_with(section + ".")) continue;
         Value value = session.value(p.name);
-        if (draw_parameter(p, value)) session.set(p.name, value);
+        if (draw_parameter(p, value))
+            requests.acts.emplace_back([name = p.name, value](Session& s) { s.set(name, value); });
     }
 }
 
@@ -54,14 +56,10 @@ void draw_main_panel(Session& session, FileDialog& dialog, PanelRequests& reques
     }
     draw_menu(session, dialog, requests);
     ImGui::TextUnformatted(session.scene().title.c_str());
-    if (ImGui::Button(session.playing ? "Pause" : "Play", {70, 0})) {
-        if (session.playing)
-            session.pause();
-        else
-            session.playing = true;
-    }
+    if (ImGui::Button(session.playing ? "Pause" : "Play", {70, 0}))
+        requests.acts.emplace_back([](Session& s) { s.toggle_play(); });
     ImGui::SameLine();
-    if (ImGui::Button("Step")) session.step();
+    if (ImGui::Button("Step")) requests.acts.emplace_back([](Session& s) { s.step(); });
     ImGui::SameLine();
     if (ImGui::Button("Undo")) requests.undo = true;
     ImGui::SameLine();
@@ -91,8 +89,8 @@ void draw_main_panel(Session& session, FileDialog& dialog, PanelRequests& reques
         {"Undo", "undo", session.view(), false}};
     for (const auto& s : sections) {
         if (!ImGui::CollapsingHeader(s.title, s.open ? ImGuiTreeNodeFlags_DefaultOpen : 0)) continue;
-        draw_section(session, s.section, s.parameters);
-        if (std::string(s.section) == "time") draw_section(session, "time", simulated);
+        draw_section(session, s.section, s.parameters, requests);
+        if (std::string(s.section) == "time") draw_section(session, "time", simulated, requests);
         if (std::string(s.section) == "terrain")
             ImGui::TextWrapped("Save the scene as a preset, or use --set, to generate anew with these.");
     }

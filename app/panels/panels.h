@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct PanelRequests {
     bool redo = false;
     bool quit = false;
     bool framing = false;
+    std::vector<std::function<void(Session&)>> acts;  ///< may throw; done after the panels
 };
 
 /// What the status line says besides the session's own figures.
@@ -35,6 +37,8 @@ struct FileDialog {
     std::string folder;
     std::string name;
     std::string error;
+    bool accepted = false;   ///< Enter was pressed
+    bool cancelled = false;  ///< Escape was pressed
     void begin(Purpose what, const std::string& near);
 };
 

@@ -9,6 +9,7 @@ layout(binding = 1, r32f) uniform writeonly image2D lowest;
 
 uniform int2 patches;
 uniform int2 tiles;
+uniform int top_level;
 
 shared real tops[256];
 shared real bottoms[256];
@@ -16,7 +17,7 @@ shared real bottoms[256];
 real sample_at(int2 at) { return texelFetch(ground, min(at, patches), 0).r; }
 
 void store(int2 cell, int level, real top, real bottom) {
-    if (!has_cell(cell, level)) return;
+    if (level > top_level || !has_cell(cell, level)) return;
     imageStore(highest, pyramid_texel(cell, level), vec4(top));
     imageStore(lowest, pyramid_texel(cell, level), vec4(bottom));
 }

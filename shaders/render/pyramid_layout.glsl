@@ -10,7 +10,7 @@ int2 pyramid_texel(int2 cell, int level) {
 }
 
 // The bounds of the whole terrain have the image's last texel, which no level reaches.
-int2 whole_texel() { return int2(level_1_size.x, level_1_size.y + level_1_size.y / 2) - 1; }
+int2 whole_texel() { return int2(level_1_size.x, level_1_size.y + max(level_1_size.y / 2, 1)) - 1; }
 
 // The last column or row of samples may start a tile that has no patches, so no cells.
 bool has_cell(int2 cell, int level) {

@@ -19,6 +19,7 @@ uniform real pixel_angle;    // radians that a pixel covers
 uniform real band_m;         // height bands: interval
 uniform real slope_scale_deg;
 uniform real steps_scale;
+uniform real ring_angle;     // radians that the ring's line covers
 uniform real3 ring_m;        // brush ring: x, y over the eye's, radius; radius 0: none
 
 const float pi = 3.14159265;
@@ -159,7 +160,7 @@ void main() {
     if (ring_m.z > 0.0) {
         vec2 from_eye = vec2(hit.x * world_ray.x, hit.x * world_ray.y);
         float off = abs(length(from_eye - ring_m.xy) - ring_m.z);
-        float line = 1.2 * hit.x * pixel_angle / max(abs(dot(normal, world_ray)), 0.15);
+        float line = hit.x * ring_angle / max(abs(dot(normal, world_ray)), 0.15);
         colour = mix(colour, vec3(1.0, 0.78, 0.2), 1.0 - smoothstep(line, 2.0 * line, off));
         float centre = length(from_eye - ring_m.xy);
         colour = mix(colour, vec3(1.0, 0.78, 0.2), 1.0 - smoothstep(1.5 * line, 2.5 * line, centre));

@@ -33,8 +33,13 @@ Folder& folder() {
 
 fs::file_time_type newest_below(const fs::path& root) {
     fs::file_time_type newest = fs::file_time_type::min();  // the type's zero lies in the future
-    for (const auto& entry : fs::recursive_directory_iterator(root))
-        if (entry.is_regular_file()) newest = std::max(newest, entry.last_write_time());
+    // Editors replace files while we look: what vanishes is skipped.
+    std::error_code gone;
+    for (fs::recursive_directory_iterator at(root, gone), end; !gone && at != end; at.increment(gone)) {
+        std::error_code failed;
+        const fs::file_time_type time = at->last_write_time(failed);
+        if (!failed && at->is_regular_file(failed) && !failed) newest = std::max(newest, time);
+    }
     return newest;
 }
 

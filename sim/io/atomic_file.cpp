@@ -70,6 +70,15 @@ void write_atomically(const fs::path& path, std::span<const std::byte> content) 
     const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
     if (fs::is_directory(target, ignored))
         throw Error(fmt::format("cannot write '{}': it is a folder, give a file's name", path.string()));
+    // A pipe or a device is no file to be replaced: it takes the bytes as they come.
+    if (fs::exists(target, ignored) && !fs::is_regular_file(target, ignored)) {
+        Descriptor sink(::open(target.c_str(), O_WRONLY | O_CLOEXEC));
+        if (sink.get() < 0 || !write_all(sink.get(), content))
+            throw Error(fmt::format("cannot write '{}': {}", path.string(), reason(errno)));
+        return;
+    }
+    if (fs::exists(target, ignored) && ::access(target.c_str(), W_OK) != 0)
+        throw Error(fmt::format("cannot write '{}': {}", path.string(), reason(errno)));
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     std::string temporary = (folder / ("." + target.filename().string() + ".XXXXXX")).string();
     Descriptor file(::mkstemp(temporary.data()));

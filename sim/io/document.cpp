@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <algorithm>
+#include <cmath>
 
 #include "sim/gpu/error.h"
 #include "sim/io/picture.h"
@@ -22,29 +23,19 @@ bool is_document(const fs::path& path) {
     return open_picture(path)->spec().channelindex("bedrock") >= 0;
 }
 
-template <typename T>
-T parsed(const fs::path& path, const OIIO::ImageSpec& spec, const char* name, T fallback) {
-    const std::string text = spec.get_string_attribute(name);
-    if (text.empty()) return fallback;
-    T value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
-        throw Error(fmt::format("'{}': its attribute {} = '{}' is not a number", path.string(), name, text));
-    return value;
-}
-
 Document read_document(const fs::path& path, const ImportSettings& settings) {
     const auto input = open_picture(path);
     const OIIO::ImageSpec spec = input->spec();
     Document document;
     document.kind = "Talus document";
     TerrainState& state = document.state;
-    state.grid = {spec.width, spec.height, parsed(path, spec, "talus:dx_m", 1.0),
-                  parsed(path, spec, "talus:dy_m", 1.0)};
+    state.grid = {spec.width, spec.height, number_attribute(path, spec, "talus:dx_m", 1),
+                  number_attribute(path, spec, "talus:dy_m", 1)};
     if (settings.spacing_m) state.grid.dx = state.grid.dy = *settings.spacing_m;
     check_grid(state.grid);
-    state.clock.ticks = parsed(path, spec, "talus:ticks", std::int64_t{0});
-    state.clock.simulated_s = parsed(path, spec, "talus:simulated_s", 0.0);
+    state.clock.ticks =
+        static_cast<std::int64_t>(std::clamp(number_attribute(path, spec, "talus:ticks", 0), 0.0, 1e15));
+    state.clock.simulated_s = number_attribute(path, spec, "talus:simulated_s", 0);
     document.parameters = spec.get_string_attribute("talus:parameters");
     const std::string transform = spec.get_string_attribute("talus:geotransform");
     if (!transform.empty()) {

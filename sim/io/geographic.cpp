@@ -69,16 +69,22 @@ void fill_voids(const fs::path& path, Heightmap& heightmap, const std::vector<GB
     GDALRasterBand* band = values->GetRasterBand(1);
     GDALRasterBand* mask_band = mask->GetRasterBand(1);
     std::vector<GByte> mask_values = valid;
+    const std::vector<float> before = heightmap.heights;
     CPLErr error =
         band->RasterIO(GF_Write, 0, 0, nx, ny, heightmap.heights.data(), nx, ny, GDT_Float32, 0, 0);
     if (error == CE_None)
         error = mask_band->RasterIO(GF_Write, 0, 0, nx, ny, mask_values.data(), nx, ny, GDT_Byte, 0, 0);
-    if (error == CE_None)
-        error = GDALFillNodata(band, mask_band, std::max(nx, ny), 0, 0, nullptr, nullptr, nullptr);
+    if (error == CE_None) error = GDALFillNodata(band, mask_band, nx + ny, 0, 0, nullptr, nullptr, nullptr);
     if (error == CE_None)
         error = band->RasterIO(GF_Read, 0, 0, nx, ny, heightmap.heights.data(), nx, ny, GDT_Float32, 0, 0);
     if (error != CE_None)
         throw Error(fmt::format("'{}': its voids cannot be filled: {}", path.string(), gdal_says()));
+    const float void_value =
+        before[static_cast<std::size_t>(std::find(valid.begin(), valid.end(), GByte{0}) - valid.begin())];
+    for (std::size_t i = 0; i < valid.size(); ++i)
+        if (valid[i] == 0 && (heightmap.heights[i] == void_value || !std::isfinite(heightmap.heights[i])))
+            throw Error(fmt::format("'{}' has voids too far from any sample to be filled, fill them before",
+                                    path.string()));
     heightmap.notes.push_back(fmt::format("{} void samples were filled by interpolation", voids));
 }
 
@@ -167,13 +173,19 @@ Heightmap read_geographic(const fs::path& path, const ImportSettings& settings) 
     } else if (!settings.spacing_m) {
         heightmap.notes.push_back("the file says no spacing, 1 m a sample was taken: --spacing sets it");
     }
-    if (settings.spacing_m) heightmap.grid.dx = heightmap.grid.dy = *settings.spacing_m;
+    if (settings.spacing_m && heightmap.georeference) {
+        heightmap.georeference.reset();
+        heightmap.notes.push_back(
+            "--spacing overrides the file's own, so its coordinate system no longer holds and is dropped");
+    }
 
     const bool picture = !system && (type == GDT_Byte || type == GDT_UInt16) && !has_nodata;
     if (picture)
         scale_integers(heightmap, type == GDT_Byte ? 255 : 65535, std::nullopt, settings);
     else if (GDALDataTypeIsFloating(type))
         scale_floats(heightmap, settings);
+    else if (settings.range_m)
+        heightmap.notes.push_back(range_unused);
     return heightmap;
 }
 

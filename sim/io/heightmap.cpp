@@ -12,6 +12,9 @@ namespace talus {
 
 namespace fs = std::filesystem;
 
+const char* const range_unused =
+    "the heights are metres already, so --range did not change how they were read";
+
 const char* const heightmap_endings = ".tif, .tiff, .exr, .png, .r16, .r32";
 
 std::string ending_of(const fs::path& path) {
@@ -53,7 +56,10 @@ void scale_integers(Heightmap& heightmap, double largest, std::optional<Range> o
 
 void scale_floats(Heightmap& heightmap, const ImportSettings& settings) {
     const auto [low, high] = std::minmax_element(heightmap.heights.begin(), heightmap.heights.end());
-    if (!(*low >= 0 && *high <= 1 && *high > *low)) return;
+    if (!(*low >= 0 && *high <= 1 && *high > *low)) {
+        if (settings.range_m) heightmap.notes.push_back(range_unused);
+        return;
+    }
     if (settings.range_m) {
         const Range range = *settings.range_m;
         for (float& h : heightmap.heights) h = static_cast<float>(range.x + h * (range.y - range.x));

@@ -68,6 +68,8 @@ void write_heightmap(const std::filesystem::path& path, const Heightmap& heightm
 /// True for the endings that write_heightmap takes; the text lists them.
 bool can_write_heightmap(const std::filesystem::path& path);
 extern const char* const heightmap_endings;
+/// What is noted where --range was given for heights that are metres already.
+extern const char* const range_unused;
 
 /// The path's ending in lower case, with its dot.
 std::string ending_of(const std::filesystem::path& path);
@@ -94,7 +96,8 @@ void check_finite(const std::filesystem::path& path, const Heightmap& heightmap)
 /// 16-bit integers over a range, within half a step.
 std::vector<std::uint16_t> quantise(const Heightmap& heightmap, Range range);
 Range range_for(const Heightmap& heightmap, std::optional<Range> range);
-/// path + ".json": spacing, range, rows and georeference of a file that cannot say them itself.
+/// path + ".json": spacing, range, rows and georeference of a file that cannot say them itself. Written after
+/// the file and holding its hash, so that it is never believed of other content.
 void write_sidecar(const std::filesystem::path& path, const Heightmap& heightmap,
                    const std::string& sample_type, std::optional<Range> range);
 struct Sidecar {
@@ -104,6 +107,8 @@ struct Sidecar {
     std::optional<RawLayout> raw;
     std::optional<Georeference> georeference;
 };
-std::optional<Sidecar> read_sidecar(const std::filesystem::path& path);
+/// The sidecar of a file as it is now; none where there is none or it belongs to other content, which is
+/// noted.
+std::optional<Sidecar> read_sidecar(const std::filesystem::path& path, std::vector<std::string>& notes);
 
 }  // namespace talus

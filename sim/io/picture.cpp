@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "sim/gpu/error.h"
@@ -65,6 +66,17 @@ std::unique_ptr<OIIO::ImageInput> open_picture(const fs::path& path) {
     return input;
 }
 
+double number_attribute(const fs::path& path, const OIIO::ImageSpec& spec, const char* name,
+                        double fallback) {
+    const std::string text = spec.get_string_attribute(name);
+    if (text.empty()) return fallback;
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size())
+        throw Error(fmt::format("'{}': its attribute {} = '{}' is not a number", path.string(), name, text));
+    return value;
+}
+
 void write_encoded(const fs::path& path, const OIIO::ImageSpec& spec, const void* pixels) {
     std::vector<unsigned char> content;
     OIIO::Filesystem::IOVecOutput memory(content);
@@ -114,14 +126,14 @@ Heightmap read_picture(const fs::path& path, const ImportSettings& settings) {
     }
     check_finite(path, heightmap);
 
-    const std::optional<Sidecar> sidecar = read_sidecar(path);
+    const std::optional<Sidecar> sidecar = read_sidecar(path, heightmap.notes);
     if (sidecar && sidecar->dx && sidecar->dy) {
         heightmap.grid.dx = *sidecar->dx;
         heightmap.grid.dy = *sidecar->dy;
         heightmap.georeference = sidecar->georeference;
     } else if (spec.find_attribute("talus:dx_m")) {
-        heightmap.grid.dx = std::stod(spec.get_string_attribute("talus:dx_m", "1"));
-        heightmap.grid.dy = std::stod(spec.get_string_attribute("talus:dy_m", "1"));
+        heightmap.grid.dx = number_attribute(path, spec, "talus:dx_m", 1);
+        heightmap.grid.dy = number_attribute(path, spec, "talus:dy_m", 1);
     } else if (!settings.spacing_m) {
         heightmap.notes.push_back("the file says no spacing, 1 m a sample was taken: --spacing sets it");
     }
@@ -151,9 +163,9 @@ void write_picture(const fs::path& path, const Heightmap& heightmap, std::option
     const Range used = range_for(heightmap, range);
     spec.set_format(OIIO::TypeDesc::UINT16);
     spec.attribute("talus:range_m", fmt::format("{},{}", used.x, used.y));
-    write_sidecar(path, heightmap, "uint16", used);
     const std::vector<std::uint16_t> values = quantise(heightmap, used);
     write_encoded(path, spec, values.data());
+    write_sidecar(path, heightmap, "uint16", used);
 }
 
 }  // namespace talus

@@ -11,4 +11,8 @@ void write_encoded(const std::filesystem::path& path, const OIIO::ImageSpec& spe
 /// Opens a picture and checks its claims before anything is allocated for it. Throws talus::Error.
 std::unique_ptr<OIIO::ImageInput> open_picture(const std::filesystem::path& path);
 
+/// A number that Talus wrote as a text attribute. Throws talus::Error when it is not one.
+double number_attribute(const std::filesystem::path& path, const OIIO::ImageSpec& spec, const char* name,
+                        double fallback);
+
 }  // namespace talus

@@ -95,13 +95,13 @@ RawLayout parse_raw_layout(const std::string& text) {
 }
 
 Heightmap read_raw(const fs::path& path, const ImportSettings& settings) {
-    const std::optional<Sidecar> sidecar = read_sidecar(path);
     const auto length = static_cast<std::size_t>(fs::file_size(path));
     if (length > 4ULL * max_samples * max_samples)
         throw Error(fmt::format("'{}' is longer than {} x {} samples, the most that Talus takes",
                                 path.string(), max_samples, max_samples));
     const std::string ending = ending_of(path);
     Heightmap heightmap;
+    const std::optional<Sidecar> sidecar = read_sidecar(path, heightmap.notes);
     RawLayout layout;
     std::size_t bytes = ending == ".r32" ? 4 : 2;
     if (settings.raw || (sidecar && sidecar->raw)) {
@@ -147,13 +147,13 @@ Heightmap read_raw(const fs::path& path, const ImportSettings& settings) {
 
 void write_raw(const fs::path& path, const Heightmap& heightmap, std::optional<Range> range) {
     if (ending_of(path) == ".r32") {
-        write_sidecar(path, heightmap, "float32", std::nullopt);
-        return write_atomically(path, std::as_bytes(std::span(heightmap.heights)));
+        write_atomically(path, std::as_bytes(std::span(heightmap.heights)));
+        return write_sidecar(path, heightmap, "float32", std::nullopt);
     }
     const Range used = range_for(heightmap, range);
-    write_sidecar(path, heightmap, "uint16", used);
     const std::vector<std::uint16_t> values = quantise(heightmap, used);
     write_atomically(path, std::as_bytes(std::span(values)));
+    write_sidecar(path, heightmap, "uint16", used);
 }
 
 }  // namespace talus

@@ -5,6 +5,7 @@
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/heightmap.h"
+#include "sim/terrain/state_hash.h"
 
 namespace talus {
 namespace {
@@ -16,6 +17,11 @@ fs::path sidecar_path(const fs::path& path) {
     return path.string() + ".json";
 }
 
+std::string hash_of_file(const fs::path& path) {
+    const std::string content = read_text(path);
+    return fmt::format("{:016x}", bytes_hash(std::as_bytes(std::span(content))));
+}
+
 json to_json(const Georeference& georeference) {
     return {{"wkt", georeference.wkt}, {"transform", georeference.transform}};
 }
@@ -24,20 +30,25 @@ json to_json(const Georeference& georeference) {
 
 void write_sidecar(const fs::path& path, const Heightmap& heightmap, const std::string& sample_type,
                    std::optional<Range> range) {
-    json side = {{"talus_heightmap", 1},      {"nx", heightmap.grid.nx},   {"ny", heightmap.grid.ny},
-                 {"dx_m", heightmap.grid.dx}, {"dy_m", heightmap.grid.dy}, {"samples", sample_type},
-                 {"byte_order", "little"},    {"rows", "north first"}};
+    json side = {{"talus_heightmap", 1},       {"nx", heightmap.grid.nx},   {"ny", heightmap.grid.ny},
+                 {"dx_m", heightmap.grid.dx},  {"dy_m", heightmap.grid.dy}, {"samples", sample_type},
+                 {"hash", hash_of_file(path)}, {"byte_order", "little"},    {"rows", "north first"}};
     if (range) side["range_m"] = {range->x, range->y};
     if (heightmap.georeference) side["georeference"] = to_json(*heightmap.georeference);
     write_atomically(sidecar_path(path), side.dump(2) + "\n");
 }
 
-std::optional<Sidecar> read_sidecar(const fs::path& path) {
+std::optional<Sidecar> read_sidecar(const fs::path& path, std::vector<std::string>& notes) {
     std::error_code ignored;
     if (!fs::is_regular_file(sidecar_path(path), ignored)) return std::nullopt;
     try {
         const json side = json::parse(read_text(sidecar_path(path)));
         if (!side.contains("talus_heightmap")) return std::nullopt;
+        if (side.at("hash").get<std::string>() != hash_of_file(path)) {
+            notes.push_back(fmt::format("'{}' was written for other content and was not used",
+                                        sidecar_path(path).string()));
+            return std::nullopt;
+        }
         Sidecar read;
         read.dx = side.at("dx_m").get<double>();
         read.dy = side.at("dy_m").get<double>();

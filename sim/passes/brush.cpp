@@ -1,9 +1,32 @@
 #include "sim/passes/brush.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "sim/gpu/error.h"
+
 namespace talus {
+
+void check_dab(const Dab& dab) {
+    const struct {
+        const char* name;
+        double value;
+        double low;
+        double high;
+    } fields[] = {{"x_m", dab.x_m, -1e9, 1e9},
+                  {"y_m", dab.y_m, -1e9, 1e9},
+                  {"radius_m", dab.radius_m, 1e-6, 1e9},
+                  {"falloff", dab.falloff, 0, 1},
+                  {"blend", dab.blend, 0, 1},
+                  {"amount_m", dab.amount_m, 0, 1e6},
+                  {"target_m", dab.target_m, -1e6, 1e6}};
+    for (const auto& field : fields)
+        if (!(field.value >= field.low && field.value <= field.high))
+            throw Error(fmt::format("a dab's {} cannot be {}, it must be {} to {}", field.name, field.value,
+                                    field.low, field.high));
+}
 
 DabStep dab_step(const Grid& grid, const Dab& dab) {
     const double column = grid.column_of(dab.x_m);

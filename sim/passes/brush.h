@@ -38,6 +38,9 @@ struct DabStep {
 };
 DabStep dab_step(const Grid& grid, const Dab& dab);
 
+/// Throws talus::Error that names the field when a dab cannot be made.
+void check_dab(const Dab& dab);
+
 /// The samples that a dab can change; may reach beyond the terrain.
 gpu::Region dab_region(const Grid& grid, const Dab& dab);
 

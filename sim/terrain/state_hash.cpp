@@ -1,8 +1,8 @@
+#include "sim/terrain/state_hash.h"
+
 #include <xxhash.h>
 
 #include <array>
-
-#include "sim/terrain/terrain.h"
 
 namespace talus {
 
@@ -18,6 +18,10 @@ std::uint64_t state_hash(const TerrainState& state) {
     const std::uint64_t value = XXH3_64bits_digest(hash);
     XXH3_freeState(hash);
     return value;
+}
+
+std::uint64_t bytes_hash(std::span<const std::byte> bytes) {
+    return XXH3_64bits(bytes.data(), bytes.size());
 }
 
 }  // namespace talus

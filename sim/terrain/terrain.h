@@ -32,9 +32,6 @@ struct TerrainState {
 /// A terrain of one layer of bedrock. Throws talus::Error when the grid cannot be used.
 TerrainState bedrock_terrain(const Grid& grid, const std::vector<float>& heights_m);
 
-/// A hash of all bits of a state: grid, layers with their low words, clock.
-std::uint64_t state_hash(const TerrainState& state);
-
 /// A layer on the device: passes read `front` and write `back`. Both hold the same bits in tiles at rest.
 struct Layer {
     gpu::Texture front;

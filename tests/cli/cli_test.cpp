@@ -118,6 +118,8 @@ TEST_F(Program, ConvertsWithoutLosingABit) {
     EXPECT_LT(json::parse(talus("info --json e.tif").output)["height_max"], b["height_max"]);
     ASSERT_EQ(talus("convert b.tif f.png --range -500,4000").code, 0);
     EXPECT_NEAR(json::parse(talus("info --json f.png").output)["height_max"], b["height_max"], 0.035);
+    EXPECT_EQ(report("f.png.json")["range_m"], json({-500, 4000}))
+        << "--range is the range of what is written";
 }
 
 TEST_F(Program, RendersWithDepthAndViews) {
@@ -173,6 +175,31 @@ TEST_F(Program, RefusesInOneSentence) {
     refusal("replay missing.journal");
     refusal("run --gpu 77 --ticks 1");
     refusal("run --shader-dir /nowhere --ticks 1");
+    refusal("run --ticks 99999999999999999999");
+    refusal("run --time 1e14 --set time.tick_s=1e-6");
+    refusal("run --in a.tif --size 32x32 --ticks 1");
+    refusal("run --range 0,inf --in a.tif");
+    refusal("run --ticks 1 --set thermal.rate_m2_per_s=1e12");
+    std::ofstream(path("title.toml")) << "title = 5\n";
+    EXPECT_EQ(refusal("run --preset title.toml"), "preset title: title must be a text in quotes\n");
+    fs::create_directories(path("folder.toml"));
+    refusal("run --preset folder.toml");
+    ASSERT_EQ(talus("run --size 16x16 --ticks 0 --out g.tif --journal g.journal").code, 0);
+    refusal("render g.tif");
+    refusal("render g.tif --image g.jpg");
+    refusal("render g.tif --image g.png --eye nan,0,0");
+    std::ifstream start(path("g.journal"));
+    std::string first;
+    std::getline(start, first);
+    for (
+        const char* dab :
+        {R"({"op":"dab","mode":"raise","x_m":1,"y_m":1,"radius_m":5,"falloff":1,"amount_m":1e39,"blend":0,"target_m":0,"on_regolith":false})",
+         R"({"op":"dab","mode":"raise","x_m":1e300,"y_m":1,"radius_m":5,"falloff":1,"amount_m":1,"blend":0,"target_m":0,"on_regolith":false})",
+         R"({"op":"set","name":"terrain.seed","value":4294967306})", R"({"op":"ticks","count":-1})",
+         R"({"op":"sing"})"}) {
+        std::ofstream(path("bad2.journal")) << first << "\n" << dab << "\n";
+        refusal("replay bad2.journal");
+    }
     refusal("fly --now");
     refusal("convert a.tif");
 }
@@ -185,6 +212,14 @@ TEST_F(Program, AFullDiskLeavesTheOldFile) {
     EXPECT_NE(sentence.find("a.exr"), std::string::npos) << sentence;
     EXPECT_EQ(json::parse(talus("info --json a.exr").output)["hash"], before);
     for (const auto& entry : fs::directory_iterator(path("."))) EXPECT_EQ(entry.path().filename(), "a.exr");
+}
+
+TEST_F(Program, OneOutputThatFailsTakesNoOtherWithIt) {
+    fs::create_directories(path("taken.tif"));
+    refusal("run --size 32x32 --ticks 1 --out a.tif --out taken.tif --out b.tif --report r.json");
+    EXPECT_TRUE(fs::exists(path("a.tif")));
+    EXPECT_TRUE(fs::exists(path("b.tif")));
+    EXPECT_TRUE(fs::exists(path("r.json")));
 }
 
 TEST_F(Program, SaysWhyNoWindowCanOpen) {

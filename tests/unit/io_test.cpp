@@ -1,17 +1,20 @@
 // Files: round trips to the bit, guesses, and damaged or hostile input refused in one sentence.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <thread>
 
 #include "app/scene.h"
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/document.h"
 #include "sim/io/heightmap.h"
+#include "sim/terrain/state_hash.h"
 
 namespace talus {
 namespace {
@@ -153,6 +156,51 @@ TEST_F(Files, DeclaredNodataIsFilledAndCounted) {
           "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\nNODATA_value -9999\n-9999 -9999\n-9999 "
           "-9999\n");
     EXPECT_NE(refusal("only.asc").find("nothing but nodata"), std::string::npos);
+}
+
+TEST_F(Files, VoidsFarFromAnySampleAreFilledToo) {
+    std::string text = "ncols 12\nnrows 12\nxllcorner 0\nyllcorner 0\ncellsize 10\nNODATA_value -9999\n100";
+    for (int i = 1; i < 144; ++i) text += " -9999";
+    write("corner.asc", text + "\n");
+    const Heightmap filled = read_heightmap(path("corner.asc"), {});
+    for (const float h : filled.heights) EXPECT_EQ(h, 100);
+}
+
+TEST_F(Files, ASidecarIsNotBelievedOfOtherContent) {
+    Heightmap low = rough(32, 32);
+    Heightmap high = low;
+    for (float& h : high.heights) h += 5000;
+    for (const std::string name : {"a.png", "a.r16"}) {
+        write_heightmap(path(name), low, std::nullopt);
+        const std::string samples = read_text(path(name));
+        write_heightmap(path(name), high, std::nullopt);
+        write(name, samples);  // as after a kill between the two files
+        const Heightmap back = read_heightmap(path(name), {});
+        EXPECT_NE(back.notes.at(0).find("not used"), std::string::npos) << name;
+        EXPECT_LT(*std::max_element(back.heights.begin(), back.heights.end()), 4500) << name;
+    }
+}
+
+TEST_F(Files, SpacingGivenByHandDropsTheOldPlaceOnEarth) {
+    Heightmap placed = rough(20, 20);
+    placed.georeference = Georeference{"", {1000, 30, 0, 2000, 0, -20}};
+    write_heightmap(path("g.tif"), placed, std::nullopt);
+    ImportSettings settings;
+    settings.spacing_m = 5;
+    const Heightmap read = read_heightmap(path("g.tif"), settings);
+    EXPECT_EQ(read.grid.dx, 5);
+    write_heightmap(path("s.tif"), read, std::nullopt);
+    EXPECT_EQ(read_heightmap(path("s.tif"), {}).grid.dx, 5);
+}
+
+TEST_F(Files, PipesAreWrittenIntoAndReadOnlyFilesAreNot) {
+    ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+    std::string got;
+    std::thread reader([&] { got = read_text(path("pipe")); });
+    write_atomically(path("pipe"), "through");
+    reader.join();
+    EXPECT_EQ(got, "through");
+    EXPECT_TRUE(fs::is_fifo(path("pipe")));
 }
 
 TEST_F(Files, RefusesWhatIsNoTerrain) {

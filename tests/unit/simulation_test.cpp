@@ -8,6 +8,7 @@
 #include "sim/simulation.h"
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"
+#include "sim/terrain/state_hash.h"
 
 namespace talus {
 namespace {
