@@ -82,6 +82,26 @@ TEST(Simulation, UndoesAndRedoesStrokesRunsAndParametersToTheBit) {
     EXPECT_EQ(simulation.journal().operations(), all);
 }
 
+TEST(Simulation, ASliderThatIsDraggedIsOneEntryAndAnEmptyStrokeNone) {
+    const gpu::Context context;
+    Simulation simulation(mountains(), parameters(), undo_bytes);
+    for (int i = 0; i < 30; ++i) simulation.apply(SetParameter{"thermal.repose_deg", 20.0 + i});
+    simulation.begin_stroke("raise");
+    simulation.end_entry();
+    simulation.undo();
+    EXPECT_EQ(simulation.parameters().number("thermal.repose_deg"), 33);
+    EXPECT_FALSE(simulation.can_undo());
+    simulation.redo();
+    EXPECT_EQ(simulation.parameters().number("thermal.repose_deg"), 49);
+}
+
+TEST(Simulation, RefusesRatesThatNoTickCanRun) {
+    const gpu::Context context;
+    Simulation simulation(mountains(), parameters(), undo_bytes);
+    EXPECT_THROW(simulation.apply(SetParameter{"thermal.rate_m2_per_s", 1e12}), Error);
+    EXPECT_NO_THROW(simulation.apply(Ticks{1}));
+}
+
 TEST(Simulation, ANewStrokeDropsTheRedo) {
     const gpu::Context context;
     Simulation simulation(mountains(), parameters(), undo_bytes);
