@@ -5,9 +5,15 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <chrono>
 #include <nlohmann/json.hpp>
 
 namespace talus {
+namespace {
+
+const auto loaded_at = std::chrono::steady_clock::now();
+
+}  // namespace
 
 std::string run_report(const RunFigures& figures, const TerrainState& state, const LedgerReading& ledger) {
     const std::vector<float> ground = state.ground();
@@ -34,6 +40,10 @@ std::string run_report(const RunFigures& figures, const TerrainState& state, con
 
 void say(const std::string& message) {
     fmt::print(stderr, "{}\n", message);
+}
+
+double seconds_since_start() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - loaded_at).count();
 }
 
 double process_cpu_s() {

@@ -20,6 +20,9 @@ std::string run_report(const RunFigures& figures, const TerrainState& state, con
 /// Prints a note to stderr, one line.
 void say(const std::string& message);
 
+/// Wall seconds since the program was loaded.
+double seconds_since_start();
+
 /// CPU seconds of this process so far, all threads.
 double process_cpu_s();
 

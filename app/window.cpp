@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/panels/legend.h"
 #include "app/panels/panels.h"
@@ -347,6 +348,8 @@ class Window {
         ImGui::Render();
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
         glfwSwapBuffers(window_);
+        if (!std::exchange(first_picture_shown_, true))
+            say(fmt::format("first picture after {:.2f} s", seconds_since_start()));
         serve_requests();
         frame_s_ = glfwGetTime() - now;
     }
@@ -358,6 +361,7 @@ class Window {
     PanelRequests requests_;
     FileDialog dialog_;
     bool notes_shown_ = true;
+    bool first_picture_shown_ = false;
     std::string message_;
     double message_until_s_ = 0;
 
