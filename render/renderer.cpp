@@ -45,7 +45,7 @@ void Renderer::draw(Terrain& terrain, const Camera& camera, const ViewSettings& 
     set_camera(shade_, grid, camera, width, height);
     pyramid_.bind(shade_, terrain);
     pyramid_.lowest.bind_sampled(2);
-    terrain.regolith.front.bind_sampled(3);
+    terrain.solid.front.bind_sampled(3);
     hits_.bind_sampled(4);
     shade_.set("view", static_cast<int>(settings.view));
     shade_.set("sun", glm::vec3(settings.sun));

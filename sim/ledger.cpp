@@ -16,9 +16,8 @@ Ledger::Ledger(const Terrain& terrain)
 }
 
 glm::dvec2 Ledger::sum(const Terrain& terrain) {
-    terrain.bedrock.front.bind_image(0, gpu::Access::read);
-    terrain.regolith.front.bind_image(1, gpu::Access::read);
-    terrain.start.bind_image(2, gpu::Access::read);
+    terrain.solid.front.bind_image(0, gpu::Access::read);
+    terrain.start.bind_image(1, gpu::Access::read);
     tile_sums_.bind_storage(0);
     program_.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
     program_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));

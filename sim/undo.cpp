@@ -8,10 +8,9 @@ namespace {
 
 gpu::Buffer copy_tile(const Terrain& terrain, int tile) {
     const gpu::Region region = terrain.tiles.region(tile);
-    const std::size_t layer = static_cast<std::size_t>(region.width) * region.height * sizeof(glm::vec2);
-    gpu::Buffer buffer("undo tile", 2 * layer);
-    terrain.bedrock.front.copy_to(buffer, 0, region);
-    terrain.regolith.front.copy_to(buffer, layer, region);
+    gpu::Buffer buffer("undo tile",
+                       static_cast<std::size_t>(region.width) * region.height * sizeof(glm::vec4));
+    terrain.solid.front.copy_to(buffer, 0, region);
     return buffer;
 }
 
@@ -97,8 +96,7 @@ void Undo::swap(Entry& entry, Terrain& terrain, Brush& brush, Moment& now) {
     for (auto& [tile, kept] : entry.tiles) {
         const gpu::Region region = terrain.tiles.region(tile);
         gpu::Buffer present = copy_tile(terrain, tile);
-        terrain.bedrock.front.copy_from(kept, 0, region);
-        terrain.regolith.front.copy_from(kept, kept.bytes() / 2, region);
+        terrain.solid.front.copy_from(kept, 0, region);
         terrain.refresh(region);
         std::swap(kept, present);
     }

@@ -51,7 +51,7 @@ class Undo {
   private:
     struct Entry {
         std::string name;
-        std::map<int, gpu::Buffer> tiles;  // bedrock, then regolith
+        std::map<int, gpu::Buffer> tiles;
         gpu::Buffer books;
         Moment moment;
         Journal::Mark mark;           // before the act

@@ -8,7 +8,7 @@ const bool count_steps = false;
 layout(location = 0) out vec4 colour_out;
 
 layout(binding = 2) uniform sampler2D bottoms;
-layout(binding = 3) uniform sampler2D regolith;
+layout(binding = 3) uniform sampler2D solid;  // bedrock, its low word, regolith, its low word
 layout(binding = 4) uniform sampler2D hits;
 
 uniform int view;            // as in render/view.h
@@ -66,8 +66,8 @@ float smooth_hash(vec2 at) {
 float regolith_at(vec2 place) {
     ivec2 cell = clamp(origin_cell + ivec2(floor(place)), ivec2(0), patches - 1);
     vec2 w = clamp(place - vec2(cell - origin_cell), 0.0, 1.0);
-    float a = mix(texelFetch(regolith, cell, 0).r, texelFetch(regolith, cell + ivec2(1, 0), 0).r, w.x);
-    float b = mix(texelFetch(regolith, cell + ivec2(0, 1), 0).r, texelFetch(regolith, cell + 1, 0).r, w.x);
+    float a = mix(texelFetch(solid, cell, 0).b, texelFetch(solid, cell + ivec2(1, 0), 0).b, w.x);
+    float b = mix(texelFetch(solid, cell + ivec2(0, 1), 0).b, texelFetch(solid, cell + 1, 0).b, w.x);
     return mix(a, b, w.y);
 }
 

@@ -36,8 +36,7 @@ void main() {
             book += dvec2(max(double(change), 0.0lf), max(-double(change), 0.0lf));
             changed = true;
         }
-        imageStore(bedrock_out, at, vec4(after.xy, 0.0, 0.0));
-        imageStore(regolith_out, at, vec4(after.zw, 0.0, 0.0));
+        imageStore(solid_out, at, after);
     }
     if (changed) mark_tile(tile * 64);
     sample_books[gl_LocalInvocationIndex] = book;

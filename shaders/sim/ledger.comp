@@ -2,9 +2,8 @@
 layout(local_size_x = 64) in;
 #include "maths/glsl_types.glsl"
 
-layout(binding = 0, rg32f) uniform readonly image2D bedrock_in;
-layout(binding = 1, rg32f) uniform readonly image2D regolith_in;
-layout(binding = 2, rg32f) uniform readonly image2D start_in;   // ground at the start, two words
+layout(binding = 0, rgba32f) uniform readonly image2D solid_in;
+layout(binding = 1, rg32f) uniform readonly image2D start_in;   // ground at the start, two words
 layout(binding = 0, std430) writeonly buffer TileSums { dvec2 tile_sums[]; };  // solid, |ground - start|
 
 uniform int2 samples;
@@ -19,10 +18,9 @@ void main() {
     if (column < samples.x) {
         for (int row = tile.y * 64; row < min(tile.y * 64 + 64, samples.y); ++row) {
             int2 at = int2(column, row);
-            dvec2 bedrock = dvec2(imageLoad(bedrock_in, at).xy);
-            dvec2 regolith = dvec2(imageLoad(regolith_in, at).xy);
+            dvec4 words = dvec4(imageLoad(solid_in, at));
             dvec2 start = dvec2(imageLoad(start_in, at).xy);
-            double solid = (bedrock.x + regolith.x) + (bedrock.y + regolith.y);
+            double solid = (words.x + words.z) + (words.y + words.w);
             sum += dvec2(solid, abs(solid - (start.x + start.y)));
         }
     }

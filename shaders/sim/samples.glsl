@@ -1,11 +1,10 @@
-// The layers as sim passes see them: two words each, front to read and back to write, and the ground that follows.
+// The layers as sim passes see them, front to read and back to write: bedrock high, low, regolith high, low in one
+// texel; and the ground that follows.
 #include "maths/glsl_types.glsl"
 
-layout(binding = 0, rg32f) uniform readonly image2D bedrock_in;
-layout(binding = 1, rg32f) uniform readonly image2D regolith_in;
-layout(binding = 2, rg32f) uniform writeonly image2D bedrock_out;
-layout(binding = 3, rg32f) uniform writeonly image2D regolith_out;
-layout(binding = 4, r32f) uniform writeonly image2D ground_out;
+layout(binding = 0, rgba32f) uniform readonly image2D solid_in;
+layout(binding = 1, rgba32f) uniform writeonly image2D solid_out;
+layout(binding = 2, r32f) uniform writeonly image2D ground_out;
 
 // Per tile, since each was last cleared: 1, the surface must be refreshed; 2, it is active; 4, undo must keep it.
 layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
@@ -14,10 +13,7 @@ uniform int2 samples;    // columns, rows
 uniform int2 tiles;      // tiles in x and in y
 const uint tile_changed = 7u;
 
-real4 load_solid(int2 at) {
-    int2 inside = clamp(at, int2(0), samples - 1);
-    return real4(imageLoad(bedrock_in, inside).xy, imageLoad(regolith_in, inside).xy);
-}
+real4 load_solid(int2 at) { return imageLoad(solid_in, clamp(at, int2(0), samples - 1)); }
 
 void mark_tile(int2 at) {
     uint tile = uint((at.y >> 6) * tiles.x + (at.x >> 6));

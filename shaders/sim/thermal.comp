@@ -16,8 +16,7 @@ void main() {
     if (at.x >= samples.x || at.y >= samples.y) return;
     real4 before = load_solid(at);
     real4 after = thermal_sample(at);
-    imageStore(bedrock_out, at, vec4(after.xy, 0.0, 0.0));
-    imageStore(regolith_out, at, vec4(after.zw, 0.0, 0.0));
+    imageStore(solid_out, at, after);
     if (floatBitsToUint(after.x) != floatBitsToUint(before.x) || floatBitsToUint(after.y) != floatBitsToUint(before.y) ||
         floatBitsToUint(after.z) != floatBitsToUint(before.z) || floatBitsToUint(after.w) != floatBitsToUint(before.w)) {
         imageStore(ground_out, at, vec4(ground_height(after)));

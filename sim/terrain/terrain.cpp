@@ -26,13 +26,15 @@ Terrain::Terrain(const TerrainState& state)
     const auto image = [&](const char* label, gpu::Format format) {
         return gpu::Texture(label, format, grid_.nx, grid_.ny);
     };
-    bedrock = {image("bedrock front", gpu::Format::rg32f), image("bedrock back", gpu::Format::rg32f)};
-    regolith = {image("regolith front", gpu::Format::rg32f), image("regolith back", gpu::Format::rg32f)};
+    solid = {image("solid front", gpu::Format::rgba32f), image("solid back", gpu::Format::rgba32f)};
     ground = image("ground", gpu::Format::r32f);
     start = image("start", gpu::Format::rg32f);
     const gpu::Region all = ground.whole();
-    bedrock.front.write(all, std::as_bytes(std::span(state.bedrock)));
-    regolith.front.write(all, std::as_bytes(std::span(state.regolith)));
+    std::vector<glm::vec4> texels;
+    texels.reserve(state.bedrock.size());
+    for (std::size_t i = 0; i < state.bedrock.size(); ++i)
+        texels.emplace_back(state.bedrock[i], state.regolith[i]);
+    solid.front.write(all, std::as_bytes(std::span(texels)));
     std::vector<glm::vec2> words(state.bedrock.size());
     for (std::size_t i = 0; i < words.size(); ++i) {
         const glm::dvec2 sum = glm::dvec2(state.bedrock[i]) + glm::dvec2(state.regolith[i]);
@@ -45,29 +47,24 @@ Terrain::Terrain(const TerrainState& state)
 }
 
 void Terrain::bind(gpu::Program& program) const {
-    bedrock.front.bind_image(0, gpu::Access::read);
-    regolith.front.bind_image(1, gpu::Access::read);
-    bedrock.back.bind_image(2, gpu::Access::write);
-    regolith.back.bind_image(3, gpu::Access::write);
-    ground.bind_image(4, gpu::Access::write);
+    solid.front.bind_image(0, gpu::Access::read);
+    solid.back.bind_image(1, gpu::Access::write);
+    ground.bind_image(2, gpu::Access::write);
     tiles.flags().bind_storage(0);
     program.set("samples", glm::ivec2(grid_.nx, grid_.ny));
     program.set("tiles", glm::ivec2(tiles.columns(), tiles.rows()));
 }
 
 void Terrain::swap() {
-    std::swap(bedrock.front, bedrock.back);
-    std::swap(regolith.front, regolith.back);
+    std::swap(solid.front, solid.back);
 }
 
 void Terrain::settle(const gpu::Region& samples) {
-    bedrock.front.copy_from(bedrock.back, samples);
-    regolith.front.copy_from(regolith.back, samples);
+    solid.front.copy_from(solid.back, samples);
 }
 
 void Terrain::refresh(const gpu::Region& samples) {
-    bedrock.back.copy_from(bedrock.front, samples);
-    regolith.back.copy_from(regolith.front, samples);
+    solid.back.copy_from(solid.front, samples);
     bind(ground_program_);
     ground_program_.set("first_sample", glm::ivec2(samples.x, samples.y));
     ground_program_.dispatch((samples.width + 15) / 16, (samples.height + 15) / 16);
@@ -76,8 +73,10 @@ void Terrain::refresh(const gpu::Region& samples) {
 TerrainState Terrain::read() const {
     TerrainState state;
     state.grid = grid_;
-    state.bedrock = bedrock.front.read_all<glm::vec2>();
-    state.regolith = regolith.front.read_all<glm::vec2>();
+    for (const glm::vec4& texel : solid.front.read_all<glm::vec4>()) {
+        state.bedrock.emplace_back(texel.x, texel.y);
+        state.regolith.emplace_back(texel.z, texel.w);
+    }
     return state;
 }
 

@@ -44,8 +44,7 @@ class Terrain {
     explicit Terrain(const TerrainState& state);
 
     const Grid& grid() const { return grid_; }
-    Layer bedrock;        ///< m, two words
-    Layer regolith;       ///< m, two words
+    Layer solid;          ///< m: bedrock and regolith, two words each, in one texel (docs/benchmarks.md)
     gpu::Texture ground;  ///< m, one float: what the eye sees; every pass that writes layers writes it too
     gpu::Texture start;   ///< m, two words: the ground when the terrain was made, for the ledger
     Tiles tiles;
