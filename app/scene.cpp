@@ -49,8 +49,9 @@ Scene assemble(const Parameters& all, Document document) {
 
 Scene make_scene(const SceneRequest& request) {
     Parameters all(all_parameters());
+    // Someone's own ground starts from the plain defaults, unless a preset is asked for by name.
     const Preset preset = find_preset(request.preset.empty() ? "alpine" : request.preset);
-    apply_preset(preset, all);
+    if (request.input.empty()) apply_preset(preset, all);
     Document document;
     if (!request.input.empty()) {
         document = open_document(request.input, request.import);

@@ -109,14 +109,23 @@ void Session::play(double wall_s, double budget_s) {
     const double simulated_before = simulation_->clock().simulated_s;
     // What could not be simulated in time is dropped, not piled up.
     owed_s_ = std::min(owed_s_ + wall_s * speed, std::max(tick_s, 0.25 * speed));
+    // The device tells how long earlier ticks took; where it runs behind our back, the clock here would not.
+    if (const auto ms = tick_timer_.milliseconds()) tick_ms_ = *ms / std::max(1, timed_ticks_);
+    const double fitting = tick_ms_ > 0 ? std::floor(budget_s * 1000 / tick_ms_) : 1;
     const double begin = now_s();
+    const bool timing = !tick_timer_.pending();
+    if (timing) tick_timer_.begin();
     int ticks = 0;
-    while (owed_s_ >= tick_s * 0.999 && now_s() - begin < budget_s) {
+    while (owed_s_ >= tick_s * 0.999 && now_s() - begin < budget_s && ticks < std::max(1.0, fitting)) {
         if (!simulation_->advance(1)) continue;
         owed_s_ -= tick_s;
         ++ticks;
     }
-    if (ticks > 0) tick_ms_ = 1000 * (now_s() - begin) / ticks;
+    if (timing) {
+        // A span without a whole tick in it says nothing; its next one will.
+        timed_ticks_ = ticks;
+        if (ticks > 0) tick_timer_.end();
+    }
     if (wall_s > 0) {
         const double reached = (simulation_->clock().simulated_s - simulated_before) / wall_s;
         speed_reached_ += 0.1 * (reached - speed_reached_);

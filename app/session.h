@@ -6,6 +6,7 @@
 
 #include "app/scene.h"
 #include "render/renderer.h"
+#include "sim/gpu/timestamp.h"
 #include "sim/simulation.h"
 
 namespace talus {
@@ -77,6 +78,8 @@ class Session {
     double owed_s_ = 0;
     double speed_reached_ = 0;
     double tick_ms_ = 0;
+    gpu::Timestamp tick_timer_{"ticks"};
+    int timed_ticks_ = 0;
     bool stroking_ = false;
     double stroke_height_m_ = 0;
     glm::dvec3 stroke_at_{0};

@@ -69,9 +69,10 @@ void Undo::close(Terrain& terrain, const Journal& journal) {
         done_.pop_back();
         return;
     }
-    const std::vector<bool> changed = terrain.tiles.read(Tiles::undo);
+    // A stroke kept only the tiles that it reached; after a run the device says which changed.
+    const std::vector<bool> changed = all_kept_ ? terrain.tiles.read(Tiles::undo) : std::vector<bool>();
     for (auto tile = entry.tiles.begin(); tile != entry.tiles.end();) {
-        if (changed[static_cast<std::size_t>(tile->first)]) {
+        if (!all_kept_ || changed[static_cast<std::size_t>(tile->first)]) {
             ++tile;
         } else {
             entry.bytes -= tile->second.bytes();

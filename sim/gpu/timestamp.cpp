@@ -2,6 +2,8 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
+
 #include "sim/gpu/debug.h"
 
 namespace talus::gpu {
@@ -32,7 +34,12 @@ void Timestamp::end() {
     next_ = (next_ + 1) % static_cast<int>(spans_.size());
 }
 
+bool Timestamp::pending() const {
+    return std::any_of(spans_.begin(), spans_.end(), [](const Span& span) { return span.pending; });
+}
+
 std::optional<double> Timestamp::milliseconds() {
+    std::optional<double> latest;
     for (std::size_t i = 0; i < spans_.size(); ++i) {
         Span& span = spans_[(next_ + i) % spans_.size()];
         if (!span.pending) continue;
@@ -44,9 +51,9 @@ std::optional<double> Timestamp::milliseconds() {
         glGetQueryObjectui64v(span.first, GL_QUERY_RESULT, &first);
         glGetQueryObjectui64v(span.last, GL_QUERY_RESULT, &last);
         span.pending = false;
-        latest_ = static_cast<double>(last - first) * 1e-6;
+        latest = static_cast<double>(last - first) * 1e-6;
     }
-    return latest_;
+    return latest;
 }
 
 }  // namespace talus::gpu

@@ -17,7 +17,9 @@ class Timestamp {
 
     void begin();
     void end();
-    /// The newest span whose end the device has passed; none before the first.
+    /// True while a span was ended and not yet told.
+    bool pending() const;
+    /// The newest span whose end the device has passed since the last call.
     std::optional<double> milliseconds();
 
   private:
@@ -28,7 +30,6 @@ class Timestamp {
     };
     std::array<Span, 4> spans_;
     int next_ = 0;
-    std::optional<double> latest_;
 };
 
 }  // namespace talus::gpu

@@ -13,8 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Channels in the order they are written; words of a layer come as value and ".low".
-const std::vector<std::string> channels = {"Y", "bedrock", "bedrock.low", "regolith", "regolith.low"};
+// Channels in the order they are written. No dots in their names: Blender takes a file with one for layers of
+// a render and shows nothing of it.
+const std::vector<std::string> channels = {"Y", "bedrock", "bedrock_low", "regolith", "regolith_low"};
 
 bool is_document(const fs::path& path) {
     if (ending_of(path) != ".exr") return false;
@@ -62,9 +63,9 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
     state.bedrock.assign(state.grid.count(), glm::vec2(0));
     state.regolith.assign(state.grid.count(), glm::vec2(0));
     read_channel("bedrock", state.bedrock, 0);
-    read_channel("bedrock.low", state.bedrock, 1);
+    read_channel("bedrock_low", state.bedrock, 1);
     read_channel("regolith", state.regolith, 0);
-    read_channel("regolith.low", state.regolith, 1);
+    read_channel("regolith_low", state.regolith, 1);
     return document;
 }
 

@@ -21,7 +21,7 @@ struct Document {
 Document open_document(const std::filesystem::path& path, const ImportSettings& settings);
 
 /// Writes everything a run continues from, to the bit: float channels bedrock and regolith, their low words
-/// as bedrock.low and regolith.low, the ground as Y for picture programs; clock, spacing, coordinate system
+/// as bedrock_low and regolith_low, the ground as Y for picture programs; clock, spacing, coordinate system
 /// and parameters as attributes.
 void save_document(const std::filesystem::path& path, const Document& document);
 
