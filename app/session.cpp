@@ -45,13 +45,13 @@ void Session::frame_terrain() {
     camera_ = overview(grid(), bounds_.x, bounds_.y);
 }
 
-void Session::open(const std::string& path) {
+void Session::open(const std::string& path, const ImportSettings& import) {
     SceneRequest request = request_;
     request.input = path;
     // The preset that the window began with may be made for other ground: an opened file brings its own
     // settings.
     if (request_.input.empty()) request.preset.clear();
-    request.import = {};
+    request.import = import;
     start(make_scene(request));
     request_ = request;
     path_ = document_path();

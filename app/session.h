@@ -23,6 +23,7 @@ class Session {
     /// Parameters of drawing and of the hand: not recorded.
     Parameters& view() { return scene_.view; }
     const Scene& scene() const { return scene_; }
+    const SceneRequest& request() const { return request_; }
     Camera& camera() { return camera_; }
     const Grid& grid() const { return simulation_->terrain().grid(); }
     /// Heights at the last open or reset, for the camera and for legends.
@@ -38,7 +39,7 @@ class Session {
     void step();
 
     /// Another file, or the same scene from its start: what was here before stays where that fails.
-    void open(const std::string& path);
+    void open(const std::string& path, const ImportSettings& import = {});
     void reset();
     void frame_terrain();
     /// Writes the document or heightmap by the path's ending; the document's path becomes the session's.

@@ -86,6 +86,7 @@ class Window {
         // Chains to the callbacks above.
         ImGui_ImplGlfw_InitForOpenGL(window_, true);
         ImGui_ImplOpenGL3_Init("#version 450 core");
+        import_panel_.follow(session_);
         title();
     }
     ~Window() {
@@ -269,7 +270,7 @@ class Window {
             attempt([&] {
                 session_.open(*asked.open);
                 for (const std::string& note : session_.scene().document.notes) say("note: " + note);
-                notes_shown_ = true;
+                import_panel_.follow(session_);
                 cursor_.reset();
             });
         if (asked.save)
@@ -337,7 +338,7 @@ class Window {
         ImGui_ImplGlfw_NewFrame();
         ImGui::NewFrame();
         draw_main_panel(session_, dialog_, requests_);
-        draw_notes(session_, notes_shown_);
+        draw_import_panel(session_, import_panel_, requests_);
         draw_file_dialog(dialog_, requests_);
         draw_legend(legend_of(settings, session_.renderer().bounds().x, session_.renderer().bounds().y),
                     width, height - 26);
@@ -360,7 +361,7 @@ class Window {
     std::string journal_path_;
     PanelRequests requests_;
     FileDialog dialog_;
-    bool notes_shown_ = true;
+    ImportPanel import_panel_;
     bool first_picture_shown_ = false;
     std::string message_;
     double message_until_s_ = 0;

@@ -98,16 +98,6 @@ void draw_main_panel(Session& session, FileDialog& dialog, PanelRequests& reques
     ImGui::End();
 }
 
-void draw_notes(const Session& session, bool& shown) {
-    const std::vector<std::string>& notes = session.scene().document.notes;
-    if (!shown || notes.empty()) return;
-    ImGui::SetNextWindowPos({360, 10}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize({560, 0}, ImGuiCond_FirstUseEver);
-    if (ImGui::Begin("How the file was read", &shown))
-        for (const std::string& note : notes) ImGui::TextWrapped("%s", note.c_str());
-    ImGui::End();
-}
-
 void draw_status_line(const Session& session, const StatusFigures& figures, int width, int height) {
     const Grid& grid = session.grid();
     std::string text = fmt::format("{} × {} samples, {:.4g} × {:.4g} m", grid.nx, grid.ny, grid.dx, grid.dy);

@@ -46,8 +46,16 @@ struct FileDialog {
 void draw_main_panel(Session& session, FileDialog& dialog, PanelRequests& requests);
 void draw_status_line(const Session& session, const StatusFigures& figures, int width, int height);
 void draw_file_dialog(FileDialog& dialog, PanelRequests& requests);
-/// What the file's reader guessed; closed by the person.
-void draw_notes(const Session& session, bool& shown);
+/// How a file was read, kept by the window: what its reader guessed, and fields to read it again otherwise.
+struct ImportPanel {
+    bool shown = true;
+    double spacing_m = 1;
+    double low_m = 0;
+    double high_m = 1000;
+    std::string raw;  ///< as --raw takes it
+    void follow(const Session& session);
+};
+void draw_import_panel(const Session& session, ImportPanel& panel, PanelRequests& requests);
 
 /// A widget for a declared parameter: name, unit, tooltip with help and range; right click resets to the
 /// default. True when the value changed.
