@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -302,6 +303,23 @@ TEST_F(Files, RefusesBombs) {
     refusal("bomb.png");
     write("claim.png", png(8192));
     refusal("claim.png");
+
+    // An EXR whose windows claim more than the limits, and more than its few rows hold.
+    write_heightmap(path("small.exr"), rough(16, 16), std::nullopt);
+    const std::string small = read_text(path("small.exr"));
+    for (const std::int32_t last : {29999, 8191, -5}) {
+        std::string claims = small;
+        for (const std::string& window :
+             {std::string("dataWindow\0box2i\0", 17), std::string("displayWindow\0box2i\0", 20)}) {
+            const auto at = claims.find(window);
+            ASSERT_NE(at, std::string::npos);
+            // Size of the value, then xMin, yMin, xMax, yMax, little endian.
+            for (std::size_t corner : {2U, 3U})
+                std::memcpy(&claims[at + window.size() + 4 + 4 * corner], &last, sizeof(last));
+        }
+        write("bomb.exr", claims);
+        refusal("bomb.exr");
+    }
 }
 
 TEST_F(Files, AFailedWriteLeavesTheOldFile) {
