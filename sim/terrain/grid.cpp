@@ -13,7 +13,7 @@ namespace {
 
 // Layers (4 x 8 bytes), ground and start (12), pyramid (under 4), and a copy of the layers on its way in or
 // out (16).
-constexpr double bytes_per_sample = 64;
+constexpr double bytes_per_sample = 100;
 
 double available_bytes() {
     std::ifstream file("/proc/meminfo");
