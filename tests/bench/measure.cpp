@@ -1,19 +1,10 @@
 #include "tests/bench/measure.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 
-namespace talus::bench {
+#include "app/report.h"
 
-double process_cpu_s() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    const auto seconds = [](const timeval& t) {
-        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-    };
-    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
+namespace talus::bench {
 
 std::vector<double> interleave(const std::vector<Contestant>& contestants, int rounds) {
     std::vector<std::vector<double>> times(contestants.size());

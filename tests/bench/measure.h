@@ -5,9 +5,6 @@
 
 namespace talus::bench {
 
-/// CPU seconds of this process so far, all threads.
-double process_cpu_s();
-
 /// What is compared: runs once per call, on all threads it wants.
 struct Contestant {
     std::string name;
