@@ -78,22 +78,14 @@ std::vector<std::uint8_t> Renderer::read_rgb(int width, int height) const {
     return rgb;
 }
 
-std::vector<float> Renderer::read_hits(int width, int height, int component) const {
+std::vector<float> Renderer::read_depth(int width, int height) const {
     std::vector<glm::vec2> texels(static_cast<std::size_t>(width) * height);
     hits_.read({0, 0, width, height}, std::as_writable_bytes(std::span(texels)));
     std::vector<float> values;
     values.reserve(texels.size());
     for (int y = height - 1; y >= 0; --y)
-        for (int x = 0; x < width; ++x)
-            values.push_back(texels[static_cast<std::size_t>(y) * width + x][component]);
+        for (int x = 0; x < width; ++x) values.push_back(texels[static_cast<std::size_t>(y) * width + x].x);
     return values;
-}
-
-std::vector<float> Renderer::read_depth(int width, int height) const {
-    return read_hits(width, height, 0);
-}
-std::vector<float> Renderer::read_steps(int width, int height) const {
-    return read_hits(width, height, 1);
 }
 
 void Renderer::follow_bounds() {

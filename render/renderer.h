@@ -30,7 +30,6 @@ class Renderer {
     /// Top row first; waits for the device.
     std::vector<std::uint8_t> read_rgb(int width, int height) const;
     std::vector<float> read_depth(int width, int height) const;
-    std::vector<float> read_steps(int width, int height) const;
     /// Lowest and highest sample of the terrain, a frame or two old: read without waiting. 0 before the
     /// second frame.
     glm::dvec2 bounds() const { return bounds_; }
@@ -38,7 +37,6 @@ class Renderer {
   private:
     void resize(int width, int height);
     void follow_bounds();
-    std::vector<float> read_hits(int width, int height, int component) const;
 
     Pyramid pyramid_;
     std::vector<std::pair<std::string, Method>> methods_;
