@@ -20,7 +20,8 @@ void Renderer::resize(int width, int height) {
     colour_ = gpu::Texture("colour", gpu::Format::rgba8, w, h);
     const std::array<const gpu::Texture*, 1> hits = {&hits_};
     const std::array<const gpu::Texture*, 1> colour = {&colour_};
-    hits_buffer_ = gpu::Framebuffer("hits", hits);
+    depth_ = gpu::Texture("depth", gpu::Format::depth32f, w, h);
+    hits_buffer_ = gpu::Framebuffer("hits", hits, &depth_);
     colour_buffer_ = gpu::Framebuffer("colour", colour);
 }
 
@@ -29,17 +30,20 @@ void Renderer::draw(Terrain& terrain, const Camera& camera, const ViewSettings& 
     resize(width, height);
     pyramid_.refresh(terrain);
     follow_bounds();
-    const std::string key = settings.method + (settings.view == View::steps ? " counting" : "");
+    const Detail detail = settings.view == View::steps   ? Detail::steps
+                          : settings.view == View::cells ? Detail::kind
+                                                         : Detail::none;
+    const std::string key = settings.method + std::to_string(static_cast<int>(detail));
     auto found =
         std::find_if(methods_.begin(), methods_.end(), [&](const auto& m) { return m.first == key; });
     if (found == methods_.end()) {
         const auto entry = std::find_if(talus::methods().begin(), talus::methods().end(),
                                         [&](const MethodEntry& e) { return e.name == settings.method; });
         if (entry == talus::methods().end()) throw Error("there is no method '" + settings.method + "'");
-        methods_.emplace_back(key, entry->make(settings.view == View::steps));
+        methods_.emplace_back(key, entry->make(detail));
         found = methods_.end() - 1;
     }
-    found->second({terrain, pyramid_, camera, width, height, hits_buffer_});
+    found->second({terrain, pyramid_, camera, width, height, settings.tolerance_px, 60, hits_buffer_});
 
     const Grid& grid = terrain.grid();
     set_camera(shade_, grid, camera, width, height);

@@ -42,6 +42,7 @@ class Renderer {
     std::vector<std::pair<std::string, Method>> methods_;
     gpu::Program shade_;
     gpu::Texture hits_;
+    gpu::Texture depth_;
     gpu::Texture colour_;
     gpu::Framebuffer hits_buffer_;
     gpu::Framebuffer colour_buffer_;

@@ -9,7 +9,7 @@
 namespace talus {
 
 const std::vector<std::string>& view_names() {
-    static const std::vector<std::string> names = {"shaded", "hillshade", "slope", "bands", "steps"};
+    static const std::vector<std::string> names = {"shaded", "hillshade", "slope", "bands", "steps", "cells"};
     return names;
 }
 
@@ -17,7 +17,9 @@ std::vector<Parameter> render_parameters() {
     std::vector<std::string> method_names;
     for (const MethodEntry& method : methods()) method_names.push_back(method.name);
     return {
-        choice("render.method", "exact", method_names, "How the surface is drawn."),
+        choice("render.method", "hybrid", method_names, "How the surface is drawn."),
+        number("render.tolerance", 0.5, 0, 16, "px",
+               "Error that the hybrid method may make, in pixels; 0: none, rays everywhere."),
         choice("render.view", "shaded", view_names(), "What the colours show."),
         number("render.sun_azimuth_deg", 315, 0, 360, "°", "Where the sun stands, clockwise from north."),
         number("render.sun_elevation_deg", 38, 1, 90, "°", "How high the sun stands."),
@@ -29,6 +31,7 @@ std::vector<Parameter> render_parameters() {
 ViewSettings view_settings(const Parameters& parameters) {
     ViewSettings settings;
     settings.method = parameters.choice("render.method");
+    settings.tolerance_px = parameters.number("render.tolerance");
     const auto& names = view_names();
     settings.view = static_cast<View>(
         std::find(names.begin(), names.end(), parameters.choice("render.view")) - names.begin());
@@ -58,6 +61,8 @@ std::vector<Legend> legend_of(const ViewSettings& settings, double lowest_m, dou
                      band_of(highest_m) - band_of(lowest_m) + 1}};
         case View::steps:
             return {{"Steps of the ray", 0, steps_scale, "cells", false, 0}};
+        case View::cells:
+            return {};
     }
     return {};
 }

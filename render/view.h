@@ -8,7 +8,7 @@
 namespace talus {
 
 /// How the surface is coloured. The order is that of `view` in shaders/render/shade.frag and of view_names().
-enum class View { shaded = 0, hillshade = 1, slope = 2, bands = 3, steps = 4 };
+enum class View { shaded = 0, hillshade = 1, slope = 2, bands = 3, steps = 4, cells = 5 };
 const std::vector<std::string>& view_names();
 
 /// What a view's colours mean: a title with unit, and the values at the scale's ends.
@@ -26,7 +26,8 @@ std::vector<Parameter> render_parameters();
 
 /// What the renderer takes from those parameters.
 struct ViewSettings {
-    std::string method = "exact";
+    std::string method = "hybrid";
+    double tolerance_px = 0.5;
     View view = View::shaded;
     glm::dvec3 sun{0, 0, 1};  ///< unit vector towards the sun: east, north, up
     bool shadows = true;

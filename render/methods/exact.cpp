@@ -1,18 +1,26 @@
-#include "render/methods/method.h"
+#include "render/methods/beams.h"
 
 namespace talus {
+namespace {
 
-Method make_exact(bool count_steps) {
-    std::vector<std::string> defines;
-    if (count_steps) defines.emplace_back("COUNT_STEPS");
-    auto program = std::make_shared<gpu::Program>(
-        std::vector<std::string>{"render/fullscreen.vert", "render/exact.frag"}, defines);
-    return [program](const Frame& frame) {
-        frame.pyramid.bind(*program, frame.terrain);
-        set_camera(*program, frame.terrain.grid(), frame.camera, frame.width, frame.height);
-        program->set("start_level", 5);
+struct Exact {
+    explicit Exact(Detail detail)
+        : rays({"render/fullscreen.vert", "render/exact.frag"}, detail_defines(detail)) {}
+    Beams beams;
+    gpu::Program rays;
+};
+
+}  // namespace
+
+Method make_exact(Detail detail) {
+    auto exact = std::make_shared<Exact>(detail);
+    return [exact](const Frame& frame) {
+        exact->beams.cast(frame);
+        frame.pyramid.bind(exact->rays, frame.terrain);
+        set_camera(exact->rays, frame.terrain.grid(), frame.camera, frame.width, frame.height);
+        exact->beams.bind();
         frame.hits.bind({0, 0, frame.width, frame.height});
-        program->draw_fullscreen();
+        exact->rays.draw_fullscreen();
     };
 }
 

@@ -17,8 +17,17 @@ struct Frame {
     const Camera& camera;
     int width;  ///< of the picture; the target may be larger
     int height;
+    double tolerance_px;  ///< error that a method may make, where it can
+    double patch_pixels;  ///< from so many pixels a patch on, triangles are cheaper than rays on this device
     const gpu::Framebuffer&
-        hits;  ///< RG32F: distance along the pixel's ray (m, infinity: nothing hit), steps
+        hits;  ///< RG32F: distance along the pixel's ray (m, infinity: nothing hit), detail; with depth
+};
+
+/// What the second component of the hits tells besides the distance.
+enum class Detail {
+    none,
+    steps,  ///< cells and patches that the pixel's ray visited
+    kind,   ///< 0 nothing, 1 mesh, 2 a ray to the patch, 2 + l a ray that ended at level l of the pyramid
 };
 
 /// One way of drawing the surface: fills the frame's hits. Shading, depth output and views follow from those.
@@ -28,10 +37,15 @@ using Method = std::function<void(const Frame&)>;
 struct MethodEntry {
     std::string name;
     std::string help;
-    std::function<Method(bool count_steps)> make;  ///< count_steps: hits tell how many cells each ray visited
+    std::function<Method(Detail)> make;
 };
 const std::vector<MethodEntry>& methods();
 
-Method make_exact(bool count_steps);
+/// Lines for shaders that tell the detail.
+std::vector<std::string> detail_defines(Detail detail);
+
+Method make_exact(Detail detail);
+Method make_mesh(Detail detail);
+Method make_hybrid(Detail detail);
 
 }  // namespace talus

@@ -5,8 +5,16 @@ namespace talus {
 const std::vector<MethodEntry>& methods() {
     static const std::vector<MethodEntry> entries = {
         {"exact", "a ray per pixel through the pyramid onto the bilinear surface", make_exact},
+        {"mesh", "two triangles a patch at full resolution, culled by cells", make_mesh},
+        {"hybrid", "the cheapest of mesh and rays, cell by cell", make_hybrid},
     };
     return entries;
+}
+
+std::vector<std::string> detail_defines(Detail detail) {
+    if (detail == Detail::steps) return {"COUNT_STEPS"};
+    if (detail == Detail::kind) return {"TELL_KIND"};
+    return {};
 }
 
 }  // namespace talus

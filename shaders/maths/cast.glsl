@@ -11,7 +11,6 @@
 
 struct CastHit {
     real distance_m;  // along the ray; < 0: nothing hit
-    int2 cell;        // the patch that was hit
     int steps;        // patches visited, and with count_steps the pyramid's cells too
 };
 
@@ -19,19 +18,13 @@ struct CastHit {
 // step of the walk gets on.
 const int cast_step_limit = 131072;
 
-real cast_inverse(real d) {
-    real size = max(abs(d), real(1e-20));
-    return d < real(0) ? real(-1) / size : real(1) / size;
-}
-
 // origin_cell + fraction: where the ray starts, in columns and rows; direction: columns, rows and metres of height
-// per metre of ray; from_m: where on the ray to start looking; start_level: where in the pyramid, 3 or more; height_m:
-// where the ray starts over the origin height.
+// per metre of ray; from_m: before it no ground is met, 0 where nothing is known; start_level: where in the pyramid to
+// start; height_m: where the ray starts over the origin height.
 // The ground is solid: a ray that starts below it, or enters its side below it, hits there.
 CastHit cast_ray(int2 origin_cell, real2 fraction, real3 direction, real from_m, int start_level, real height_m) {
     CastHit hit;
     hit.distance_m = real(-1);
-    hit.cell = int2(0, 0);
     hit.steps = 0;
 
     real2 inverse = real2(cast_inverse(direction.x), cast_inverse(direction.y));
@@ -47,7 +40,7 @@ CastHit cast_ray(int2 origin_cell, real2 fraction, real3 direction, real from_m,
     real enter_y = (real(near_edge.y - origin_cell.y) - fraction.y) * inverse.y;
     real leave_x = (real(far_edge.x - origin_cell.x) - fraction.x) * inverse.x;
     real leave_y = (real(far_edge.y - origin_cell.y) - fraction.y) * inverse.y;
-    real begin = max(max(enter_x, enter_y), from_m);
+    real begin = max(max(enter_x, enter_y), real(0));
     real end = min(leave_x, leave_y);
     // And below its highest sample.
     real crossing = (load_highest() - height_m) * inverse_z;
@@ -59,13 +52,13 @@ CastHit cast_ray(int2 origin_cell, real2 fraction, real3 direction, real from_m,
     real up_or_level = direction.z < real(0) ? real(0) : direction.z;
     real fall = direction.z < real(0) ? inverse_z : real(-1e30);
 
-    // An eye among the mountains meets ground soon; from above, most of the way is empty.
-    int level = min(begin > from_m ? start_level : start_level - 2, top_level);
-    int2 cell = int2(origin_cell.x + int(floor(fraction.x + begin * direction.x)),
-                     origin_cell.y + int(floor(fraction.y + begin * direction.y)));
+    // A walk that starts further on changes no bit of the hit: patches still count from the beginning.
+    real at = max(begin, from_m);
+    int level = min(start_level, top_level);
+    int2 cell = int2(origin_cell.x + int(floor(fraction.x + at * direction.x)),
+                     origin_cell.y + int(floor(fraction.y + at * direction.y)));
     cell = int2(min(max(cell.x, 0), patches.x - 1) >> level, min(max(cell.y, 0), patches.y - 1) >> level);
-    real at = begin;
-    bool inside = begin <= end;
+    bool inside = at <= end;
 
     // Loops test at their end: llvmpipe runs a body once more, masked, for a test at the top.
     do {
@@ -101,35 +94,17 @@ CastHit cast_ray(int2 origin_cell, real2 fraction, real3 direction, real from_m,
 
         inside = level == 0;
         if (inside) {
-            // The patch: signs at entry and exit decide, the quadratic says where.
             hit.steps += 1;
             real4 z = load_corners(cell) - real4(height_m, height_m, height_m, height_m);
             int2 offset = int2(cell.x - origin_cell.x, cell.y - origin_cell.y);
-            real near_x = (real(offset.x + 1 - side.x) - fraction.x) * inverse.x;
-            real near_y = (real(offset.y + 1 - side.y) - fraction.y) * inverse.y;
-            real far_x = (real(offset.x + side.x) - fraction.x) * inverse.x;
-            real far_y = (real(offset.y + side.y) - fraction.y) * inverse.y;
-            real enter = max(max(near_x, near_y), begin);
-            real leave = max(min(far_x, far_y), enter);
-            // Where a plane is crossed, its coordinate is 0 or 1 to the bit, so both patches read the same edge.
-            real in_u = enter == near_x ? real(1 - side.x) : (fraction.x + enter * direction.x) - real(offset.x);
-            real in_v = enter == near_y ? real(1 - side.y) : (fraction.y + enter * direction.y) - real(offset.y);
-            real out_u = leave == far_x ? real(side.x) : (fraction.x + leave * direction.x) - real(offset.x);
-            real out_v = leave == far_y ? real(side.y) : (fraction.y + leave * direction.y) - real(offset.y);
-            real2 entry = real2(min(max(in_u, real(0)), real(1)), min(max(in_v, real(0)), real(1)));
-            real2 exit = real2(min(max(out_u, real(0)), real(1)), min(max(out_v, real(0)), real(1)));
-            real above_in = direction.z * enter - patch_height(z, entry);
-            real above_out = direction.z * leave - patch_height(z, exit);
-            real s = above_in <= real(0) ? real(0) : patch_hit(z, entry, direction, above_in, above_out, leave - enter);
-            hit.distance_m = s >= real(0) ? enter + s : real(-1);
-            hit.cell = cell;
+            PatchCast here = cast_patch(z, offset, fraction, direction, inverse, side, begin);
+            hit.distance_m = here.distance_m;
 
             // On from its parent, whose other patches are then chosen by the distance reached.
-            bool by_x = far_x <= far_y;
-            cell = int2((cell.x + (by_x ? forward.x : 0)) >> 1, (cell.y + (by_x ? 0 : forward.y)) >> 1);
-            at = leave;
+            cell = int2((cell.x + (here.by_x ? forward.x : 0)) >> 1, (cell.y + (here.by_x ? 0 : forward.y)) >> 1);
+            at = here.leave_m;
             level = 1;
-            inside = s < real(0) && at < end && hit.steps < cast_step_limit;
+            inside = hit.distance_m < real(0) && at < end && hit.steps < cast_step_limit;
         }
     } while (inside);
     return hit;

@@ -30,3 +30,46 @@ real patch_hit(real4 z, real2 entry, real3 direction, real above_in, real above_
     bool dips = discriminant >= real(0) && c2 > real(0) && c1 < real(0) && -c1 < real(2) * (c2 * span);
     return dips ? min(s, span) : real(-1);
 }
+
+struct PatchCast {
+    real distance_m;  // of the hit along the ray; < 0: none
+    real leave_m;     // where the ray leaves the patch
+    real above_out;   // its height over the patch there
+    bool by_x;        // through the plane to the next column, else to the next row
+};
+
+real cast_inverse(real d) {
+    real size = max(abs(d), real(1e-20));
+    return d < real(0) ? real(-1) / size : real(1) / size;
+}
+
+// A ray's hit in one patch: signs at entry and exit decide, the quadratic says where.
+//   z          corners over the ray's start; offset: the patch's column and row from the ray's origin cell
+//   fraction   where in that cell the ray starts; direction: columns, rows and metres of height per metre of ray
+//   inverse    cast_inverse() of the direction's columns and rows; side: 1 where it runs to higher indices, else 0
+//   begin      where on the ray the ground begins to count
+// The ground is solid: a ray below the patch where it enters hits there.
+PatchCast cast_patch(real4 z, int2 offset, real2 fraction, real3 direction, real2 inverse, int2 side, real begin) {
+    real near_x = (real(offset.x + 1 - side.x) - fraction.x) * inverse.x;
+    real near_y = (real(offset.y + 1 - side.y) - fraction.y) * inverse.y;
+    real far_x = (real(offset.x + side.x) - fraction.x) * inverse.x;
+    real far_y = (real(offset.y + side.y) - fraction.y) * inverse.y;
+    real enter = max(max(near_x, near_y), begin);
+    real leave = max(min(far_x, far_y), enter);
+    // Where a plane is crossed, its coordinate is 0 or 1 to the bit, so both patches read the same edge.
+    real in_u = enter == near_x ? real(1 - side.x) : (fraction.x + enter * direction.x) - real(offset.x);
+    real in_v = enter == near_y ? real(1 - side.y) : (fraction.y + enter * direction.y) - real(offset.y);
+    real out_u = leave == far_x ? real(side.x) : (fraction.x + leave * direction.x) - real(offset.x);
+    real out_v = leave == far_y ? real(side.y) : (fraction.y + leave * direction.y) - real(offset.y);
+    real2 entry = real2(min(max(in_u, real(0)), real(1)), min(max(in_v, real(0)), real(1)));
+    real2 exit = real2(min(max(out_u, real(0)), real(1)), min(max(out_v, real(0)), real(1)));
+    real above_in = direction.z * enter - patch_height(z, entry);
+    real above_out = direction.z * leave - patch_height(z, exit);
+    real s = above_in <= real(0) ? real(0) : patch_hit(z, entry, direction, above_in, above_out, leave - enter);
+    PatchCast hit;
+    hit.distance_m = s >= real(0) ? enter + s : real(-1);
+    hit.leave_m = leave;
+    hit.above_out = above_out;
+    hit.by_x = far_x <= far_y;
+    return hit;
+}

@@ -1,10 +1,4 @@
 // Where a fragment lies in the picture, from its pixel centre: interpolated values would differ by driver.
-uniform real2 picture_size;
-
-uniform real2 cells_per_m;
-uniform real3 ray_forward;
-uniform real3 ray_right;
-uniform real3 ray_up;
-#include "maths/pixel_ray.glsl"
+#include "render/camera.glsl"
 
 real2 picture_position() { return real2(2.0 * gl_FragCoord.x / picture_size.x - 1.0, 2.0 * gl_FragCoord.y / picture_size.y - 1.0); }

@@ -124,6 +124,11 @@ void main() {
     float lowest = (texelFetch(bottoms, whole_texel(), 0).r - origin_height_m.x) - origin_height_m.y;
     float share = (above_eye - lowest) / max(highest - lowest, 1e-3);
     vec3 colour;
+    if (view == 5) {
+        vec3 kind = hit.y < 1.5 ? vec3(0.30, 0.55, 0.85) : hit.y < 2.5 ? vec3(0.95, 0.75, 0.35) : mix(vec3(0.55, 0.85, 0.45), vec3(0.10, 0.45, 0.25), (hit.y - 3.0) / 5.0);
+        colour_out = vec4(kind * (0.45 + 0.55 * max(dot(normal, sun), 0.0)), 1.0);
+        return;
+    }
     if (above_eye < height_at(place) - 1e-3 * extent_m * 0.05 - 1e-4 * hit.x) {
         vec2 absolute = place + vec2(origin_cell);
         colour_out = vec4(cut_face(above_eye, lowest, highest, backdrop, absolute), 1.0);

@@ -297,16 +297,79 @@ void Program::dispatch_indirect(const Buffer& arguments, std::size_t offset) {
     raise_errors();
 }
 
-void Program::draw_fullscreen() {
-    use();
-    // OpenGL's core profile draws nothing without a vertex array, so each draw brings an empty one.
+namespace {
+
+// OpenGL's core profile draws nothing without a vertex array, so each draw brings one. `indices` may be 0.
+template <typename Draw>
+void with_vertex_array(unsigned indices, Draw&& draw) {
     GLuint array = 0;
     glCreateVertexArrays(1, &array);
+    if (indices != 0) glVertexArrayElementBuffer(array, indices);
     glBindVertexArray(array);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    draw();
     glBindVertexArray(0);
     glDeleteVertexArrays(1, &array);
+}
+
+// Reversed depth: near 1, infinity 0.
+template <typename Draw>
+void with_depth_test(GLenum test, Draw&& draw) {
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(test);
+    draw();
+    glDisable(GL_DEPTH_TEST);
+    glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+}
+
+template <typename Draw>
+void with_triangles(unsigned indices, const Buffer& arguments, Draw&& draw) {
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, arguments.name());
+    glEnable(GL_CULL_FACE);
+    with_vertex_array(indices, [&] { with_depth_test(GL_GREATER, draw); });
+    glDisable(GL_CULL_FACE);
     raise_errors();
+}
+
+// Offsets into a bound buffer travel as pointers in OpenGL's interface.
+const void* as_offset(std::size_t offset) {
+    return reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr)
+}
+
+}  // namespace
+
+void Program::draw_fullscreen() {
+    use();
+    with_vertex_array(0, [] { glDrawArrays(GL_TRIANGLES, 0, 3); });
+    raise_errors();
+}
+
+void Program::draw_fullscreen_indirect(const Buffer& arguments, std::size_t offset) {
+    use();
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, arguments.name());
+    with_vertex_array(0, [&] { glDrawArraysIndirect(GL_TRIANGLES, as_offset(offset)); });
+    raise_errors();
+}
+
+void Program::draw_fullscreen_behind_indirect(const Buffer& arguments, std::size_t offset) {
+    use();
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, arguments.name());
+    // fullscreen.vert puts its triangle at depth 0.
+    with_vertex_array(0, [&] {
+        with_depth_test(GL_EQUAL, [&] { glDrawArraysIndirect(GL_TRIANGLES, as_offset(offset)); });
+    });
+    raise_errors();
+}
+
+void Program::draw_indirect(const Buffer& arguments, std::size_t offset) {
+    use();
+    with_triangles(0, arguments, [&] { glDrawArraysIndirect(GL_TRIANGLES, as_offset(offset)); });
+}
+
+void Program::draw_indexed_indirect(const Buffer& indices, const Buffer& arguments, std::size_t offset) {
+    use();
+    with_triangles(indices.name(), arguments,
+                   [&] { glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, as_offset(offset)); });
 }
 
 }  // namespace talus::gpu

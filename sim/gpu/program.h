@@ -59,6 +59,17 @@ class Program {
     void dispatch_indirect(const Buffer& arguments, std::size_t offset = 0);
     /// Draws one triangle that covers the viewport.
     void draw_fullscreen();
+    /// The same as the four words at the offset (bytes) say: 3, how often (0 or 1), 0, 0.
+    void draw_fullscreen_indirect(const Buffer& arguments, std::size_t offset);
+    /// The same, and only where no triangle was drawn since the depth was cleared.
+    void draw_fullscreen_behind_indirect(const Buffer& arguments, std::size_t offset);
+    /// Draws triangles, as many and as often as the four words at the offset (bytes) say: vertices,
+    /// instances, first vertex, base instance. Depth is 1 at the near plane and 0 at infinity, the nearest
+    /// wins; triangles that wind clockwise in the picture are not drawn.
+    void draw_indirect(const Buffer& arguments, std::size_t offset = 0);
+    /// The same with 32-bit indices and five words: indices, instances, first index, base vertex, base
+    /// instance.
+    void draw_indexed_indirect(const Buffer& indices, const Buffer& arguments, std::size_t offset = 0);
 
   private:
     struct Value {

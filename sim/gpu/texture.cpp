@@ -29,6 +29,8 @@ Layout layout_of(Format format) {
             return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
         case Format::rgba32f:
             return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
+        case Format::depth32f:
+            return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 4};
     }
     throw Error("a texture has no such format");
 }
@@ -124,7 +126,8 @@ void Texture::bind_image(unsigned unit, Access access, int level) const {
     glBindImageTexture(unit, handle_, level, GL_FALSE, 0, mode, layout_of(format_).internal);
 }
 
-Framebuffer::Framebuffer(const std::string& label, std::span<const Texture* const> colours) {
+Framebuffer::Framebuffer(const std::string& label, std::span<const Texture* const> colours,
+                         const Texture* depth) {
     GLuint name = 0;
     glCreateFramebuffers(1, &name);
     handle_ = Handle<delete_framebuffer>(name);
@@ -134,11 +137,29 @@ Framebuffer::Framebuffer(const std::string& label, std::span<const Texture* cons
         targets.push_back(static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + i));
         glNamedFramebufferTexture(name, targets.back(), colours[i]->name(), 0);
     }
+    if (depth) glNamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, depth->name(), 0);
     glNamedFramebufferDrawBuffers(name, static_cast<GLsizei>(targets.size()), targets.data());
     glNamedFramebufferReadBuffer(name, GL_COLOR_ATTACHMENT0);
     raise_errors();
     if (glCheckNamedFramebufferStatus(name, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw Error(fmt::format("framebuffer '{}' is not complete on this driver", label));
+}
+
+void Framebuffer::clear(const Region& region, int colour, const std::array<float, 4>& value) const {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(region.x, region.y, region.width, region.height);
+    glClearNamedFramebufferfv(handle_, GL_COLOR, colour, value.data());
+    glDisable(GL_SCISSOR_TEST);
+    raise_errors();
+}
+
+void Framebuffer::clear_depth(const Region& region) const {
+    const float farthest = 0;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(region.x, region.y, region.width, region.height);
+    glClearNamedFramebufferfv(handle_, GL_DEPTH, 0, &farthest);
+    glDisable(GL_SCISSOR_TEST);
+    raise_errors();
 }
 
 void Framebuffer::bind(const Region& viewport) const {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -13,7 +14,7 @@ namespace talus::gpu {
 void delete_texture(unsigned name);
 void delete_framebuffer(unsigned name);
 
-enum class Format { r32f, rg32f, rgba8, rgba32f };
+enum class Format { r32f, rg32f, rgba8, rgba32f, depth32f };
 enum class Access { read, write, read_write };
 
 /// Bytes of one texel.
@@ -73,11 +74,17 @@ class Texture {
     int levels_ = 0;
 };
 
-/// Textures of one size to draw into, in the order of the fragment shader's outputs.
+/// Textures of one size to draw into, in the order of the fragment shader's outputs; with a depth32f texture,
+/// draws of triangles keep the nearest.
 class Framebuffer {
   public:
     Framebuffer() = default;
-    Framebuffer(const std::string& label, std::span<const Texture* const> colours);
+    Framebuffer(const std::string& label, std::span<const Texture* const> colours,
+                const Texture* depth = nullptr);
+
+    /// Sets every component of a colour texture's region, and the depth to the farthest.
+    void clear(const Region& region, int colour, const std::array<float, 4>& value) const;
+    void clear_depth(const Region& region) const;
 
     /// Makes it the target of the next draws, with the viewport on the region given.
     void bind(const Region& viewport) const;

@@ -110,7 +110,7 @@ void bench_render() {
     const gpu::Texture hits("hits", gpu::Format::rg32f, width, height);
     const std::array<const gpu::Texture*, 1> colours = {&hits};
     const gpu::Framebuffer framebuffer("hits", colours);
-    const Method exact = make_exact(false);
+    const Method exact = make_exact(Detail::none);
 
     const double extent = grid.width_m();
     const double middle = heights[grid.count() / 2];
@@ -131,7 +131,7 @@ void bench_render() {
         const std::vector<double> seconds =
             interleave({{"talus",
                          [&] {
-                             exact({terrain, pyramid, camera, width, height, framebuffer});
+                             exact({terrain, pyramid, camera, width, height, 0.5, 60, framebuffer});
                              float texel[2];
                              hits.read({0, 0, 1, 1}, std::as_writable_bytes(std::span(texel)));
                          }},

@@ -1,0 +1,63 @@
+#include "render/methods/method.h"
+
+namespace talus {
+namespace {
+
+// Cells of 32 x 32 patches, or the coarsest that the pyramid of a small terrain has.
+constexpr int finest_cell_level = 5;
+
+gpu::Buffer cell_indices(int level) {
+    const unsigned patches = 1U << static_cast<unsigned>(level);
+    const unsigned side = patches + 1;
+    std::vector<std::uint32_t> indices;
+    for (unsigned y = 0; y < patches; ++y)
+        for (unsigned x = 0; x < patches; ++x) {
+            const unsigned at = y * side + x;
+            indices.insert(indices.end(), {at, at + side, at + 1, at + 1, at + side, at + side + 1});
+        }
+    gpu::Buffer buffer("cell indices", indices.size() * sizeof(std::uint32_t));
+    buffer.write_all(indices);
+    return buffer;
+}
+
+struct MeshMethod {
+    gpu::Program list{"render/mesh_cells.comp"};
+    gpu::Program draw{std::vector<std::string>{"render/mesh.vert", "render/mesh.frag"}};
+    gpu::Buffer indices;
+    gpu::Buffer cells;
+    int level = 0;
+};
+
+}  // namespace
+
+Method make_mesh(Detail) {
+    auto mesh = std::make_shared<MeshMethod>();
+    return [mesh](const Frame& frame) {
+        const Grid& grid = frame.terrain.grid();
+        const int level = std::min(finest_cell_level, frame.pyramid.top_level());
+        const glm::ivec2 size = frame.pyramid.level_1_size() >> (level - 1);
+        if (level != mesh->level) mesh->indices = cell_indices(level);
+        mesh->level = level;
+        const std::size_t bytes = (8 + static_cast<std::size_t>(size.x) * size.y) * sizeof(std::uint32_t);
+        if (mesh->cells.bytes() != bytes) mesh->cells = gpu::Buffer("mesh cells", bytes);
+        const std::array<std::uint32_t, 8> arguments = {
+            6U << (2U * static_cast<unsigned>(level)), 0, 0, 0, 0, 0, 0, 0};
+        mesh->cells.write(0, std::as_bytes(std::span(arguments)));
+        mesh->cells.bind_storage(3);
+        for (gpu::Program* program : {&mesh->list, &mesh->draw}) {
+            frame.pyramid.bind(*program, frame.terrain);
+            set_camera(*program, grid, frame.camera, frame.width, frame.height);
+            program->set("cell_level", level);
+        }
+        frame.pyramid.lowest.bind_sampled(2);
+        mesh->list.dispatch((size.x * size.y + 63) / 64);
+        mesh->draw.set("near_m", static_cast<float>(1e-3 * std::min(grid.dx, grid.dy)));
+        const gpu::Region picture{0, 0, frame.width, frame.height};
+        frame.hits.clear(picture, 0, {HUGE_VALF, 0, 0, 0});
+        frame.hits.clear_depth(picture);
+        frame.hits.bind(picture);
+        mesh->draw.draw_indexed_indirect(mesh->indices, mesh->cells);
+    };
+}
+
+}  // namespace talus

@@ -1,0 +1,122 @@
+// How far a bundle of rays from one point may go before any of them can meet ground: a walk over blocks of 2 x 2 cells of
+// the max pyramid (docs/numerics.md, "Beams"). Everything grows linearly with depth: a ray of the bundle is, at depth w,
+// within spread * w of middle * w, in columns, rows and metres of height. The including side gives load_top(),
+// load_highest(), patches and top_level as for maths/cast.glsl, and
+//   load_bottom(int2 cell, int level)   lowest corner of a pyramid cell over the origin height
+
+struct Beam {
+    real depth;     // no ray of the bundle meets ground before it
+    int level;      // of the cells where it stopped
+    bool flat_end;  // all rays end in cells so flat that one height tells their hits
+    real height_m;  // that height over the origin's, where flat_end
+};
+
+// Beyond so many steps the bundle stops where it is: a shorter way is still a right one.
+const int beam_step_limit = 96;
+
+// A cell that may lie beside the terrain: its highest and its lowest point, or neither.
+bool beam_within(int2 cell, int level) {
+    return cell.x >= 0 && cell.y >= 0 && (cell.x << level) < patches.x && (cell.y << level) < patches.y;
+}
+real beam_top(int2 cell, int level) {
+    bool within = beam_within(cell, level);
+    real top = load_top(int2(within ? cell.x : 0, within ? cell.y : 0), level);
+    return within ? top : real(-1e30);
+}
+real beam_bottom(int2 cell, int level) {
+    bool within = beam_within(cell, level);
+    real bottom = load_bottom(int2(within ? cell.x : 0, within ? cell.y : 0), level);
+    return within ? bottom : real(-1e30);
+}
+
+// Where an edge of the bundle reaches a plane, going that way; a great depth where it never does.
+real beam_reach(real way, real speed) { return speed > real(0) ? way / speed : real(1e30); }
+
+// A block of 2 x 2 cells about the bundle at a depth.
+struct BeamBlock {
+    int2 cell;   // its first
+    real leave;  // the depth where an edge of the bundle leaves it
+    real top;    // its highest point
+    bool fits;   // the bundle lies in it and goes on in it
+};
+
+// least, most: edges of the bundle along columns and rows.
+BeamBlock beam_block(int2 origin_cell, real2 fraction, real2 least, real2 most, real depth, int level) {
+    BeamBlock block;
+    real size = real(1 << level);
+    // The block whose middle is nearest to the bundle's.
+    real2 at = real2(fraction.x + real(0.5) * depth * (least.x + most.x), fraction.y + real(0.5) * depth * (least.y + most.y));
+    block.cell = int2((int(floor(at.x - real(0.5) * size)) + origin_cell.x) >> level,
+                      (int(floor(at.y - real(0.5) * size)) + origin_cell.y) >> level);
+    real2 low = real2(real((block.cell.x << level) - origin_cell.x) - fraction.x, real((block.cell.y << level) - origin_cell.y) - fraction.y);
+    real2 high = real2(low.x + real(2) * size, low.y + real(2) * size);
+    real leave_x = min(most.x > real(0) ? high.x / most.x : real(1e30), least.x < real(0) ? low.x / least.x : real(1e30));
+    real leave_y = min(most.y > real(0) ? high.y / most.y : real(1e30), least.y < real(0) ? low.y / least.y : real(1e30));
+    block.leave = min(leave_x, leave_y);
+    block.fits = block.leave > depth && least.x * depth >= low.x && least.y * depth >= low.y && most.x * depth <= high.x &&
+                 most.y * depth <= high.y;
+    block.top = max(max(beam_top(block.cell, level), beam_top(int2(block.cell.x + 1, block.cell.y), level)),
+                    max(beam_top(int2(block.cell.x, block.cell.y + 1), level), beam_top(int2(block.cell.x + 1, block.cell.y + 1), level)));
+    return block;
+}
+
+// from: a depth up to which the way is known to be free; flatness: the bundle may end in cells whose heights lie within
+// so many times their depth below the origin of their middle (with flat_ends, a constant: where nobody asks, it costs
+// nothing).
+Beam cast_beam(int2 origin_cell, real2 fraction, real3 middle, real3 spread, real from, real flatness) {
+    Beam beam;
+    beam.flat_end = false;
+    beam.height_m = real(0);
+    // Edges of the bundle: least and greatest speed along columns and rows, and its lowest and highest edge.
+    real2 least = real2(middle.x - spread.x, middle.y - spread.y);
+    real2 most = real2(middle.x + spread.x, middle.y + spread.y);
+    real fall = middle.z - spread.z;
+    real rise = middle.z + spread.z;
+    // Before this depth no ray is over the terrain, or none is below its highest sample.
+    real2 low_edge = real2(real(-origin_cell.x) - fraction.x, real(-origin_cell.y) - fraction.y);
+    real2 high_edge = real2(real(patches.x - origin_cell.x) - fraction.x, real(patches.y - origin_cell.y) - fraction.y);
+    real depth = from;
+    if (low_edge.x > real(0)) depth = max(depth, beam_reach(low_edge.x, most.x));
+    if (low_edge.y > real(0)) depth = max(depth, beam_reach(low_edge.y, most.y));
+    if (high_edge.x < real(0)) depth = max(depth, beam_reach(-high_edge.x, -least.x));
+    if (high_edge.y < real(0)) depth = max(depth, beam_reach(-high_edge.y, -least.y));
+    real highest = load_highest();
+    if (highest < real(0)) depth = max(depth, beam_reach(-highest, -fall));
+    // And beyond this one all have left it.
+    real end = min(min(least.x > real(0) ? high_edge.x / least.x : real(1e30), least.y > real(0) ? high_edge.y / least.y : real(1e30)),
+                   min(most.x < real(0) ? low_edge.x / most.x : real(1e30), most.y < real(0) ? low_edge.y / most.y : real(1e30)));
+    if (highest > real(0) && fall > real(0)) end = min(end, highest / fall);
+    if (highest <= real(0) && fall >= real(0)) end = real(0);
+
+    int level = top_level;
+    int steps = 0;
+    bool going = depth < end;
+    do {
+        BeamBlock block = beam_block(origin_cell, fraction, least, most, depth, level);
+        real lowest = fall * (fall < real(0) ? max(block.leave, depth) : depth);
+        bool free = block.fits && lowest > block.top;
+        // Into the block: to where the lowest edge has come down to its top, then finer.
+        real drop = block.fits && fall < real(0) && fall * depth > block.top ? max(depth, block.top / fall) : depth;
+        depth = free ? block.leave : drop;
+        level = free ? min(level + 1, top_level) : level - 1;
+        going = depth < end && level >= 1 && block.fits && ++steps < beam_step_limit;
+    } while (going);
+    beam.depth = depth >= end ? max(end, depth) : depth;
+    beam.level = max(level, 1);
+    if (flat_ends) {
+        // Where the walk stopped: a block as long as the bundle's end is over ground. Does every ray come in by its top
+        // and get below its lowest point before it leaves?
+        real drawn_out = fall * depth * (real(1) / min(rise, real(-1e-6)) - real(1) / fall);
+        real end_length = drawn_out * max(max(abs(least.x), abs(most.x)), max(abs(least.y), abs(most.y))) + depth * max(spread.x, spread.y);
+        int last = min(beam.level + 1, top_level);
+        for (int i = 0; i < 8; ++i) last += last < top_level && real(1 << last) < end_length ? 1 : 0;
+        BeamBlock block = beam_block(origin_cell, fraction, least, most, depth, last);
+        real bottom = min(min(beam_bottom(block.cell, last), beam_bottom(int2(block.cell.x + 1, block.cell.y), last)),
+                          min(beam_bottom(int2(block.cell.x, block.cell.y + 1), last), beam_bottom(int2(block.cell.x + 1, block.cell.y + 1), last)));
+        beam.height_m = real(0.5) * (block.top + bottom);
+        beam.flat_end = depth < end && block.fits && rise < real(0) && fall * depth >= block.top * real(1.00001) &&
+                        bottom > block.leave * rise && block.top - beam.height_m <= -flatness * beam.height_m;
+        beam.level = beam.flat_end ? last : beam.level;
+    }
+    return beam;
+}

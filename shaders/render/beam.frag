@@ -1,0 +1,39 @@
+// A bundle of the rays of beam_pixels x beam_pixels pixels: the depth along the view up to which none meets ground, and
+// the level of the pyramid to go on from; or the height where all of them end, and minus the level of those cells.
+#include "render/surface.glsl"
+#include "render/camera.glsl"
+#include "render/beam_pixels.glsl"
+#ifdef FLAT_ENDS
+const bool flat_ends = true;
+#else
+const bool flat_ends = false;
+#endif
+layout(binding = 2) uniform sampler2D bottoms;
+real load_bottom(int2 cell, int level) {
+    return (texelFetch(bottoms, pyramid_texel(cell, level), 0).r - origin_height_m.x) - origin_height_m.y;
+}
+#include "maths/beam.glsl"
+#ifdef BEHIND_MESH
+#include "render/hybrid_sectors.glsl"
+#endif
+
+layout(location = 0) out vec2 beam_out;
+
+uniform real flatness;
+
+void main() {
+    // Corners of the block in the picture, -1 to 1; ways grow linearly, so its middle and half its spread tell all.
+    real2 step_size = 2.0 * real(beam_pixels) / picture_size;
+    real2 at = (floor(gl_FragCoord.xy) + 0.5) * step_size - 1.0;
+    real3 way = ray_forward + at.x * ray_right + at.y * ray_up;
+    real3 spread = 1.001 * 0.5 * (step_size.x * abs(ray_right) + step_size.y * abs(ray_up));
+    real from = 0.0;
+#ifdef BEHIND_MESH
+    // Nearer than the mesh reaches it shows all ground, so a ray that passed it starts there.
+    from = free_depth(way.xy, spread.xy);
+#endif
+    real3 scale = real3(cells_per_m, 1.0);
+    real3 middle = real3(way.x * scale.x, -way.y * scale.y, way.z);
+    Beam beam = cast_beam(origin_cell, origin_fraction, middle, spread * scale, from, flatness);
+    beam_out = beam.flat_end ? vec2(beam.height_m, float(-beam.level)) : vec2(beam.depth * real(0.9999), float(beam.level));
+}

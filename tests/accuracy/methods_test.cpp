@@ -1,0 +1,158 @@
+// Every pixel of the methods that promise it against the double twin: coverage and distance, from every kind
+// of place (law 1), and nothing leaks where mesh and rays meet.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "render/measure.h"
+#include "render/methods/method.h"
+#include "sim/gpu/context.h"
+#include "sim/terrain/generate.h"
+#include "tests/scenes/cameras.h"
+#include "tests/scenes/scenes.h"
+
+namespace talus {
+namespace {
+
+constexpr int width = 480;
+constexpr int height = 270;
+
+// A terrain on the device and what draws it into memory.
+class Easel {
+  public:
+    explicit Easel(const scenes::Scene& scene)
+        : terrain(bedrock_terrain(scene.grid, scene.heights)), pyramid(terrain) {
+        pyramid.refresh(terrain);
+    }
+
+    std::vector<glm::vec2> draw(const Method& method, const Camera& camera, double tolerance_px) {
+        method({terrain, pyramid, camera, width, height, tolerance_px, patch_pixels, framebuffer_});
+        return hits_.read_all<glm::vec2>();
+    }
+
+    Terrain terrain;
+    Pyramid pyramid;
+    double patch_pixels = 8;  // more mesh than any device would choose
+
+  private:
+    gpu::Texture hits_{"hits", gpu::Format::rg32f, width, height};
+    gpu::Texture depth_{"depth", gpu::Format::depth32f, width, height};
+    std::array<const gpu::Texture*, 1> colours_ = {&hits_};
+    gpu::Framebuffer framebuffer_{"hits", colours_, &depth_};
+};
+
+std::vector<float> distances(const std::vector<glm::vec2>& hits) {
+    std::vector<float> result;
+    for (const glm::vec2 hit : hits) result.push_back(hit.x);
+    return result;
+}
+
+class Methods : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Methods, ErrWithinTheirTolerance) {
+    const gpu::Context context;
+    const scenes::Scene scene = scenes::make(GetParam());
+    Easel easel(scene);
+    Measure measure(scene.grid, scene.heights);
+    const Method exact = make_exact(Detail::kind);
+    const Method hybrid = make_hybrid(Detail::kind);
+    const struct {
+        const char* name;
+        const Method& method;
+        double tolerance_px;
+    } cases[] = {{"exact", exact, 0}, {"hybrid", hybrid, 0}, {"hybrid", hybrid, 0.5}, {"hybrid", hybrid, 2}};
+    for (const auto& c : cases) {
+        // Tolerance 0 allows a thousandth of a pixel: a ray that grazes a crest changes its hit by metres in
+        // less.
+        const double limit_px = std::max(c.tolerance_px, 1e-3);
+        PictureError all;
+        std::array<int, 4> kinds{};
+        for (const scenes::NamedCamera& view : scenes::cameras(scene)) {
+            const std::vector<glm::vec2> hits = easel.draw(c.method, view.camera, c.tolerance_px);
+            for (const glm::vec2 hit : hits)
+                if (std::isfinite(hit.x)) ++kinds[static_cast<std::size_t>(std::clamp(hit.y, 0.0F, 3.0F))];
+            const PictureError error = measure.compare(view.camera, width, height, distances(hits), limit_px);
+            EXPECT_EQ(error.beyond, 0) << c.name << " at " << c.tolerance_px << " px, " << view.name;
+            all.pixels_hit += error.pixels_hit;
+            all.wrong_coverage += error.wrong_coverage;
+            all.silhouettes_missed += error.silhouettes_missed;
+            all.largest_px = std::max(all.largest_px, error.largest_px);
+        }
+        std::printf(
+            "%s, %s at %.1f px: %d pixels hit, largest error %.2g px, %d wrong coverage, %d silhouettes "
+            "missed",
+            GetParam().c_str(), c.name, c.tolerance_px, all.pixels_hit, all.largest_px, all.wrong_coverage,
+            all.silhouettes_missed);
+        std::printf("; mesh %d, rays %d, ended early %d\n", kinds[1], kinds[2], kinds[3]);
+        EXPECT_GT(all.pixels_hit, width * height * 4);
+        if (c.tolerance_px > 0) {
+            EXPECT_GT(kinds[1], width * height / 4) << "too little mesh was tested";
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Terrains, Methods, ::testing::ValuesIn(scenes::names()),
+                         [](const auto& scene) { return scene.param; });
+
+// Law 2: beams save steps and change no bit.
+TEST(Exact, BeamsChangeNoBit) {
+    const gpu::Context context;
+    const scenes::Scene scene = scenes::make("fbm");
+    Easel easel(scene);
+    const Method exact = make_exact(Detail::steps);
+    gpu::Program plain({"render/fullscreen.vert", "render/exact.frag"}, {"COUNT_STEPS", "NO_BEAMS"});
+    const Method without = [&](const Frame& frame) {
+        frame.pyramid.bind(plain, frame.terrain);
+        set_camera(plain, frame.terrain.grid(), frame.camera, frame.width, frame.height);
+        frame.hits.bind({0, 0, frame.width, frame.height});
+        plain.draw_fullscreen();
+    };
+    for (const scenes::NamedCamera& view : scenes::cameras(scene)) {
+        const std::vector<glm::vec2> with_beams = easel.draw(exact, view.camera, 0);
+        const std::vector<glm::vec2> without_beams = easel.draw(without, view.camera, 0);
+        EXPECT_EQ(distances(with_beams), distances(without_beams)) << view.name;
+        double saved = 0;
+        for (std::size_t i = 0; i < with_beams.size(); ++i) saved += without_beams[i].y - with_beams[i].y;
+        EXPECT_GE(saved, 0) << view.name;
+    }
+}
+
+// A flight low over mountains: no pixel shows what lies behind the ground, at any border of mesh and rays.
+TEST(Hybrid, HasNoCracksOverAFlight) {
+    const gpu::Context context;
+    const Grid grid{513, 513, 10, 10};
+    const scenes::Scene scene{grid, generate_heights(grid, {"mountains", 8, 900})};
+    Easel easel(scene);
+    Measure measure(scene.grid, scene.heights);
+    const Method exact = make_exact(Detail::none);
+    const Method hybrid = make_hybrid(Detail::kind);
+    int cracks = 0;
+    long borders = 0;
+    for (int frame = 0; frame < 300; ++frame) {
+        const double angle = 2 * std::numbers::pi * frame / 300;
+        const glm::dvec2 at = glm::dvec2(0.5 * grid.width_m()) +
+                              0.38 * grid.width_m() * glm::dvec2(std::cos(angle), std::sin(2 * angle));
+        const auto column = static_cast<std::size_t>(grid.column_of(at.x));
+        const auto row = static_cast<std::size_t>(grid.row_of(at.y));
+        const double above = 8 + 250 * (0.5 + 0.5 * std::sin(7 * angle));
+        const glm::dvec3 eye(at, scene.heights[row * grid.nx + column] + above);
+        const Camera camera{eye, eye + glm::dvec3(std::cos(3 * angle), std::sin(3 * angle), -0.25), 60};
+        const std::vector<glm::vec2> truth = easel.draw(exact, camera, 0);
+        const std::vector<glm::vec2> drawn = easel.draw(hybrid, camera, 0.5);
+        for (int i = 0; i < width * height; ++i) {
+            borders += i % width > 0 && (drawn[i].y == 1) != (drawn[i - 1].y == 1) ? 1 : 0;
+            if (!(drawn[i].x > 1.0001F * truth[i].x)) continue;
+            // Farther than the exact ray: right only where a ray beside the pixel's centre passes too.
+            cracks +=
+                measure.error_px(camera, width, height, i % width, i / width, drawn[i].x, 0.5) > 0.5 ? 1 : 0;
+        }
+    }
+    EXPECT_EQ(cracks, 0);
+    EXPECT_GT(borders, 100000);
+    std::printf("300 frames, %ld borders of mesh and rays, %d cracks\n", borders, cracks);
+}
+
+}  // namespace
+}  // namespace talus
