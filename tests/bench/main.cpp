@@ -11,7 +11,7 @@
 
 int main(int argc, char** argv) {
     const std::string_view which = argc > 1 ? argv[1] : "";
-    if (which != "render" && which != "update") {
+    if (which != "render" && which != "update" && which.substr(0, 7) != "explore") {
         fmt::print(stderr, "usage: talus_bench render|update [SHADER_DIR]\n");
         return 2;
     }
@@ -19,7 +19,11 @@ int main(int argc, char** argv) {
         if (argc > 2) talus::gpu::use_shader_folder(argv[2]);
         const talus::gpu::Context context;
         fmt::print("{}\n", talus::gpu::describe(context.device()));
-        if (which == "render")
+        if (which == "explore2")
+            talus::bench::explore2();
+        else if (which == "explore")
+            talus::bench::explore();
+        else if (which == "render")
             talus::bench::bench_render();
         else
             talus::bench::bench_update();

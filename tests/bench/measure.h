@@ -16,5 +16,7 @@ std::vector<double> interleave(const std::vector<Contestant>& contestants, int r
 
 void bench_render();
 void bench_update();
+void explore();
+void explore2();
 
 }  // namespace talus::bench
