@@ -45,9 +45,13 @@ Pyramid::Pyramid(const Terrain& terrain)
     lowest.fill(HUGE_VALF);
 }
 
-void Pyramid::refresh(Terrain& terrain) {
+const TileList& Pyramid::list_changes(Terrain& terrain) {
     // A tile's patches reach one sample into the tiles east and south of it.
     terrain.tiles.take(Tiles::surface, 0, 1, 1, dirty_);
+    return dirty_;
+}
+
+void Pyramid::rebuild(const Terrain& terrain) {
     terrain.ground.bind_sampled(0);
     dirty_.buffer.bind_storage(1);
     highest.bind_image(0, gpu::Access::read_write);

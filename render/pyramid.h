@@ -13,8 +13,15 @@ class Pyramid {
     /// Allocates; nothing is built before the first refresh().
     explicit Pyramid(const Terrain& terrain);
 
-    /// Rebuilds the cells over tiles whose surface mark is set, in this terrain, and clears the mark.
-    void refresh(Terrain& terrain);
+    /// Lists the tiles whose surface mark is set in this terrain, and those whose patches use their samples;
+    /// clears the mark.
+    const TileList& list_changes(Terrain& terrain);
+    /// Rebuilds the cells over the tiles listed last.
+    void rebuild(const Terrain& terrain);
+    void refresh(Terrain& terrain) {
+        list_changes(terrain);
+        rebuild(terrain);
+    }
 
     int top_level() const { return top_level_; }
     glm::ivec2 level_1_size() const { return level_1_size_; }

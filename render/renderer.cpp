@@ -9,64 +9,133 @@
 
 namespace talus {
 
+namespace {
+
+Detail detail_of(View view) {
+    return view == View::steps ? Detail::steps : view == View::cells ? Detail::kind : Detail::none;
+}
+
+// Whether the hits of two pictures of the same terrain are the same.
+bool same_hits(const ViewSettings& a, const ViewSettings& b) {
+    return a.method == b.method && a.tolerance_px == b.tolerance_px && detail_of(a.view) == detail_of(b.view);
+}
+
+}  // namespace
+
 Renderer::Renderer(const Terrain& terrain)
-    : pyramid_(terrain), shade_(std::vector<std::string>{"render/fullscreen.vert", "render/shade.frag"}) {}
+    : pyramid_(terrain),
+      shade_({"render/fullscreen.vert", "render/shade.frag"}),
+      shade_blocks_({"render/block.vert", "render/shade.frag"}),
+      ring_({"render/fullscreen.vert", "render/ring.frag"}) {}
 
 void Renderer::resize(int width, int height) {
     if (hits_.width() >= width && hits_.height() >= height) return;
     const int w = std::max(width, hits_.width());
     const int h = std::max(height, hits_.height());
     hits_ = gpu::Texture("hits", gpu::Format::rg32f, w, h);
+    depth_ = gpu::Texture("depth", gpu::Format::depth32f, w, h);
     colour_ = gpu::Texture("colour", gpu::Format::rgba8, w, h);
+    ringed_colour_ = gpu::Texture("colour with ring", gpu::Format::rgba8, w, h);
     const std::array<const gpu::Texture*, 1> hits = {&hits_};
     const std::array<const gpu::Texture*, 1> colour = {&colour_};
-    depth_ = gpu::Texture("depth", gpu::Format::depth32f, w, h);
+    const std::array<const gpu::Texture*, 1> ringed = {&ringed_colour_};
     hits_buffer_ = gpu::Framebuffer("hits", hits, &depth_);
     colour_buffer_ = gpu::Framebuffer("colour", colour);
+    ringed_buffer_ = gpu::Framebuffer("colour with ring", ringed);
+    drawn_.reset();
 }
 
-void Renderer::draw(Terrain& terrain, const Camera& camera, const ViewSettings& settings, int width,
-                    int height) {
-    resize(width, height);
-    pyramid_.refresh(terrain);
-    follow_bounds();
-    const Detail detail = settings.view == View::steps   ? Detail::steps
-                          : settings.view == View::cells ? Detail::kind
-                                                         : Detail::none;
+const Method& Renderer::method_of(const ViewSettings& settings, bool& redraws_blocks) {
+    const auto entry = std::find_if(talus::methods().begin(), talus::methods().end(),
+                                    [&](const MethodEntry& e) { return e.name == settings.method; });
+    if (entry == talus::methods().end()) throw Error("there is no method '" + settings.method + "'");
+    const Detail detail = detail_of(settings.view);
+    // Steps of a walk depend on bounds far from where it ends.
+    redraws_blocks = entry->redraws_blocks && detail != Detail::steps;
     const std::string key = settings.method + std::to_string(static_cast<int>(detail));
     auto found =
         std::find_if(methods_.begin(), methods_.end(), [&](const auto& m) { return m.first == key; });
-    if (found == methods_.end()) {
-        const auto entry = std::find_if(talus::methods().begin(), talus::methods().end(),
-                                        [&](const MethodEntry& e) { return e.name == settings.method; });
-        if (entry == talus::methods().end()) throw Error("there is no method '" + settings.method + "'");
-        methods_.emplace_back(key, entry->make(detail));
-        found = methods_.end() - 1;
-    }
-    found->second({terrain, pyramid_, camera, width, height, settings.tolerance_px, 60, hits_buffer_});
+    if (found == methods_.end()) found = methods_.insert(methods_.end(), {key, entry->make(detail)});
+    return found->second;
+}
 
+Drawn Renderer::draw(Terrain& terrain, const Camera& camera, const ViewSettings& settings, int width,
+                     int height) {
+    resize(width, height);
+    Picture picture{camera, settings, width, height, terrain.tiles.changes()};
+    picture.settings.ring_m = glm::dvec3(0);
+    const Drawn drawn = redraw(terrain, picture);
+    drawn_ = picture;
+    follow_bounds(drawn != Drawn::nothing);
+    ringed_ = settings.ring_m.z > 0;
+    if (ringed_) draw_ring(terrain.grid(), picture, settings.ring_m);
+    return drawn;
+}
+
+Drawn Renderer::redraw(Terrain& terrain, const Picture& picture) {
+    if (drawn_ == picture) return Drawn::nothing;
+    const bool same_view = drawn_ && drawn_->camera == picture.camera && drawn_->width == picture.width &&
+                           drawn_->height == picture.height && same_hits(drawn_->settings, picture.settings);
+    const bool same_terrain = drawn_ && drawn_->changes == picture.changes;
+    if (same_view && same_terrain) {
+        shade(terrain, picture, false);
+        return Drawn::colours;
+    }
+    bool redraws_blocks = false;
+    const Method& method = method_of(picture.settings, redraws_blocks);
+    const bool blocks = redraws_blocks && same_view && drawn_->settings == picture.settings;
+    const TileList& changed = pyramid_.list_changes(terrain);
+    const bool shadows = picture.settings.shadows && picture.settings.view == View::shaded;
+    const glm::dvec3 sun = shadows ? picture.settings.sun : glm::dvec3(0);
+    if (blocks) {
+        redraw_.begin(picture.width, picture.height);
+        redraw_.mark(false, changed, terrain, pyramid_, picture.camera, sun);
+    }
+    pyramid_.rebuild(terrain);
+    if (blocks) redraw_.mark(true, changed, terrain, pyramid_, picture.camera, sun);
+    method({terrain, pyramid_, picture.camera, picture.width, picture.height, picture.settings.tolerance_px,
+            60, hits_buffer_, blocks ? &redraw_ : nullptr});
+    shade(terrain, picture, blocks);
+    return blocks ? Drawn::changes : Drawn::everything;
+}
+
+void Renderer::shade(const Terrain& terrain, const Picture& picture, bool blocks) {
+    const ViewSettings& settings = picture.settings;
     const Grid& grid = terrain.grid();
-    set_camera(shade_, grid, camera, width, height);
-    pyramid_.bind(shade_, terrain);
+    gpu::Program& program = blocks ? shade_blocks_ : shade_;
+    set_camera(program, grid, picture.camera, picture.width, picture.height);
+    pyramid_.bind(program, terrain);
     pyramid_.lowest.bind_sampled(2);
     terrain.solid.front.bind_sampled(3);
     hits_.bind_sampled(4);
-    shade_.set("view", static_cast<int>(settings.view));
-    shade_.set("sun", glm::vec3(settings.sun));
-    shade_.set("shadows", settings.shadows ? 1 : 0);
-    shade_.set("extent_m", static_cast<float>(std::max(grid.width_m(), grid.height_m())));
-    shade_.set("pixel_angle", static_cast<float>(camera.fov_deg * std::numbers::pi / 180 / height));
-    // The ring is as wide at any resolution, but never thinner than a pixel.
-    const double ring_pixels = std::max(1.3 * height / 720, 0.6);
-    shade_.set("ring_angle",
-               static_cast<float>(ring_pixels * camera.fov_deg * std::numbers::pi / 180 / height));
-    shade_.set("band_m", static_cast<float>(settings.band_m));
-    shade_.set("slope_scale_deg", static_cast<float>(slope_scale_deg));
-    shade_.set("steps_scale", static_cast<float>(steps_scale));
-    shade_.set("ring_m", glm::vec3(settings.ring_m.x - camera.eye.x, settings.ring_m.y - camera.eye.y,
-                                   settings.ring_m.z));
-    colour_buffer_.bind({0, 0, width, height});
-    shade_.draw_fullscreen();
+    program.set("view", static_cast<int>(settings.view));
+    program.set("sun", glm::vec3(settings.sun));
+    program.set("shadows", settings.shadows ? 1 : 0);
+    program.set("extent_m", static_cast<float>(std::max(grid.width_m(), grid.height_m())));
+    program.set("pixel_angle",
+                static_cast<float>(picture.camera.fov_deg * std::numbers::pi / 180 / picture.height));
+    program.set("band_m", static_cast<float>(settings.band_m));
+    program.set("slope_scale_deg", static_cast<float>(slope_scale_deg));
+    program.set("steps_scale", static_cast<float>(steps_scale));
+    colour_buffer_.bind({0, 0, picture.width, picture.height});
+    if (blocks)
+        redraw_.draw(program, gpu::Depth::none);
+    else
+        program.draw_fullscreen();
+}
+
+void Renderer::draw_ring(const Grid& grid, const Picture& picture, glm::dvec3 ring_m) {
+    set_camera(ring_, grid, picture.camera, picture.width, picture.height);
+    hits_.bind_sampled(4);
+    colour_.bind_sampled(5);
+    // As wide at any resolution, but never thinner than a pixel.
+    const double pixels = std::max(1.3 * picture.height / 720, 0.6);
+    ring_.set("ring_angle",
+              static_cast<float>(pixels * picture.camera.fov_deg * std::numbers::pi / 180 / picture.height));
+    ring_.set("ring_m",
+              glm::vec3(ring_m.x - picture.camera.eye.x, ring_m.y - picture.camera.eye.y, ring_m.z));
+    ringed_buffer_.bind({0, 0, picture.width, picture.height});
+    ring_.draw_fullscreen();
 }
 
 std::vector<std::uint8_t> Renderer::read_rgb(int width, int height) const {
@@ -92,12 +161,12 @@ std::vector<float> Renderer::read_depth(int width, int height) const {
     return values;
 }
 
-void Renderer::follow_bounds() {
+void Renderer::follow_bounds(bool again) {
     const gpu::Region last{pyramid_.highest.width() - 1, pyramid_.highest.height() - 1, 1, 1};
     if (const auto texel = lowest_readback_.poll()) bounds_.x = (*texel)[0];
     if (const auto texel = highest_readback_.poll()) bounds_.y = (*texel)[0];
-    if (!lowest_readback_.pending()) lowest_readback_.start(pyramid_.lowest, last);
-    if (!highest_readback_.pending()) highest_readback_.start(pyramid_.highest, last);
+    if (again && !lowest_readback_.pending()) lowest_readback_.start(pyramid_.lowest, last);
+    if (again && !highest_readback_.pending()) highest_readback_.start(pyramid_.highest, last);
 }
 
 }  // namespace talus

@@ -1,28 +1,36 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "render/camera.h"
 #include "render/methods/method.h"
 #include "render/pyramid.h"
+#include "render/redraw.h"
 #include "render/view.h"
 #include "sim/gpu/readback.h"
 
 namespace talus {
 
+/// How much of a picture had to be drawn.
+enum class Drawn { nothing, colours, changes, everything };
+
 /// Draws a terrain into its own framebuffer: a method fills the hits, one shader colours them for every
-/// method.
+/// method. What would keep its bits is not drawn again.
 class Renderer {
   public:
     explicit Renderer(const Terrain& terrain);
 
-    /// Brings the pyramid up to date with the terrain's changed tiles and draws width x height pixels.
-    void draw(Terrain& terrain, const Camera& camera, const ViewSettings& settings, int width, int height);
+    /// Brings the pyramid up to date with the terrain's changed tiles and draws width x height pixels: all of
+    /// them, only what changed tiles can touch, only the colours, or nothing. The picture is the same bit for
+    /// bit as a fresh one.
+    Drawn draw(Terrain& terrain, const Camera& camera, const ViewSettings& settings, int width, int height);
+    /// The next draw() draws everything.
+    void forget() { drawn_.reset(); }
 
     /// What draw() made: rows bottom up; textures may be larger than the picture.
-    const gpu::Texture& colour() const { return colour_; }
-    const gpu::Framebuffer& framebuffer() const { return colour_buffer_; }
+    const gpu::Framebuffer& framebuffer() const { return ringed_ ? ringed_buffer_ : colour_buffer_; }
     /// Distance in metres along each pixel's normalised ray (infinity: nothing hit) and steps.
     const gpu::Texture& hits() const { return hits_; }
     const Pyramid& pyramid() const { return pyramid_; }
@@ -35,17 +43,38 @@ class Renderer {
     glm::dvec2 bounds() const { return bounds_; }
 
   private:
+    // What a picture was drawn from; the brush's ring lies on top of it.
+    struct Picture {
+        Camera camera;
+        ViewSettings settings;
+        int width = 0;
+        int height = 0;
+        std::uint64_t changes = 0;
+        bool operator==(const Picture&) const = default;
+    };
+
     void resize(int width, int height);
-    void follow_bounds();
+    void follow_bounds(bool again);
+    const Method& method_of(const ViewSettings& settings, bool& redraws_blocks);
+    Drawn redraw(Terrain& terrain, const Picture& picture);
+    void shade(const Terrain& terrain, const Picture& picture, bool blocks);
+    void draw_ring(const Grid& grid, const Picture& picture, glm::dvec3 ring_m);
 
     Pyramid pyramid_;
+    Redraw redraw_;
+    std::optional<Picture> drawn_;
     std::vector<std::pair<std::string, Method>> methods_;
     gpu::Program shade_;
+    gpu::Program shade_blocks_;
+    gpu::Program ring_;
     gpu::Texture hits_;
     gpu::Texture depth_;
     gpu::Texture colour_;
+    gpu::Texture ringed_colour_;
     gpu::Framebuffer hits_buffer_;
     gpu::Framebuffer colour_buffer_;
+    gpu::Framebuffer ringed_buffer_;
+    bool ringed_ = false;
     gpu::Readback lowest_readback_;
     gpu::Readback highest_readback_;
     glm::dvec2 bounds_{0};

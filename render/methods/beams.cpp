@@ -5,23 +5,41 @@ namespace {
 
 constexpr int beam_pixels = 8;  // as in shaders/render/beam_pixels.glsl
 
+glm::ivec2 beams_of(const Frame& frame) {
+    return (glm::ivec2(frame.width, frame.height) + beam_pixels - 1) / beam_pixels;
+}
+
 }  // namespace
 
+Beams::Beams(const std::vector<std::string>& defines)
+    : program_({"render/fullscreen.vert", "render/beam.frag"}, defines),
+      changes_("render/beam_changes.comp") {}
+
 void Beams::cast(const Frame& frame, double flatness) {
-    const int width = (frame.width + beam_pixels - 1) / beam_pixels;
-    const int height = (frame.height + beam_pixels - 1) / beam_pixels;
-    if (beams_.width() < width || beams_.height() < height) {
-        beams_ = gpu::Texture("beams", gpu::Format::rg32f, std::max(width, beams_.width()),
-                              std::max(height, beams_.height()));
-        const std::array<const gpu::Texture*, 1> colours = {&beams_};
-        buffer_ = gpu::Framebuffer("beams", colours);
+    const glm::ivec2 size = beams_of(frame);
+    newest_ = 1 - newest_;
+    Set& set = sets_[newest_];
+    if (set.texture.width() < size.x || set.texture.height() < size.y) {
+        set.texture = gpu::Texture("beams", gpu::Format::rg32f, std::max(size.x, set.texture.width()),
+                                   std::max(size.y, set.texture.height()));
+        const std::array<const gpu::Texture*, 1> colours = {&set.texture};
+        set.buffer = gpu::Framebuffer("beams", colours);
     }
     frame.pyramid.bind(program_, frame.terrain);
     set_camera(program_, frame.terrain.grid(), frame.camera, frame.width, frame.height);
     frame.pyramid.lowest.bind_sampled(2);
     program_.set("flatness", static_cast<float>(flatness));
-    buffer_.bind({0, 0, width, height});
+    set.buffer.bind({0, 0, size.x, size.y});
     program_.draw_fullscreen();
+}
+
+void Beams::mark_changes(const Frame& frame) {
+    const glm::ivec2 size = beams_of(frame);
+    sets_[newest_].texture.bind_sampled(0);
+    sets_[1 - newest_].texture.bind_sampled(1);
+    frame.redraw->bind(changes_);
+    changes_.set("beam_count", size);
+    changes_.dispatch((size.x + 15) / 16, (size.y + 15) / 16);
 }
 
 }  // namespace talus

@@ -1,24 +1,32 @@
 #pragma once
+#include <array>
+
 #include "render/methods/method.h"
 
 namespace talus {
 
 /// Where the rays of a picture may start: beams of 8 x 8 pixels walk first and stop before any of their rays
-/// can meet ground (shaders/maths/beam.glsl). Skipping changes no bit of a hit.
+/// can meet ground (shaders/maths/beam.glsl). Skipping changes no bit of a hit; ends in flat cells do.
 class Beams {
   public:
-    /// With a define for shaders/render/beam.frag.
-    explicit Beams(const std::vector<std::string>& defines = {})
-        : program_({"render/fullscreen.vert", "render/beam.frag"}, defines) {}
+    /// With defines for shaders/render/beam.frag.
+    explicit Beams(const std::vector<std::string>& defines = {});
     /// flatness: as in shaders/maths/beam.glsl, for programs made with FLAT_ENDS.
     void cast(const Frame& frame, double flatness = 0);
+    /// Marks the blocks where the last two casts, of the same picture, ended in flat cells otherwise.
+    void mark_changes(const Frame& frame);
     /// Binds them for shaders/render/exact.frag.
-    void bind() const { beams_.bind_sampled(4); }
+    void bind() const { sets_[newest_].texture.bind_sampled(4); }
 
   private:
+    struct Set {
+        gpu::Texture texture;
+        gpu::Framebuffer buffer;
+    };
     gpu::Program program_;
-    gpu::Texture beams_;
-    gpu::Framebuffer buffer_;
+    gpu::Program changes_;
+    std::array<Set, 2> sets_;
+    int newest_ = 0;
 };
 
 }  // namespace talus

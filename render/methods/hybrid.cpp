@@ -22,18 +22,37 @@ std::vector<std::string> rays_defines(Detail detail) {
 
 struct Hybrid {
     explicit Hybrid(Detail detail)
-        : rays({"render/fullscreen.vert", "render/exact.frag"}, rays_defines(detail)) {}
+        : rays({"render/fullscreen.vert", "render/exact.frag"}, rays_defines(detail)),
+          ray_blocks({"render/block.vert", "render/exact.frag"}, rays_defines(detail)) {}
 
     Beams beams{{"BEHIND_MESH", "FLAT_ENDS"}};
     gpu::Program reach{"render/hybrid_reach.comp"};
+    gpu::Program reach_changes{"render/hybrid_reach_changes.comp"};
     gpu::Program list{"render/hybrid_cells.comp"};
     gpu::Program patches{std::vector<std::string>{"render/hybrid_patch.vert", "render/hybrid_patch.frag"}};
     gpu::Program patches_behind_rays{
         std::vector<std::string>{"render/hybrid_patch.vert", "render/hybrid_patch.frag"}, {"BEHIND_RAYS"}};
+    gpu::Program empty_blocks{std::vector<std::string>{"render/block.vert", "render/empty.frag"}};
     gpu::Program rays;
+    gpu::Program ray_blocks;
     gpu::Buffer cells;
     gpu::Buffer sectors{"sectors", sector_count * sizeof(std::uint32_t)};
+    gpu::Buffer sectors_before{"sectors before", sector_count * sizeof(std::uint32_t)};
 };
+
+// Which cells the mesh draws, and how far it reaches.
+void choose_cells(Hybrid& hybrid, int cells, int cell_level) {
+    const unsigned vertices = 6U << (2U * static_cast<unsigned>(cell_level));
+    // Cells in front, cells behind rays, rays everywhere, rays behind the mesh.
+    const std::array<std::uint32_t, 16> arguments = {vertices, 0, 0, 0, vertices, 0, 0, 0,
+                                                     3,        1, 0, 0, 3,        0, 0, 0};
+    hybrid.cells.write(0, std::as_bytes(std::span(arguments)));
+    hybrid.sectors.fill(0x7f800000U);  // infinity
+    hybrid.cells.bind_storage(3);
+    hybrid.sectors.bind_storage(4);
+    hybrid.reach.dispatch((cells + 63) / 64);
+    hybrid.list.dispatch((cells + 63) / 64);
+}
 
 void draw(Hybrid& hybrid, const Frame& frame) {
     const Grid& grid = frame.terrain.grid();
@@ -42,15 +61,10 @@ void draw(Hybrid& hybrid, const Frame& frame) {
     const int cells = size.x * size.y;
     const std::size_t bytes = (16 + 2 * static_cast<std::size_t>(cells)) * sizeof(std::uint32_t);
     if (hybrid.cells.bytes() != bytes) hybrid.cells = gpu::Buffer("mesh cells", bytes);
-    const unsigned vertices = 6U << (2U * static_cast<unsigned>(level));
-    // Cells in front, cells behind rays, rays everywhere, rays behind the mesh.
-    const std::array<std::uint32_t, 16> arguments = {vertices, 0, 0, 0, vertices, 0, 0, 0,
-                                                     3,        1, 0, 0, 3,        0, 0, 0};
-    hybrid.cells.write(0, std::as_bytes(std::span(arguments)));
-    hybrid.sectors.fill(0x7f800000U);  // infinity
     const double pixel_m = 2 * std::tan(frame.camera.fov_deg * std::numbers::pi / 360) / frame.height;
+    gpu::Program& rays = frame.redraw ? hybrid.ray_blocks : hybrid.rays;
     for (gpu::Program* program :
-         {&hybrid.reach, &hybrid.list, &hybrid.patches, &hybrid.patches_behind_rays, &hybrid.rays}) {
+         {&hybrid.reach, &hybrid.list, &hybrid.patches, &hybrid.patches_behind_rays, &rays}) {
         frame.pyramid.bind(*program, frame.terrain);
         set_camera(*program, grid, frame.camera, frame.width, frame.height);
         program->set("cell_level", level);
@@ -60,27 +74,37 @@ void draw(Hybrid& hybrid, const Frame& frame) {
         program->set("near_m", static_cast<float>(1e-3 * std::min(grid.dx, grid.dy)));
     }
     frame.pyramid.lowest.bind_sampled(2);
-    hybrid.cells.bind_storage(3);
-    hybrid.sectors.bind_storage(4);
-    hybrid.reach.dispatch((cells + 63) / 64);
-    hybrid.list.dispatch((cells + 63) / 64);
-
+    if (frame.redraw) hybrid.sectors_before.copy_from(hybrid.sectors);
+    choose_cells(hybrid, cells, level);
     hybrid.beams.cast(frame, std::min(largest_flatness, frame.tolerance_px * pixel_m));
+
     const gpu::Region picture{0, 0, frame.width, frame.height};
-    frame.hits.clear_depth(picture);
-    frame.hits.bind(picture);
-    hybrid.patches.set("first_cell", 0);
-    hybrid.patches.draw_indirect(hybrid.cells, 0);
-    hybrid.patches_behind_rays.set("first_cell", cells);
-    hybrid.patches_behind_rays.draw_indirect(hybrid.cells, 4 * sizeof(std::uint32_t));
-    hybrid.beams.bind();
-    hybrid.beams.bind();
-    if (std::getenv("OD")) {
-        auto a = hybrid.cells.read_all<std::uint32_t>();
-        std::printf("instances %u %u fragments %u\n", a[1], a[5], a[3]);
+    if (frame.redraw) {
+        hybrid.sectors_before.bind_storage(6);
+        frame.redraw->bind(hybrid.reach_changes);
+        hybrid.reach_changes.dispatch((sector_count + 63) / 64);
+        hybrid.beams.mark_changes(frame);
+        frame.redraw->list();
+        set_camera(hybrid.empty_blocks, grid, frame.camera, frame.width, frame.height);
+        frame.hits.bind(picture);
+        frame.redraw->draw(hybrid.empty_blocks, gpu::Depth::reset);
+    } else {
+        frame.hits.clear_depth(picture);
+        frame.hits.bind(picture);
     }
-    hybrid.rays.draw_fullscreen_indirect(hybrid.cells, 8 * sizeof(std::uint32_t));
-    hybrid.rays.draw_fullscreen_behind_indirect(hybrid.cells, 12 * sizeof(std::uint32_t));
+    frame.terrain.ground.bind_sampled(0);
+    frame.pyramid.highest.bind_sampled(1);
+    hybrid.patches.set("first_cell", 0);
+    hybrid.patches.draw_indirect(hybrid.cells, 0, gpu::Depth::nearest);
+    hybrid.patches_behind_rays.set("first_cell", cells);
+    hybrid.patches_behind_rays.draw_indirect(hybrid.cells, 4 * sizeof(std::uint32_t), gpu::Depth::nearest);
+    hybrid.beams.bind();
+    if (frame.redraw) {
+        frame.redraw->draw(rays, gpu::Depth::behind);
+    } else {
+        rays.draw_indirect(hybrid.cells, 8 * sizeof(std::uint32_t), gpu::Depth::none);
+        rays.draw_indirect(hybrid.cells, 12 * sizeof(std::uint32_t), gpu::Depth::behind);
+    }
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ Method make_mesh(Detail) {
         frame.hits.clear(picture, 0, {HUGE_VALF, 0, 0, 0});
         frame.hits.clear_depth(picture);
         frame.hits.bind(picture);
-        mesh->draw.draw_indexed_indirect(mesh->indices, mesh->cells);
+        mesh->draw.draw_indexed_indirect(mesh->indices, mesh->cells, 0, gpu::Depth::nearest);
     };
 }
 

@@ -6,6 +6,7 @@
 
 #include "render/camera.h"
 #include "render/pyramid.h"
+#include "render/redraw.h"
 #include "sim/gpu/texture.h"
 
 namespace talus {
@@ -21,6 +22,9 @@ struct Frame {
     double patch_pixels;  ///< from so many pixels a patch on, triangles are cheaper than rays on this device
     const gpu::Framebuffer&
         hits;  ///< RG32F: distance along the pixel's ray (m, infinity: nothing hit), detail; with depth
+    /// Set where the target holds the same picture from before the terrain's last changes: the method may
+    /// mark more blocks, calls list(), and draws these blocks alone, bit for bit as in a fresh picture.
+    Redraw* redraw = nullptr;
 };
 
 /// What the second component of the hits tells besides the distance.
@@ -38,6 +42,7 @@ struct MethodEntry {
     std::string name;
     std::string help;
     std::function<Method(Detail)> make;
+    bool redraws_blocks;  ///< it heeds Frame::redraw
 };
 const std::vector<MethodEntry>& methods();
 

@@ -4,9 +4,9 @@ namespace talus {
 
 const std::vector<MethodEntry>& methods() {
     static const std::vector<MethodEntry> entries = {
-        {"exact", "a ray per pixel through the pyramid onto the bilinear surface", make_exact},
-        {"mesh", "two triangles a patch at full resolution, culled by cells", make_mesh},
-        {"hybrid", "the cheapest of mesh and rays, cell by cell", make_hybrid},
+        {"exact", "a ray per pixel through the pyramid onto the bilinear surface", make_exact, true},
+        {"mesh", "two triangles a patch at full resolution, culled by cells", make_mesh, false},
+        {"hybrid", "the cheapest of mesh and rays, cell by cell", make_hybrid, true},
     };
     return entries;
 }

@@ -19,8 +19,6 @@ uniform real pixel_angle;    // radians that a pixel covers
 uniform real band_m;         // height bands: interval
 uniform real slope_scale_deg;
 uniform real steps_scale;
-uniform real ring_angle;     // radians that the ring's line covers
-uniform real3 ring_m;        // brush ring: x, y over the eye's, radius; radius 0: none
 
 const float pi = 3.14159265;
 
@@ -161,14 +159,6 @@ void main() {
         float haze = 1.0 - exp(-0.16 * hit.x / extent_m);
         colour = mix(colour, sky(normalize(vec3(world_ray.xy, 0.06))), 0.85 * haze);
         colour = sqrt(clamp(colour, 0.0, 1.0));
-    }
-    if (ring_m.z > 0.0) {
-        vec2 from_eye = vec2(hit.x * world_ray.x, hit.x * world_ray.y);
-        float off = abs(length(from_eye - ring_m.xy) - ring_m.z);
-        float line = hit.x * ring_angle / max(abs(dot(normal, world_ray)), 0.15);
-        colour = mix(colour, vec3(1.0, 0.78, 0.2), 1.0 - smoothstep(line, 2.0 * line, off));
-        float centre = length(from_eye - ring_m.xy);
-        colour = mix(colour, vec3(1.0, 0.78, 0.2), 1.0 - smoothstep(1.5 * line, 2.5 * line, centre));
     }
     colour_out = vec4(colour, 1.0);
 }

@@ -313,22 +313,16 @@ void with_vertex_array(unsigned indices, Draw&& draw) {
 
 // Reversed depth: near 1, infinity 0.
 template <typename Draw>
-void with_depth_test(GLenum test, Draw&& draw) {
+void with_depth(Depth depth, Draw&& draw) {
+    if (depth == Depth::none) return draw();
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(test);
+    glDepthFunc(depth == Depth::nearest ? GL_GREATER : depth == Depth::behind ? GL_EQUAL : GL_ALWAYS);
+    if (depth == Depth::nearest) glEnable(GL_CULL_FACE);
     draw();
+    glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
     glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-}
-
-template <typename Draw>
-void with_triangles(unsigned indices, const Buffer& arguments, Draw&& draw) {
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, arguments.name());
-    glEnable(GL_CULL_FACE);
-    with_vertex_array(indices, [&] { with_depth_test(GL_GREATER, draw); });
-    glDisable(GL_CULL_FACE);
-    raise_errors();
 }
 
 // Offsets into a bound buffer travel as pointers in OpenGL's interface.
@@ -344,32 +338,22 @@ void Program::draw_fullscreen() {
     raise_errors();
 }
 
-void Program::draw_fullscreen_indirect(const Buffer& arguments, std::size_t offset) {
+void Program::draw_indirect(const Buffer& arguments, std::size_t offset, Depth depth) {
     use();
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, arguments.name());
-    with_vertex_array(0, [&] { glDrawArraysIndirect(GL_TRIANGLES, as_offset(offset)); });
+    with_vertex_array(
+        0, [&] { with_depth(depth, [&] { glDrawArraysIndirect(GL_TRIANGLES, as_offset(offset)); }); });
     raise_errors();
 }
 
-void Program::draw_fullscreen_behind_indirect(const Buffer& arguments, std::size_t offset) {
+void Program::draw_indexed_indirect(const Buffer& indices, const Buffer& arguments, std::size_t offset,
+                                    Depth depth) {
     use();
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, arguments.name());
-    // fullscreen.vert puts its triangle at depth 0.
-    with_vertex_array(0, [&] {
-        with_depth_test(GL_EQUAL, [&] { glDrawArraysIndirect(GL_TRIANGLES, as_offset(offset)); });
+    with_vertex_array(indices.name(), [&] {
+        with_depth(depth, [&] { glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, as_offset(offset)); });
     });
     raise_errors();
-}
-
-void Program::draw_indirect(const Buffer& arguments, std::size_t offset) {
-    use();
-    with_triangles(0, arguments, [&] { glDrawArraysIndirect(GL_TRIANGLES, as_offset(offset)); });
-}
-
-void Program::draw_indexed_indirect(const Buffer& indices, const Buffer& arguments, std::size_t offset) {
-    use();
-    with_triangles(indices.name(), arguments,
-                   [&] { glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, as_offset(offset)); });
 }
 
 }  // namespace talus::gpu

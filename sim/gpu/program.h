@@ -31,6 +31,14 @@ bool poll_shader_folder();
 /// message.
 void on_shader_message(std::function<void(const std::string&)> receive);
 
+/// What a draw does with the depth of its target: 1 at the near plane, 0 at infinity.
+enum class Depth {
+    none,     ///< neither looks at it nor changes it
+    nearest,  ///< the nearest wins; triangles that wind clockwise in the picture are not drawn
+    behind,   ///< draws at depth 0, only where no triangle was drawn
+    reset,    ///< draws at depth 0 everywhere
+};
+
 /// A linked program of GLSL files below shaders/. `#include "maths/patch.glsl"` is resolved below shaders/,
 /// each file at most once. Throws talus::Error that names file and line when a shader does not compile.
 ///
@@ -59,17 +67,13 @@ class Program {
     void dispatch_indirect(const Buffer& arguments, std::size_t offset = 0);
     /// Draws one triangle that covers the viewport.
     void draw_fullscreen();
-    /// The same as the four words at the offset (bytes) say: 3, how often (0 or 1), 0, 0.
-    void draw_fullscreen_indirect(const Buffer& arguments, std::size_t offset);
-    /// The same, and only where no triangle was drawn since the depth was cleared.
-    void draw_fullscreen_behind_indirect(const Buffer& arguments, std::size_t offset);
     /// Draws triangles, as many and as often as the four words at the offset (bytes) say: vertices,
-    /// instances, first vertex, base instance. Depth is 1 at the near plane and 0 at infinity, the nearest
-    /// wins; triangles that wind clockwise in the picture are not drawn.
-    void draw_indirect(const Buffer& arguments, std::size_t offset = 0);
+    /// instances, first vertex, base instance.
+    void draw_indirect(const Buffer& arguments, std::size_t offset, Depth depth);
     /// The same with 32-bit indices and five words: indices, instances, first index, base vertex, base
     /// instance.
-    void draw_indexed_indirect(const Buffer& indices, const Buffer& arguments, std::size_t offset = 0);
+    void draw_indexed_indirect(const Buffer& indices, const Buffer& arguments, std::size_t offset,
+                               Depth depth);
 
   private:
     struct Value {

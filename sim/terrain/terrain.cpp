@@ -46,11 +46,11 @@ Terrain::Terrain(const TerrainState& state)
     refresh(all);
 }
 
-void Terrain::bind(gpu::Program& program) const {
+void Terrain::bind(gpu::Program& program) {
     solid.front.bind_image(0, gpu::Access::read);
     solid.back.bind_image(1, gpu::Access::write);
     ground.bind_image(2, gpu::Access::write);
-    tiles.flags().bind_storage(0);
+    tiles.bind_for_marking();
     program.set("samples", glm::ivec2(grid_.nx, grid_.ny));
     program.set("tiles", glm::ivec2(tiles.columns(), tiles.rows()));
 }

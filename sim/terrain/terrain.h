@@ -50,7 +50,7 @@ class Terrain {
     Tiles tiles;
 
     /// Binds layers, ground and flags as shaders/sim/samples.glsl expects them, and sets its uniforms.
-    void bind(gpu::Program& program) const;
+    void bind(gpu::Program& program);
     /// The back images become the front ones.
     void swap();
     /// After back was written in these samples outside of a swap: front gets the same bits.

@@ -31,8 +31,17 @@ class Tiles {
     /// The tiles that a rectangle of samples touches, cut at the terrain's edge; empty when it lies outside.
     std::vector<int> touched_by(const gpu::Region& samples) const;
 
-    const gpu::Buffer& flags() const { return flags_; }
-    void mark_all() { flags_.fill(surface | activity | undo); }
+    /// Binds the flags for a pass that may mark tiles.
+    void bind_for_marking() {
+        ++changes_;
+        flags_.bind_storage(0);
+    }
+    /// Rises with everything that may have marked a tile: while it stays, no tile changes.
+    std::uint64_t changes() const { return changes_; }
+    void mark_all() {
+        ++changes_;
+        flags_.fill(surface | activity | undo);
+    }
     /// Lists the tiles that carry the mark, or have a neighbour at an offset from reach_low to reach_high
     /// that does, then clears the mark everywhere. The list's dispatch is groups_per_tile x tiles x 1.
     void take(Mark mark, int reach_low, int reach_high, int groups_per_tile, TileList& list);
@@ -45,6 +54,7 @@ class Tiles {
     int columns_;
     int rows_;
     gpu::Buffer flags_;
+    std::uint64_t changes_ = 0;
     gpu::Program list_program_;
     gpu::Program clear_program_;
 };

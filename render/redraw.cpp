@@ -1,0 +1,60 @@
+#include "render/redraw.h"
+
+#include <array>
+
+namespace talus {
+namespace {
+
+constexpr int block_pixels = 32;       // as in shaders/render/redraw_marks.glsl
+constexpr std::size_t head_words = 4;  // before the marks
+
+}  // namespace
+
+Redraw::Redraw() : mark_("render/redraw_mark.comp"), list_("render/redraw_list.comp") {}
+
+void Redraw::begin(int width, int height) {
+    width_ = width;
+    height_ = height;
+    blocks_ = (glm::ivec2(width, height) + block_pixels - 1) / block_pixels;
+    const std::size_t bytes =
+        (head_words + static_cast<std::size_t>(blocks_.x) * blocks_.y) * sizeof(std::uint32_t);
+    if (marks_.bytes() != bytes) {
+        marks_ = gpu::Buffer("redraw marks", bytes);
+        listed_ = gpu::Buffer("redraw blocks", bytes);
+    }
+    marks_.fill(0);
+}
+
+void Redraw::bind(gpu::Program& program) const {
+    marks_.bind_storage(5);
+    program.set("blocks", blocks_);
+}
+
+void Redraw::mark(bool after, const TileList& tiles, const Terrain& terrain, const Pyramid& pyramid,
+                  const Camera& camera, glm::dvec3 sun) {
+    mark_.set("after", after ? 1 : 0);
+    pyramid.bind(mark_, terrain);
+    pyramid.lowest.bind_sampled(2);
+    set_camera(mark_, terrain.grid(), camera, width_, height_);
+    mark_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
+    mark_.set("sun", glm::vec3(sun));
+    bind(mark_);
+    tiles.buffer.bind_storage(1);
+    mark_.dispatch_indirect(tiles.buffer);
+}
+
+void Redraw::list() {
+    const std::array<std::uint32_t, head_words> arguments = {6, 0, 0, 0};
+    listed_.write(0, std::as_bytes(std::span(arguments)));
+    bind(list_);
+    listed_.bind_storage(6);
+    list_.dispatch((blocks_.x * blocks_.y + 63) / 64);
+}
+
+void Redraw::draw(gpu::Program& program, gpu::Depth depth) const {
+    program.set("blocks", blocks_);
+    listed_.bind_storage(6);
+    program.draw_indirect(listed_, 0, depth);
+}
+
+}  // namespace talus

@@ -1,0 +1,40 @@
+#pragma once
+#include <glm/glm.hpp>
+
+#include "render/camera.h"
+#include "render/pyramid.h"
+
+namespace talus {
+
+/// The blocks of 32 x 32 pixels of a picture that a change of the terrain may touch. Marked, listed and drawn
+/// on the device; all other pixels would keep their bits (law 2).
+class Redraw {
+  public:
+    Redraw();
+
+    /// Forgets all marks; of a picture of this size.
+    void begin(int width, int height);
+    /// Marks what listed tiles cover, with the ground around that shading looks at and the shadows that they
+    /// cast, by the pyramid's present bounds: once before it is rebuilt and once after. Marks everything
+    /// where the terrain's lowest or highest sample changes between the two. sun: unit vector towards it; 0:
+    /// no shadows.
+    void mark(bool after, const TileList& tiles, const Terrain& terrain, const Pyramid& pyramid,
+              const Camera& camera, glm::dvec3 sun);
+    /// For shaders that find more to draw: shaders/render/redraw_marks.glsl.
+    void bind(gpu::Program& program) const;
+    /// Lists the marked blocks; draws before the next list() use it.
+    void list();
+    /// Draws the marked blocks. Programs with block.vert.
+    void draw(gpu::Program& program, gpu::Depth depth) const;
+
+  private:
+    int width_ = 0;
+    int height_ = 0;
+    glm::ivec2 blocks_{0};
+    gpu::Program mark_;
+    gpu::Program list_;
+    gpu::Buffer marks_;
+    gpu::Buffer listed_;
+};
+
+}  // namespace talus

@@ -1,0 +1,22 @@
+// Marks the blocks whose beams end in flat cells otherwise than before.
+layout(local_size_x = 16, local_size_y = 16) in;
+#include "maths/glsl_types.glsl"
+#include "render/redraw_marks.glsl"
+#include "render/beam_pixels.glsl"
+
+layout(binding = 0) uniform sampler2D beams_now;
+layout(binding = 1) uniform sampler2D beams_before;
+
+uniform int2 beam_count;
+
+void main() {
+    int2 at = int2(gl_GlobalInvocationID.xy);
+    if (at.x >= beam_count.x || at.y >= beam_count.y) return;
+    real2 now = texelFetch(beams_now, at, 0).rg;
+    real2 before = texelFetch(beams_before, at, 0).rg;
+    // A negative level says flat.
+    if ((now.y < 0.0 || before.y < 0.0) && now != before) {
+        int2 block = at * beam_pixels / block_pixels;
+        redraw_marks[block.y * blocks.x + block.x] = 1u;
+    }
+}

@@ -1,0 +1,12 @@
+// Blocks of the picture that must be drawn again.
+const int block_pixels = 32;
+
+layout(binding = 5, std430) buffer RedrawMarks {
+    uint lowest_before;    // bits of the terrain's bounds before the change
+    uint highest_before;
+    uint redraw_all;       // not 0: every block
+    uint unused;
+    uint redraw_marks[];
+};
+
+uniform int2 blocks;  // in a row, in a column
