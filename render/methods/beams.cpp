@@ -42,4 +42,12 @@ void Beams::mark_changes(const Frame& frame) {
     changes_.dispatch((size.x + 15) / 16, (size.y + 15) / 16);
 }
 
+std::size_t Beams::bytes() const {
+    std::size_t sum = 0;
+    for (const Set& set : sets_)
+        sum += gpu::texel_bytes(gpu::Format::rg32f) * static_cast<std::size_t>(set.texture.width()) *
+               static_cast<std::size_t>(set.texture.height());
+    return sum;
+}
+
 }  // namespace talus

@@ -18,6 +18,8 @@ class Beams {
     /// Binds them for shaders/render/exact.frag.
     void bind() const { sets_[newest_].texture.bind_sampled(4); }
 
+    std::size_t bytes() const;
+
   private:
     struct Set {
         gpu::Texture texture;

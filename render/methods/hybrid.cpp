@@ -111,7 +111,17 @@ void draw(Hybrid& hybrid, const Frame& frame) {
 
 Method make_hybrid(Detail detail) {
     auto hybrid = std::make_shared<Hybrid>(detail);
-    return [hybrid](const Frame& frame) { draw(*hybrid, frame); };
+    const auto figures = [hybrid] {
+        MethodFigures result;
+        if (hybrid->cells.bytes() > 0) {
+            const auto words = hybrid->cells.read_all<std::uint32_t>();
+            result.mesh_cells = static_cast<int>(words[1] + words[5]);
+            result.triangles = static_cast<long>(words[0] / 3) * result.mesh_cells;
+        }
+        result.bytes = hybrid->beams.bytes() + hybrid->cells.bytes() + 2 * hybrid->sectors.bytes();
+        return result;
+    };
+    return {[hybrid](const Frame& frame) { draw(*hybrid, frame); }, figures};
 }
 
 }  // namespace talus

@@ -32,7 +32,7 @@ struct MeshMethod {
 
 Method make_mesh(Detail) {
     auto mesh = std::make_shared<MeshMethod>();
-    return [mesh](const Frame& frame) {
+    const auto draw = [mesh](const Frame& frame) {
         const Grid& grid = frame.terrain.grid();
         const int level = std::min(finest_cell_level, frame.pyramid.top_level());
         const glm::ivec2 size = frame.pyramid.level_1_size() >> (level - 1);
@@ -58,6 +58,17 @@ Method make_mesh(Detail) {
         frame.hits.bind(picture);
         mesh->draw.draw_indexed_indirect(mesh->indices, mesh->cells, 0, gpu::Depth::nearest);
     };
+    const auto figures = [mesh] {
+        MethodFigures result;
+        if (mesh->cells.bytes() > 0) {
+            const auto words = mesh->cells.read_all<std::uint32_t>();
+            result.mesh_cells = static_cast<int>(words[1]);
+            result.triangles = static_cast<long>(words[0] / 3) * result.mesh_cells;
+        }
+        result.bytes = mesh->cells.bytes() + mesh->indices.bytes();
+        return result;
+    };
+    return {draw, figures};
 }
 
 }  // namespace talus

@@ -34,8 +34,20 @@ enum class Detail {
     kind,   ///< 0 nothing, 1 mesh, 2 a ray to the patch, 2 + l a ray that ended at level l of the pyramid
 };
 
+/// What a method's last frame was made of.
+struct MethodFigures {
+    int mesh_cells = 0;     ///< cells drawn by triangles
+    long triangles = 0;     ///< given to the rasteriser
+    std::size_t bytes = 0;  ///< of the device's memory that the method itself holds
+};
+
 /// One way of drawing the surface: fills the frame's hits. Shading, depth output and views follow from those.
-using Method = std::function<void(const Frame&)>;
+struct Method {
+    std::function<void(const Frame&)> draw;
+    /// Waits for the device.
+    std::function<MethodFigures()> figures;
+    void operator()(const Frame& frame) const { draw(frame); }
+};
 
 /// A method by name, and how it is made. Adding one is a file in this folder and a line in methods().
 struct MethodEntry {
@@ -50,6 +62,7 @@ const std::vector<MethodEntry>& methods();
 std::vector<std::string> detail_defines(Detail detail);
 
 Method make_exact(Detail detail);
+Method make_boxes(Detail detail);
 Method make_mesh(Detail detail);
 Method make_hybrid(Detail detail);
 

@@ -19,5 +19,9 @@ real load_highest() { return (texelFetch(tops, whole_texel(), 0).r - origin_heig
 
 real4 load_corners(int2 at) {
     real4 z = textureGather(ground, vec2(at + 1) / vec2(patches + 1)).wzxy;
+#ifdef COLUMNS
+    // A patch as a column: flat at the height of its middle, with walls down to lower neighbours.
+    z = real4(0.25 * (z.x + z.y + z.z + z.w));
+#endif
     return (z - origin_height_m.x) - origin_height_m.y;
 }

@@ -8,9 +8,9 @@
 
 #include "render/measure.h"
 #include "render/methods/method.h"
+#include "render/survey.h"
 #include "sim/gpu/context.h"
 #include "sim/terrain/generate.h"
-#include "tests/scenes/cameras.h"
 #include "tests/scenes/scenes.h"
 
 namespace talus {
@@ -69,7 +69,7 @@ TEST_P(Methods, ErrWithinTheirTolerance) {
         const double limit_px = std::max(c.tolerance_px, 1e-3);
         PictureError all;
         std::array<int, 4> kinds{};
-        for (const scenes::NamedCamera& view : scenes::cameras(scene)) {
+        for (const NamedCamera& view : survey(scene.grid, scene.heights)) {
             const std::vector<glm::vec2> hits = easel.draw(c.method, view.camera, c.tolerance_px);
             for (const glm::vec2 hit : hits)
                 if (std::isfinite(hit.x)) ++kinds[static_cast<std::size_t>(std::clamp(hit.y, 0.0F, 3.0F))];
@@ -103,13 +103,14 @@ TEST(Exact, BeamsChangeNoBit) {
     Easel easel(scene);
     const Method exact = make_exact(Detail::steps);
     gpu::Program plain({"render/fullscreen.vert", "render/exact.frag"}, {"COUNT_STEPS", "NO_BEAMS"});
-    const Method without = [&](const Frame& frame) {
+    const auto draw_without = [&](const Frame& frame) {
         frame.pyramid.bind(plain, frame.terrain);
         set_camera(plain, frame.terrain.grid(), frame.camera, frame.width, frame.height);
         frame.hits.bind({0, 0, frame.width, frame.height});
         plain.draw_fullscreen();
     };
-    for (const scenes::NamedCamera& view : scenes::cameras(scene)) {
+    const Method without{draw_without, nullptr};
+    for (const NamedCamera& view : survey(scene.grid, scene.heights)) {
         const std::vector<glm::vec2> with_beams = easel.draw(exact, view.camera, 0);
         const std::vector<glm::vec2> without_beams = easel.draw(without, view.camera, 0);
         EXPECT_EQ(distances(with_beams), distances(without_beams)) << view.name;

@@ -1,24 +1,23 @@
-#include "tests/scenes/cameras.h"
+#include "render/survey.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace talus::scenes {
+namespace talus {
 
-std::vector<NamedCamera> cameras(const Scene& scene) {
-    const Grid& grid = scene.grid;
+std::vector<NamedCamera> survey(const Grid& grid, const std::vector<float>& heights) {
     const double w = grid.width_m();
     const double h = grid.height_m();
     const double extent = std::max(w, h);
-    const auto [low_it, high_it] = std::minmax_element(scene.heights.begin(), scene.heights.end());
+    const auto [low_it, high_it] = std::minmax_element(heights.begin(), heights.end());
     const double low = *low_it;
     const double high = *high_it;
     const auto ground = [&](double x, double y) {
         const int column = static_cast<int>(std::lround(grid.column_of(x)));
         const int row = static_cast<int>(std::lround(grid.row_of(y)));
-        return static_cast<double>(scene.heights[static_cast<std::size_t>(row) * grid.nx + column]);
+        return static_cast<double>(heights[static_cast<std::size_t>(row) * grid.nx + column]);
     };
-    const auto lowest = static_cast<int>(low_it - scene.heights.begin());
+    const auto lowest = static_cast<int>(low_it - heights.begin());
     const int lowest_row = lowest / grid.nx;
     const glm::dvec3 valley(lowest % grid.nx * grid.dx, (grid.ny - 1 - lowest_row) * grid.dy, low + 2);
     const glm::dvec3 middle(0.5 * w, 0.5 * h, ground(0.5 * w, 0.5 * h));
@@ -46,4 +45,4 @@ std::vector<NamedCamera> cameras(const Scene& scene) {
     };
 }
 
-}  // namespace talus::scenes
+}  // namespace talus
