@@ -50,7 +50,7 @@ glm::ivec2 size_from(const std::string& text) {
 // Texts as they stand on the command line, read after parsing so that errors are ours.
 struct Texts {
     std::string file, preset, input, size, spacing, range, raw, eye, target, fov, method, view, shader_dir,
-        layer;
+        layer, samples, tolerances;
     std::vector<std::string> assignments;
     std::optional<int> gpu;
     bool require_hardware = false;
@@ -123,6 +123,7 @@ int parse_and_do(int argc, char** argv) {
     RunOptions run_options;
     ReplayOptions replay_options;
     RenderOptions render_options;
+    CompareOptions compare_options;
     ConvertOptions convert_options;
     WindowOptions window_options;
 
@@ -160,6 +161,26 @@ int parse_and_do(int argc, char** argv) {
     render_command->add_flag("--json", t.json, "print the report");
     add_import(*render_command, t);
     add_gpu(*render_command, t);
+
+    CLI::App* compare_command =
+        app.add_subcommand("compare", "measure methods of drawing against the double-precision reference");
+    compare_command->add_option("FILE", t.file, "heightmap or document");
+    compare_command->add_option("--preset", t.preset, "generate the terrain of this preset instead");
+    compare_command->add_option("--samples", t.samples, "NXxNY samples of generated terrain");
+    compare_command->add_option("--method", compare_options.methods,
+                                "a method, may be repeated; all unless given");
+    compare_command->add_option("--tolerance", t.tolerances,
+                                "a,b,c: pixels that hybrid may err, 0,0.5,2 unless given");
+    compare_command->add_option("--size", t.size, "WxH pixels, 480x270 unless given");
+    compare_command->add_option("--keys", compare_options.keys, "fly along the key cameras of this file")
+        ->type_name("FILE.toml");
+    compare_command->add_option("--frames", compare_options.frames, "how many frames along the keys");
+    compare_command->add_option("--limit", compare_options.limit_px, "pixels to look for a ray that agrees");
+    compare_command->add_option("--report", compare_options.report, "write the report")
+        ->type_name("FILE.json");
+    compare_command->add_flag("--json", t.json, "print the report");
+    add_import(*compare_command, t);
+    add_gpu(*compare_command, t);
 
     CLI::App* convert_command = app.add_subcommand("convert", "turn a heightmap into another format");
     convert_command->add_option("IN", convert_options.input)->required();
@@ -215,6 +236,28 @@ int parse_and_do(int argc, char** argv) {
         render_options.target = t.point("--target", t.target);
         render_options.json = t.json;
         render(render_options);
+    } else if (compare_command->parsed()) {
+        compare_options.gpu = t.context();
+        compare_options.scene = t.scene(t.file);
+        if (!t.samples.empty()) compare_options.scene.size = size_from(t.samples);
+        if (!t.size.empty()) compare_options.size = size_from(t.size);
+        if (!t.tolerances.empty()) {
+            const auto count = 1 + std::count(t.tolerances.begin(), t.tolerances.end(), ',');
+            compare_options.tolerances_px =
+                numbers("--tolerance", t.tolerances, ',', static_cast<std::size_t>(count));
+        }
+        for (const double tolerance : compare_options.tolerances_px)
+            if (!(tolerance >= 0 && tolerance <= 16))
+                throw Error(
+                    fmt::format("--tolerance {} cannot be compared, it must be 0 to 16 pixels", tolerance));
+        if (!(compare_options.limit_px > 0 && compare_options.limit_px <= 64))
+            throw Error(fmt::format("--limit {} cannot be used, it must be above 0 and at most 64 pixels",
+                                    compare_options.limit_px));
+        if (compare_options.frames < 2 || compare_options.frames > 100000)
+            throw Error(
+                fmt::format("--frames {} cannot be flown, it must be 2 to 100000", compare_options.frames));
+        compare_options.json = t.json;
+        compare(compare_options);
     } else if (convert_command->parsed()) {
         convert_options.import = t.import();
         convert_options.range_m = t.range_m();

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "app/calibration.h"
 #include "app/panels/legend.h"
 #include "render/renderer.h"
 #include "sim/gpu/error.h"
@@ -18,10 +19,11 @@ namespace talus {
 namespace {
 
 // The first look at the terrain, with the view's legend.
-void write_overview(const std::string& path, const Scene& scene, Simulation& simulation) {
+void write_overview(const std::string& path, const Scene& scene, Simulation& simulation,
+                    const gpu::Device& device) {
     constexpr int width = 1280;
     constexpr int height = 720;
-    Renderer renderer(simulation.terrain());
+    Renderer renderer(simulation.terrain(), patch_pixels(device));
     const ViewSettings settings = view_settings(scene.view);
     const std::vector<float> ground = scene.document.state.ground();
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
@@ -76,7 +78,8 @@ void write_outputs(const Outputs& outputs, Scene& scene, Simulation& simulation,
     };
     for (const std::string& file : outputs.files)
         attempt([&] { write_terrain(file, scene.document, outputs.layer, std::nullopt); });
-    if (!outputs.image.empty()) attempt([&] { write_overview(outputs.image, scene, simulation); });
+    if (!outputs.image.empty())
+        attempt([&] { write_overview(outputs.image, scene, simulation, figures.device); });
     if (!outputs.journal.empty())
         attempt([&] { write_atomically(outputs.journal, write_journal(scene.start, simulation.journal())); });
     if (!outputs.report.empty() || outputs.json) {

@@ -19,7 +19,7 @@ std::string run_report(const RunFigures& figures, const TerrainState& state, con
     const std::vector<float> ground = state.ground();
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
     nlohmann::ordered_json report;
-    report["device"] = figures.device;
+    report["device"] = gpu::describe(figures.device);
     report["nx"] = state.grid.nx;
     report["ny"] = state.grid.ny;
     report["dx"] = state.grid.dx;

@@ -2,13 +2,14 @@
 #include <string>
 
 #include "app/commands/commands.h"
+#include "sim/gpu/context.h"
 #include "sim/simulation.h"
 
 namespace talus {
 
 /// What a run reports: numbers for machines, and the sentences that people get on stderr.
 struct RunFigures {
-    std::string device;
+    gpu::Device device;
     std::int64_t ticks = 0;
     double wall_s = 0;
     double cpu_s = 0;

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "app/calibration.h"
 #include "app/outputs.h"
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
@@ -19,7 +20,8 @@ double now_s() {
 
 }  // namespace
 
-Session::Session(const SceneRequest& request) : request_(request), scene_(make_scene(request)) {
+Session::Session(const SceneRequest& request, gpu::Device device)
+    : device_(std::move(device)), request_(request), scene_(make_scene(request)) {
     start(std::move(scene_));
     path_ = document_path();
 }
@@ -28,7 +30,7 @@ void Session::start(Scene scene) {
     scene.start.hash = state_hash(scene.document.state);
     const std::size_t undo_bytes = static_cast<std::size_t>(scene.view.whole("undo.memory_mib")) << 20U;
     auto simulation = std::make_unique<Simulation>(scene.document.state, scene.simulation, undo_bytes);
-    auto renderer = std::make_unique<Renderer>(simulation->terrain());
+    auto renderer = std::make_unique<Renderer>(simulation->terrain(), patch_pixels(device_));
     const std::vector<float> ground = scene.document.state.ground();
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
     bounds_ = {*low, *high};

@@ -6,6 +6,7 @@
 
 #include "app/scene.h"
 #include "render/renderer.h"
+#include "sim/gpu/context.h"
 #include "sim/gpu/timestamp.h"
 #include "sim/simulation.h"
 
@@ -15,7 +16,7 @@ namespace talus {
 class Session {
   public:
     /// Throws talus::Error when the scene cannot be made.
-    explicit Session(const SceneRequest& request);
+    Session(const SceneRequest& request, gpu::Device device);
 
     Simulation& simulation() { return *simulation_; }
     const Simulation& simulation() const { return *simulation_; }
@@ -68,6 +69,7 @@ class Session {
     std::string document_path() const;
     bool is_simulated(const std::string& name) const;
 
+    gpu::Device device_;
     SceneRequest request_;
     Scene scene_;
     std::unique_ptr<Simulation> simulation_;

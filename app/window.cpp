@@ -59,7 +59,7 @@ class Window {
     Window(const Glfw& glfw, const WindowOptions& options)
         : window_(glfw.open(options.size, true)),
           device_(gpu::adopt_current_context("window")),
-          session_(options.scene),
+          session_(options.scene, device_),
           journal_path_(options.journal) {
         say(gpu::describe(device_));
         for (const std::string& note : session_.scene().document.notes) say("note: " + note);

@@ -22,24 +22,22 @@ bool same_hits(const ViewSettings& a, const ViewSettings& b) {
 
 }  // namespace
 
-Renderer::Renderer(const Terrain& terrain)
+Renderer::Renderer(const Terrain& terrain, double patch_pixels)
     : pyramid_(terrain),
       shade_({"render/fullscreen.vert", "render/shade.frag"}),
       shade_blocks_({"render/block.vert", "render/shade.frag"}),
-      ring_({"render/fullscreen.vert", "render/ring.frag"}) {}
+      ring_({"render/fullscreen.vert", "render/ring.frag"}),
+      patch_pixels_(patch_pixels) {}
 
 void Renderer::resize(int width, int height) {
-    if (hits_.width() >= width && hits_.height() >= height) return;
-    const int w = std::max(width, hits_.width());
-    const int h = std::max(height, hits_.height());
-    hits_ = gpu::Texture("hits", gpu::Format::rg32f, w, h);
-    depth_ = gpu::Texture("depth", gpu::Format::depth32f, w, h);
+    if (colour_.width() >= width && colour_.height() >= height) return;
+    const int w = std::max(width, colour_.width());
+    const int h = std::max(height, colour_.height());
+    target_ = HitsTarget(w, h);
     colour_ = gpu::Texture("colour", gpu::Format::rgba8, w, h);
     ringed_colour_ = gpu::Texture("colour with ring", gpu::Format::rgba8, w, h);
-    const std::array<const gpu::Texture*, 1> hits = {&hits_};
     const std::array<const gpu::Texture*, 1> colour = {&colour_};
     const std::array<const gpu::Texture*, 1> ringed = {&ringed_colour_};
-    hits_buffer_ = gpu::Framebuffer("hits", hits, &depth_);
     colour_buffer_ = gpu::Framebuffer("colour", colour);
     ringed_buffer_ = gpu::Framebuffer("colour with ring", ringed);
     drawn_.reset();
@@ -94,7 +92,7 @@ Drawn Renderer::redraw(Terrain& terrain, const Picture& picture) {
     pyramid_.rebuild(terrain);
     if (blocks) redraw_.mark(true, changed, terrain, pyramid_, picture.camera, sun);
     method({terrain, pyramid_, picture.camera, picture.width, picture.height, picture.settings.tolerance_px,
-            60, hits_buffer_, blocks ? &redraw_ : nullptr});
+            patch_pixels_, target_.framebuffer(), blocks ? &redraw_ : nullptr});
     shade(terrain, picture, blocks);
     return blocks ? Drawn::changes : Drawn::everything;
 }
@@ -107,7 +105,7 @@ void Renderer::shade(const Terrain& terrain, const Picture& picture, bool blocks
     pyramid_.bind(program, terrain);
     pyramid_.lowest.bind_sampled(2);
     terrain.solid.front.bind_sampled(3);
-    hits_.bind_sampled(4);
+    target_.hits().bind_sampled(4);
     program.set("view", static_cast<int>(settings.view));
     program.set("sun", glm::vec3(settings.sun));
     program.set("shadows", settings.shadows ? 1 : 0);
@@ -126,7 +124,7 @@ void Renderer::shade(const Terrain& terrain, const Picture& picture, bool blocks
 
 void Renderer::draw_ring(const Grid& grid, const Picture& picture, glm::dvec3 ring_m) {
     set_camera(ring_, grid, picture.camera, picture.width, picture.height);
-    hits_.bind_sampled(4);
+    target_.hits().bind_sampled(4);
     colour_.bind_sampled(5);
     // As wide at any resolution, but never thinner than a pixel.
     const double pixels = std::max(1.3 * picture.height / 720, 0.6);
@@ -152,12 +150,13 @@ std::vector<std::uint8_t> Renderer::read_rgb(int width, int height) const {
 }
 
 std::vector<float> Renderer::read_depth(int width, int height) const {
-    std::vector<glm::vec2> texels(static_cast<std::size_t>(width) * height);
-    hits_.read({0, 0, width, height}, std::as_writable_bytes(std::span(texels)));
+    const std::vector<float> bottom_up = target_.read_distances(width, height);
     std::vector<float> values;
-    values.reserve(texels.size());
-    for (int y = height - 1; y >= 0; --y)
-        for (int x = 0; x < width; ++x) values.push_back(texels[static_cast<std::size_t>(y) * width + x].x);
+    values.reserve(bottom_up.size());
+    for (int y = height - 1; y >= 0; --y) {
+        const auto row = bottom_up.begin() + static_cast<std::ptrdiff_t>(y) * width;
+        values.insert(values.end(), row, row + width);
+    }
     return values;
 }
 

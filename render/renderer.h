@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/camera.h"
+#include "render/hits_target.h"
 #include "render/methods/method.h"
 #include "render/pyramid.h"
 #include "render/redraw.h"
@@ -20,7 +21,8 @@ enum class Drawn { nothing, colours, changes, everything };
 /// method. What would keep its bits is not drawn again.
 class Renderer {
   public:
-    explicit Renderer(const Terrain& terrain);
+    /// patch_pixels: as measure_patch_pixels() tells for the device.
+    Renderer(const Terrain& terrain, double patch_pixels);
 
     /// Brings the pyramid up to date with the terrain's changed tiles and draws width x height pixels: all of
     /// them, only what changed tiles can touch, only the colours, or nothing. The picture is the same bit for
@@ -32,7 +34,7 @@ class Renderer {
     /// What draw() made: rows bottom up; textures may be larger than the picture.
     const gpu::Framebuffer& framebuffer() const { return ringed_ ? ringed_buffer_ : colour_buffer_; }
     /// Distance in metres along each pixel's normalised ray (infinity: nothing hit) and steps.
-    const gpu::Texture& hits() const { return hits_; }
+    const gpu::Texture& hits() const { return target_.hits(); }
     const Pyramid& pyramid() const { return pyramid_; }
 
     /// Top row first; waits for the device.
@@ -67,11 +69,10 @@ class Renderer {
     gpu::Program shade_;
     gpu::Program shade_blocks_;
     gpu::Program ring_;
-    gpu::Texture hits_;
-    gpu::Texture depth_;
+    double patch_pixels_;
+    HitsTarget target_;
     gpu::Texture colour_;
     gpu::Texture ringed_colour_;
-    gpu::Framebuffer hits_buffer_;
     gpu::Framebuffer colour_buffer_;
     gpu::Framebuffer ringed_buffer_;
     bool ringed_ = false;

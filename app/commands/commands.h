@@ -48,6 +48,21 @@ struct RenderOptions {
 };
 void render(const RenderOptions& options);
 
+struct CompareOptions {
+    gpu::ContextChoice gpu;
+    SceneRequest scene;
+    std::vector<std::string> methods;  ///< empty: all
+    std::vector<double> tolerances_px{0, 0.5, 2};
+    glm::ivec2 size{480, 270};
+    std::string keys;  ///< file of key cameras; empty: the survey's twelve
+    int frames = 24;   ///< along the keys
+    double limit_px = 4;
+    std::string report;
+    bool json = false;
+};
+/// Measures methods against the double-precision reference (render/measure.h): error, steps and time.
+void compare(const CompareOptions& options);
+
 struct ConvertOptions {
     std::string input;
     std::string output;

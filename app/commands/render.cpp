@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/calibration.h"
 #include "app/commands/commands.h"
 #include "app/panels/legend.h"
 #include "app/report.h"
@@ -40,7 +41,7 @@ void render(const RenderOptions& options) {
         throw Error("--eye and --target are the same point, so there is no direction to look in");
     const ViewSettings settings = view_settings(scene.view);
     Terrain terrain(scene.document.state);
-    Renderer renderer(terrain);
+    Renderer renderer(terrain, patch_pixels(context.device()));
     const double cpu_start = process_cpu_s();
     renderer.draw(terrain, camera, settings, options.size.x, options.size.y);
     const std::vector<float> depth = renderer.read_depth(options.size.x, options.size.y);

@@ -70,8 +70,7 @@ void run(const RunOptions& options) {
         simulation.apply(Ticks{1});
         progress.show(done + 1);
     }
-    const RunFigures figures{gpu::describe(context.device()), ticks, seconds_since(start),
-                             process_cpu_s() - cpu_start};
+    const RunFigures figures{context.device(), ticks, seconds_since(start), process_cpu_s() - cpu_start};
     write_outputs(options.outputs, scene, simulation, figures);
 }
 
@@ -90,8 +89,7 @@ void replay(const ReplayOptions& options) {
         simulation.apply(operation);
         progress.show(++done);
     }
-    const RunFigures figures{gpu::describe(context.device()),
-                             simulation.clock().ticks - scene.document.state.clock.ticks,
+    const RunFigures figures{context.device(), simulation.clock().ticks - scene.document.state.clock.ticks,
                              seconds_since(start), process_cpu_s() - cpu_start};
     write_outputs(options.outputs, scene, simulation, figures);
 }

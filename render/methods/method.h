@@ -54,7 +54,8 @@ struct MethodEntry {
     std::string name;
     std::string help;
     std::function<Method(Detail)> make;
-    bool redraws_blocks;  ///< it heeds Frame::redraw
+    bool redraws_blocks;   ///< it heeds Frame::redraw
+    bool heeds_tolerance;  ///< it heeds Frame::tolerance_px
 };
 const std::vector<MethodEntry>& methods();
 

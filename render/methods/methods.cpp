@@ -4,10 +4,10 @@ namespace talus {
 
 const std::vector<MethodEntry>& methods() {
     static const std::vector<MethodEntry> entries = {
-        {"exact", "a ray per pixel through the pyramid onto the bilinear surface", make_exact, true},
-        {"boxes", "the same walk onto a column for each patch (Dick et al. 2009)", make_boxes, true},
-        {"mesh", "two triangles a patch at full resolution, culled by cells", make_mesh, false},
-        {"hybrid", "the cheapest of mesh and rays, cell by cell", make_hybrid, true},
+        {"exact", "a ray per pixel through the pyramid onto the bilinear surface", make_exact, true, false},
+        {"boxes", "the same walk onto a column for each patch (Dick et al. 2009)", make_boxes, true, false},
+        {"mesh", "two triangles a patch at full resolution, culled by cells", make_mesh, false, false},
+        {"hybrid", "the cheapest of mesh and rays, cell by cell", make_hybrid, true, true},
     };
     return entries;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/hits_target.h"
 #include "render/measure.h"
 #include "render/methods/method.h"
 #include "render/survey.h"
@@ -28,8 +29,8 @@ class Easel {
     }
 
     std::vector<glm::vec2> draw(const Method& method, const Camera& camera, double tolerance_px) {
-        method({terrain, pyramid, camera, width, height, tolerance_px, patch_pixels, framebuffer_});
-        return hits_.read_all<glm::vec2>();
+        method({terrain, pyramid, camera, width, height, tolerance_px, patch_pixels, target_.framebuffer()});
+        return target_.hits().read_all<glm::vec2>();
     }
 
     Terrain terrain;
@@ -37,10 +38,7 @@ class Easel {
     double patch_pixels = 8;  // more mesh than any device would choose
 
   private:
-    gpu::Texture hits_{"hits", gpu::Format::rg32f, width, height};
-    gpu::Texture depth_{"depth", gpu::Format::depth32f, width, height};
-    std::array<const gpu::Texture*, 1> colours_ = {&hits_};
-    gpu::Framebuffer framebuffer_{"hits", colours_, &depth_};
+    HitsTarget target_{width, height};
 };
 
 std::vector<float> distances(const std::vector<glm::vec2>& hits) {

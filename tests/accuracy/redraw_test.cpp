@@ -23,7 +23,7 @@ constexpr std::size_t undo_bytes = 64U << 20U;
 struct Scene {
     Scene(const Grid& grid, const std::vector<float>& heights)
         : simulation(bedrock_terrain(grid, heights), Parameters(simulation_parameters()), undo_bytes),
-          renderer(simulation.terrain()) {}
+          renderer(simulation.terrain(), 16) {}
     Simulation simulation;
     Renderer renderer;
 };

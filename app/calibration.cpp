@@ -1,0 +1,58 @@
+#include "app/calibration.h"
+
+#include <toml++/toml.h>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include "render/calibration.h"
+#include "sim/io/atomic_file.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path cache_file() {
+    const char* cache = std::getenv("XDG_CACHE_HOME");
+    const char* home = std::getenv("HOME");
+    if (cache && *cache) return fs::path(cache) / "talus" / "calibration.toml";
+    if (home && *home) return fs::path(home) / ".cache" / "talus" / "calibration.toml";
+    return {};
+}
+
+toml::table read_cache(const fs::path& file) {
+    try {
+        return toml::parse_file(file.string());
+    } catch (const toml::parse_error&) {
+        return {};  // not there yet, or not ours: measured anew
+    }
+}
+
+}  // namespace
+
+double patch_pixels(const gpu::Device& device) {
+    static std::map<std::string, double> known;
+    const std::string name = device.renderer + ", " + device.version;
+    if (const auto found = known.find(name); found != known.end()) return found->second;
+    const fs::path file = cache_file();
+    toml::table cache = read_cache(file);
+    if (const auto value = cache[name]["patch_pixels"].value<double>(); value && *value > 0) {
+        return known[name] = *value;
+    }
+    const double measured = measure_patch_pixels();
+    cache.insert_or_assign(name, toml::table{{"patch_pixels", measured}});
+    try {
+        fs::create_directories(file.parent_path());
+        std::ostringstream text;
+        text << cache << "\n";
+        write_atomically(file.string(), text.str());
+    } catch (const std::exception&) {
+        // A cache that cannot be written costs the next start a third of a second.
+    }
+    return known[name] = measured;
+}
+
+}  // namespace talus

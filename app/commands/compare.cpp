@@ -1,0 +1,201 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/calibration.h"
+#include "app/commands/commands.h"
+#include "app/flight.h"
+#include "app/report.h"
+#include "render/hits_target.h"
+#include "render/measure.h"
+#include "render/methods/method.h"
+#include "render/survey.h"
+#include "render/view.h"
+#include "sim/gpu/error.h"
+#include "sim/gpu/timestamp.h"
+#include "sim/io/atomic_file.h"
+
+namespace talus {
+namespace {
+
+constexpr int timed_rounds = 5;
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// All that one method is measured on.
+struct Subject {
+    const Terrain& terrain;
+    const Pyramid& pyramid;
+    Measure& measure;
+    const std::vector<NamedCamera>& cameras;
+    glm::ivec2 size;
+    double patch_pixels;
+    double limit_px;
+};
+
+nlohmann::ordered_json measure_method(const Subject& subject, const MethodEntry& entry, double tolerance_px) {
+    const int width = subject.size.x;
+    const int height = subject.size.y;
+    const HitsTarget target(width, height);
+    const Method plain = entry.make(Detail::none);
+    const Method counting = entry.make(Detail::steps);
+    const Method telling = entry.make(Detail::kind);
+    nlohmann::ordered_json frames = nlohmann::ordered_json::array();
+    PictureError all;
+    double mean_square = 0;
+    double mean_px = 0;
+    double cpu_ms = 0;
+    std::vector<float> steps;
+    for (const NamedCamera& view : subject.cameras) {
+        const Frame frame{subject.terrain, subject.pyramid, view.camera,          width,
+                          height,          tolerance_px,    subject.patch_pixels, target.framebuffer()};
+        gpu::Timestamp timer("frame");
+        std::vector<double> seconds;
+        std::optional<double> gpu_ms;
+        for (int round = 0; round <= timed_rounds; ++round) {
+            const double before = process_cpu_s();
+            timer.begin();
+            plain(frame);
+            timer.end();
+            const std::vector<float> wait = target.read_distances(1, 1);
+            if (round > 0) seconds.push_back(process_cpu_s() - before);
+            gpu_ms = timer.milliseconds();
+        }
+        const PictureError error = subject.measure.compare(
+            view.camera, width, height, target.read_distances(width, height), subject.limit_px);
+        const MethodFigures figures = plain.figures();
+        counting(frame);
+        std::vector<float> walked = target.read_details(width, height);
+        telling(frame);
+        std::array<int, 4> kinds{};  // nothing, mesh, rays, ended early
+        for (const float kind : target.read_details(width, height))
+            ++kinds[static_cast<std::size_t>(std::clamp(kind, 0.0F, 3.0F))];
+        frames.push_back({{"camera", view.name},
+                          {"psnr_db", error.psnr_db},
+                          {"mean_px", error.mean_px},
+                          {"largest_px", error.largest_px},
+                          {"beyond_limit", error.beyond},
+                          {"pixels_hit", error.pixels_hit},
+                          {"wrong_coverage", error.wrong_coverage},
+                          {"silhouettes", error.silhouettes},
+                          {"silhouettes_missed", error.silhouettes_missed},
+                          {"cpu_ms", 1000 * median(seconds)},
+                          {"gpu_ms", gpu_ms.value_or(0)},
+                          {"mesh_cells", figures.mesh_cells},
+                          {"triangles", figures.triangles},
+                          {"mesh_pixels", kinds[1]},
+                          {"ray_pixels", kinds[2]},
+                          {"ended_early_pixels", kinds[3]},
+                          {"bytes", figures.bytes + subject.pyramid.bytes() + target.bytes()}});
+        all.wrong_coverage += error.wrong_coverage;
+        all.silhouettes += error.silhouettes;
+        all.silhouettes_missed += error.silhouettes_missed;
+        all.beyond += error.beyond;
+        all.largest_px = std::max(all.largest_px, error.largest_px);
+        mean_px += error.mean_px;
+        mean_square += std::isinf(error.psnr_db) ? 0 : std::pow(10, -error.psnr_db / 10);
+        cpu_ms += 1000 * median(seconds);
+        steps.insert(steps.end(), walked.begin(), walked.end());
+    }
+    const auto count = static_cast<double>(subject.cameras.size());
+    std::sort(steps.begin(), steps.end());
+    double sum = 0;
+    for (const float s : steps) sum += s;
+    const auto above = [&](float limit) {
+        return static_cast<double>(steps.end() - std::upper_bound(steps.begin(), steps.end(), limit)) /
+               static_cast<double>(steps.size());
+    };
+    nlohmann::ordered_json result;
+    result["method"] = entry.name;
+    result["tolerance_px"] = tolerance_px;
+    result["cpu_ms"] = cpu_ms / count;
+    result["psnr_db"] = mean_square > 0 ? -10 * std::log10(mean_square / count) : HUGE_VAL;
+    result["mean_px"] = mean_px / count;
+    result["largest_px"] = all.largest_px;
+    result["beyond_limit"] = all.beyond;
+    result["wrong_coverage"] = all.wrong_coverage;
+    result["silhouettes"] = all.silhouettes;
+    result["silhouettes_missed"] = all.silhouettes_missed;
+    result["steps_mean"] = sum / static_cast<double>(steps.size());
+    result["steps_p99"] = steps[steps.size() * 99 / 100];
+    result["steps_above_35"] = above(35);
+    result["steps_above_85"] = above(85);
+    result["frames"] = frames;
+    return result;
+}
+
+}  // namespace
+
+void compare(const CompareOptions& options) {
+    std::vector<MethodEntry> entries;
+    for (const std::string& name : options.methods) {
+        const auto found = std::find_if(methods().begin(), methods().end(),
+                                        [&](const MethodEntry& e) { return e.name == name; });
+        if (found == methods().end()) {
+            std::string names;
+            for (const MethodEntry& e : methods()) names += (names.empty() ? "" : ", ") + e.name;
+            throw Error(fmt::format("--method '{}' is none, it must be one of: {}", name, names));
+        }
+        entries.push_back(*found);
+    }
+    if (entries.empty()) entries = methods();
+    if (options.size.x < 1 || options.size.y < 1 || options.size.x > 4096 || options.size.y > 4096)
+        throw Error(fmt::format("--size {}x{} cannot be compared, each side must be 1 to 4096 pixels",
+                                options.size.x, options.size.y));
+    const gpu::Context context(options.gpu);
+    say(gpu::describe(context.device()));
+    const Scene scene = make_scene(options.scene);
+    const Grid& grid = scene.document.state.grid;
+    const std::vector<float> ground = scene.document.state.ground();
+    std::vector<NamedCamera> cameras;
+    if (options.keys.empty()) {
+        cameras = survey(grid, ground);
+    } else {
+        const auto keys = read_keys(options.keys, scene.view.number("camera.fov_deg"));
+        for (const Camera& camera : fly_along(keys, options.frames))
+            cameras.push_back({fmt::format("frame {}", cameras.size()), camera});
+    }
+    Terrain terrain(scene.document.state);
+    Pyramid pyramid(terrain);
+    pyramid.refresh(terrain);
+    Measure measure(grid, ground);
+    const Subject subject{
+        terrain, pyramid, measure, cameras, options.size, patch_pixels(context.device()), options.limit_px};
+    nlohmann::ordered_json report;
+    report["device"] = gpu::describe(context.device());
+    report["terrain"] = scene.title;
+    report["samples"] = {grid.nx, grid.ny};
+    report["size"] = {options.size.x, options.size.y};
+    report["limit_px"] = options.limit_px;
+    report["results"] = nlohmann::ordered_json::array();
+    if (!options.json)
+        fmt::print("{:<8} {:>9} {:>8} {:>8} {:>9} {:>10} {:>7} {:>9} {:>11} {:>6} {:>4}\n", "method",
+                   "tolerance", "CPU ms", "PSNR dB", "mean px", "largest px", "beyond", "coverage",
+                   "silhouettes", "steps", "p99");
+    for (const MethodEntry& entry : entries) {
+        std::vector<double> tolerances = {0};
+        if (entry.heeds_tolerance) tolerances = options.tolerances_px;
+        for (const double tolerance : tolerances) {
+            const nlohmann::ordered_json r = measure_method(subject, entry, tolerance);
+            report["results"].push_back(r);
+            if (options.json) continue;
+            fmt::print("{:<8} {:>9} {:>8.2f} {:>8.1f} {:>9.5f} {:>10.4f} {:>7} {:>9} {:>11} {:>6.1f} {:>4}\n",
+                       entry.name, entry.heeds_tolerance ? fmt::format("{:g}", tolerance) : "-",
+                       r["cpu_ms"].get<double>(), r["psnr_db"].get<double>(), r["mean_px"].get<double>(),
+                       r["largest_px"].get<double>(), r["beyond_limit"].get<int>(),
+                       r["wrong_coverage"].get<int>(),
+                       fmt::format("{}/{}", r["silhouettes_missed"].get<int>(), r["silhouettes"].get<int>()),
+                       r["steps_mean"].get<double>(), r["steps_p99"].get<float>());
+        }
+    }
+    if (!options.report.empty()) write_atomically(options.report, report.dump(2) + "\n");
+    if (options.json) fmt::print("{}\n", report.dump(2));
+}
+
+}  // namespace talus
