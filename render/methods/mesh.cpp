@@ -23,6 +23,9 @@ gpu::Buffer cell_indices(int level) {
 struct MeshMethod {
     gpu::Program list{"render/mesh_cells.comp"};
     gpu::Program draw{std::vector<std::string>{"render/mesh.vert", "render/mesh.frag"}};
+    gpu::Program walls{std::vector<std::string>{"render/mesh_walls.vert", "render/mesh.frag"}, {"WALLS"}};
+    gpu::Program below{std::vector<std::string>{"render/mesh_below.vert", "render/mesh_below.frag"}};
+    gpu::Buffer edges{"edge arguments", 8 * sizeof(std::uint32_t)};
     gpu::Buffer indices;
     gpu::Buffer cells;
     int level = 0;
@@ -44,19 +47,26 @@ Method make_mesh(Detail) {
             6U << (2U * static_cast<unsigned>(level)), 0, 0, 0, 0, 0, 0, 0};
         mesh->cells.write(0, std::as_bytes(std::span(arguments)));
         mesh->cells.bind_storage(3);
-        for (gpu::Program* program : {&mesh->list, &mesh->draw}) {
+        for (gpu::Program* program : {&mesh->list, &mesh->draw, &mesh->walls, &mesh->below}) {
             frame.pyramid.bind(*program, frame.terrain);
             set_camera(*program, grid, frame.camera, frame.width, frame.height);
             program->set("cell_level", level);
         }
         frame.pyramid.lowest.bind_sampled(2);
         mesh->list.dispatch((size.x * size.y + 63) / 64);
-        mesh->draw.set("near_m", static_cast<float>(1e-3 * std::min(grid.dx, grid.dy)));
+        const auto near_m = static_cast<float>(1e-3 * std::min(grid.dx, grid.dy));
+        mesh->draw.set("near_m", near_m);
+        mesh->walls.set("near_m", near_m);
         const gpu::Region picture{0, 0, frame.width, frame.height};
         frame.hits.clear(picture, 0, {HUGE_VALF, 0, 0, 0});
         frame.hits.clear_depth(picture);
         frame.hits.bind(picture);
         mesh->draw.draw_indexed_indirect(mesh->indices, mesh->cells, 0, gpu::Depth::nearest);
+        const unsigned edge_vertices = 12U * static_cast<unsigned>(grid.nx + grid.ny - 2);
+        const std::array<std::uint32_t, 8> edges = {edge_vertices, 1, 0, 0, 3, 1, 0, 0};
+        mesh->edges.write(0, std::as_bytes(std::span(edges)));
+        mesh->walls.draw_indirect(mesh->edges, 0, gpu::Depth::nearest);
+        mesh->below.draw_indirect(mesh->edges, 4 * sizeof(std::uint32_t), gpu::Depth::nearest);
     };
     const auto figures = [mesh] {
         MethodFigures result;

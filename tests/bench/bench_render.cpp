@@ -2,10 +2,12 @@
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <thread>
 
+#include "render/hits_target.h"
 #include "render/methods/method.h"
 #include "sim/terrain/generate.h"
 #include "tests/bench/measure.h"
@@ -107,10 +109,9 @@ void bench_render() {
     Pyramid pyramid(terrain);
     pyramid.refresh(terrain);
     const EmbreeGrid embree(grid, heights);
-    const gpu::Texture hits("hits", gpu::Format::rg32f, width, height);
-    const std::array<const gpu::Texture*, 1> colours = {&hits};
-    const gpu::Framebuffer framebuffer("hits", colours);
+    const HitsTarget target(width, height);
     const Method exact = make_exact(Detail::none);
+    const Method counting = make_exact(Detail::steps);
 
     const double extent = grid.width_m();
     const double middle = heights[grid.count() / 2];
@@ -122,8 +123,8 @@ void bench_render() {
     };
     fmt::print("pyramid: {:.2f} bytes a sample\n",
                static_cast<double>(pyramid.bytes()) / static_cast<double>(grid.count()));
-    fmt::print("{:<14} {:>14} {:>14} {:>8} {:>12} {:>12} {:>10}\n", "view", "Talus Mrays/s", "Embree Mrays/s",
-               "ratio", "Talus hits", "Embree hits", "steps");
+    fmt::print("{:<14} {:>14} {:>14} {:>8} {:>12} {:>12} {:>10} {:>6}\n", "view", "Talus Mrays/s",
+               "Embree Mrays/s", "ratio", "Talus hits", "Embree hits", "steps", "p99");
     for (const auto& view : views) {
         const std::string& name = view.first;
         const Camera& camera = view.second;
@@ -131,21 +132,23 @@ void bench_render() {
         const std::vector<double> seconds =
             interleave({{"talus",
                          [&] {
-                             exact({terrain, pyramid, camera, width, height, 0.5, 60, framebuffer});
-                             float texel[2];
-                             hits.read({0, 0, 1, 1}, std::as_writable_bytes(std::span(texel)));
+                             exact({terrain, pyramid, camera, width, height, 0, 0, target.framebuffer()});
+                             const std::vector<float> wait = target.read_distances(1, 1);
                          }},
                         {"embree", [&] { embree_hits = embree.cast(camera); }}},
                        9);
-        int talus_hits = 0;
-        double steps = 0;
-        for (const glm::vec2 hit : hits.read_all<glm::vec2>()) {
-            talus_hits += std::isinf(hit.x) ? 0 : 1;
-            steps += hit.y;
-        }
+        const std::vector<float> distances = target.read_distances(width, height);
+        const auto talus_hits =
+            std::count_if(distances.begin(), distances.end(), [](float d) { return std::isfinite(d); });
+        counting({terrain, pyramid, camera, width, height, 0, 0, target.framebuffer()});
+        std::vector<float> steps = target.read_details(width, height);
+        std::sort(steps.begin(), steps.end());
+        double sum = 0;
+        for (const float step : steps) sum += step;
         const double rays = static_cast<double>(width) * height * 1e-6;
-        fmt::print("{:<14} {:>14.2f} {:>14.2f} {:>8.2f} {:>12} {:>12} {:>10.1f}\n", name, rays / seconds[0],
-                   rays / seconds[1], seconds[1] / seconds[0], talus_hits, embree_hits, steps / (rays * 1e6));
+        fmt::print("{:<14} {:>14.2f} {:>14.2f} {:>8.2f} {:>12} {:>12} {:>10.1f} {:>6}\n", name,
+                   rays / seconds[0], rays / seconds[1], seconds[1] / seconds[0], talus_hits, embree_hits,
+                   sum / static_cast<double>(steps.size()), steps[steps.size() * 99 / 100]);
     }
 }
 

@@ -1,30 +1,29 @@
-// Benchmarks: talus_bench render | update [SHADER_DIR]. Figures are process CPU time, interleaved, medians
-// (docs/benchmarks.md).
+// Benchmarks: talus_bench render | methods | update [SHADER_DIR]. Figures are process CPU time, interleaved,
+// medians (docs/benchmarks.md).
 #include <fmt/format.h>
 
 #include <exception>
 #include <string_view>
 
+#include "app/calibration.h"
 #include "sim/gpu/context.h"
 #include "sim/gpu/program.h"
 #include "tests/bench/measure.h"
 
 int main(int argc, char** argv) {
     const std::string_view which = argc > 1 ? argv[1] : "";
-    if (which != "render" && which != "update" && which.substr(0, 7) != "explore") {
-        fmt::print(stderr, "usage: talus_bench render|update [SHADER_DIR]\n");
+    if (which != "render" && which != "methods" && which != "update") {
+        fmt::print(stderr, "usage: talus_bench render|methods|update [SHADER_DIR]\n");
         return 2;
     }
     try {
         if (argc > 2) talus::gpu::use_shader_folder(argv[2]);
         const talus::gpu::Context context;
         fmt::print("{}\n", talus::gpu::describe(context.device()));
-        if (which == "explore2")
-            talus::bench::explore2();
-        else if (which == "explore")
-            talus::bench::explore();
-        else if (which == "render")
+        if (which == "render")
             talus::bench::bench_render();
+        else if (which == "methods")
+            talus::bench::bench_methods(talus::patch_pixels(context.device()));
         else
             talus::bench::bench_update();
     } catch (const std::exception& error) {

@@ -15,8 +15,8 @@ struct Contestant {
 std::vector<double> interleave(const std::vector<Contestant>& contestants, int rounds);
 
 void bench_render();
+/// patch_pixels: the hybrid's choice on this device.
+void bench_methods(double patch_pixels);
 void bench_update();
-void explore();
-void explore2();
 
 }  // namespace talus::bench
