@@ -89,7 +89,7 @@ void draw(Hybrid& hybrid, const Frame& frame) {
         frame.hits.bind(picture);
         frame.redraw->draw(hybrid.empty_blocks, gpu::Depth::reset);
     } else {
-        frame.hits.clear_depth(picture);
+        frame.hits.clear_depth();
         frame.hits.bind(picture);
     }
     frame.terrain.ground.bind_sampled(0);

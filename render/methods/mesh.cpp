@@ -58,8 +58,8 @@ Method make_mesh(Detail) {
         mesh->draw.set("near_m", near_m);
         mesh->walls.set("near_m", near_m);
         const gpu::Region picture{0, 0, frame.width, frame.height};
-        frame.hits.clear(picture, 0, {HUGE_VALF, 0, 0, 0});
-        frame.hits.clear_depth(picture);
+        frame.hits.clear(0, {HUGE_VALF, 0, 0, 0});
+        frame.hits.clear_depth();
         frame.hits.bind(picture);
         mesh->draw.draw_indexed_indirect(mesh->indices, mesh->cells, 0, gpu::Depth::nearest);
         const unsigned edge_vertices = 12U * static_cast<unsigned>(grid.nx + grid.ny - 2);

@@ -145,20 +145,14 @@ Framebuffer::Framebuffer(const std::string& label, std::span<const Texture* cons
         throw Error(fmt::format("framebuffer '{}' is not complete on this driver", label));
 }
 
-void Framebuffer::clear(const Region& region, int colour, const std::array<float, 4>& value) const {
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(region.x, region.y, region.width, region.height);
+void Framebuffer::clear(int colour, const std::array<float, 4>& value) const {
     glClearNamedFramebufferfv(handle_, GL_COLOR, colour, value.data());
-    glDisable(GL_SCISSOR_TEST);
     raise_errors();
 }
 
-void Framebuffer::clear_depth(const Region& region) const {
+void Framebuffer::clear_depth() const {
     const float farthest = 0;
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(region.x, region.y, region.width, region.height);
     glClearNamedFramebufferfv(handle_, GL_DEPTH, 0, &farthest);
-    glDisable(GL_SCISSOR_TEST);
     raise_errors();
 }
 

@@ -82,9 +82,9 @@ class Framebuffer {
     Framebuffer(const std::string& label, std::span<const Texture* const> colours,
                 const Texture* depth = nullptr);
 
-    /// Sets every component of a colour texture's region, and the depth to the farthest.
-    void clear(const Region& region, int colour, const std::array<float, 4>& value) const;
-    void clear_depth(const Region& region) const;
+    /// Sets all of a colour texture, and the depth to the farthest.
+    void clear(int colour, const std::array<float, 4>& value) const;
+    void clear_depth() const;
 
     /// Makes it the target of the next draws, with the viewport on the region given.
     void bind(const Region& viewport) const;
