@@ -148,12 +148,18 @@ int parse_and_do(int argc, char** argv) {
     CLI::App* render_command = app.add_subcommand("render", "draw a terrain without a window");
     render_command->add_option("FILE", t.file, "heightmap or document")->required();
     render_command->add_option("--image", render_options.image, "the picture")->type_name("OUT.png");
+    render_command->add_option("--keys", render_options.keys, "fly along the key cameras of this file")
+        ->type_name("FILE.toml");
+    render_command->add_option("--frames", render_options.frames,
+                               "how many frames along the keys, 120 unless given");
+    render_command->add_option("--turntable", render_options.turntable,
+                               "so many frames once around the terrain");
     render_command->add_option("--size", t.size, "WxH pixels, 1280x720 unless given");
     render_command->add_option("--eye", t.eye, "x,y,z in metres: east, north, up from the south-west sample");
     render_command->add_option("--target", t.target, "x,y,z in metres");
     render_command->add_option("--fov", t.fov, "vertical field of view in degrees");
     render_command->add_option("--method", t.method, "how the surface is drawn");
-    render_command->add_option("--view", t.view, "shaded, hillshade, slope, bands or steps");
+    render_command->add_option("--view", t.view, "what the colours show; 'talus parameters' lists the views");
     render_command->add_option("--set", t.assignments, "section.name=value, may be repeated");
     render_command->add_option("--depth", render_options.depth, "metres along each pixel's ray")
         ->type_name("OUT.exr");
@@ -235,6 +241,9 @@ int parse_and_do(int argc, char** argv) {
         render_options.eye = t.point("--eye", t.eye);
         render_options.target = t.point("--target", t.target);
         render_options.json = t.json;
+        if (render_options.frames < 2 || render_options.frames > 100000 || render_options.turntable < 0 ||
+            render_options.turntable > 100000)
+            throw Error("--frames and --turntable cannot be drawn, they must be 2 to 100000");
         render(render_options);
     } else if (compare_command->parsed()) {
         compare_options.gpu = t.context();

@@ -39,7 +39,6 @@ Pyramid::Pyramid(const Terrain& terrain)
       level_1_size_(level_1_for(terrain.grid())),
       low_levels_("render/pyramid.comp"),
       high_levels_("render/pyramid_high.comp"),
-      whole_("render/pyramid_whole.comp"),
       dirty_(terrain.tiles.count()) {
     highest.fill(-HUGE_VALF);
     lowest.fill(HUGE_VALF);
@@ -63,13 +62,7 @@ void Pyramid::rebuild(const Terrain& terrain) {
     }
     low_levels_.set("patches", glm::ivec2(terrain.grid().nx - 1, terrain.grid().ny - 1));
     low_levels_.dispatch_indirect(dirty_.buffer);
-    for (int level = 7; level <= top_level_; ++level) {
-        high_levels_.set("level", level);
-        high_levels_.dispatch_indirect(dirty_.buffer);
-    }
-    whole_.set("level_1_size", level_1_size_);
-    whole_.set("level", top_level_);
-    whole_.dispatch(1);
+    high_levels_.dispatch(1);
 }
 
 void Pyramid::bind(gpu::Program& program, const Terrain& terrain) const {

@@ -37,7 +37,6 @@ class Pyramid {
     glm::ivec2 level_1_size_;
     gpu::Program low_levels_;
     gpu::Program high_levels_;
-    gpu::Program whole_;
     TileList dirty_;
 };
 

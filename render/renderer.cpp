@@ -82,15 +82,16 @@ Drawn Renderer::redraw(Terrain& terrain, const Picture& picture) {
     bool redraws_blocks = false;
     const Method& method = method_of(picture.settings, redraws_blocks);
     const bool blocks = redraws_blocks && same_view && drawn_->settings == picture.settings;
-    const TileList& changed = pyramid_.list_changes(terrain);
     const bool shadows = picture.settings.shadows && picture.settings.view == View::shaded;
     const glm::dvec3 sun = shadows ? picture.settings.sun : glm::dvec3(0);
-    if (blocks) {
-        redraw_.begin(picture.width, picture.height);
-        redraw_.mark(false, changed, terrain, pyramid_, picture.camera, sun);
+    if (blocks) redraw_.begin(picture.width, picture.height);
+    if (refreshed_changes_ != picture.changes) {
+        const TileList& changed = pyramid_.list_changes(terrain);
+        if (blocks) redraw_.mark(false, changed, terrain, pyramid_, picture.camera, sun);
+        pyramid_.rebuild(terrain);
+        if (blocks) redraw_.mark(true, changed, terrain, pyramid_, picture.camera, sun);
+        refreshed_changes_ = picture.changes;
     }
-    pyramid_.rebuild(terrain);
-    if (blocks) redraw_.mark(true, changed, terrain, pyramid_, picture.camera, sun);
     method({terrain, pyramid_, picture.camera, picture.width, picture.height, picture.settings.tolerance_px,
             patch_pixels_, target_.framebuffer(), blocks ? &redraw_ : nullptr});
     shade(terrain, picture, blocks);
@@ -113,6 +114,9 @@ void Renderer::shade(const Terrain& terrain, const Picture& picture, bool blocks
     program.set("pixel_angle",
                 static_cast<float>(picture.camera.fov_deg * std::numbers::pi / 180 / picture.height));
     program.set("band_m", static_cast<float>(settings.band_m));
+    terrain.start.bind_sampled(5);
+    program.set("difference_m", static_cast<float>(settings.difference_m));
+    program.set("hillshade_lights", settings.hillshade_lights);
     program.set("slope_scale_deg", static_cast<float>(slope_scale_deg));
     program.set("steps_scale", static_cast<float>(steps_scale));
     colour_buffer_.bind({0, 0, picture.width, picture.height});

@@ -65,6 +65,7 @@ class Renderer {
     Pyramid pyramid_;
     Redraw redraw_;
     std::optional<Picture> drawn_;
+    std::optional<std::uint64_t> refreshed_changes_;  // of the terrain that the pyramid knows
     std::vector<std::pair<std::string, Method>> methods_;
     gpu::Program shade_;
     gpu::Program shade_blocks_;

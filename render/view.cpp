@@ -3,13 +3,24 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include "render/methods/method.h"
 
 namespace talus {
+namespace {
+
+std::string number_text(double value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
+
+}  // namespace
 
 const std::vector<std::string>& view_names() {
-    static const std::vector<std::string> names = {"shaded", "hillshade", "slope", "bands", "steps", "cells"};
+    static const std::vector<std::string> names = {"shaded", "hillshade", "slope",    "bands",     "steps",
+                                                   "cells",  "aspect",    "contours", "difference"};
     return names;
 }
 
@@ -24,7 +35,10 @@ std::vector<Parameter> render_parameters() {
         number("render.sun_azimuth_deg", 315, 0, 360, "°", "Where the sun stands, clockwise from north."),
         number("render.sun_elevation_deg", 38, 1, 90, "°", "How high the sun stands."),
         toggle("render.shadows", true, "The sun casts shadows."),
-        number("render.band_m", 100, 1e-3, 1e5, "m", "Interval of the view of height bands."),
+        number("render.band_m", 100, 1e-3, 1e5, "m", "Interval of the views of height bands and contours."),
+        number("render.difference_m", 20, 1e-3, 1e5, "m", "End of the scale of the view of differences."),
+        choice("render.hillshade", "sun", {"sun", "four sides"},
+               "Light of the hillshade: the sun's, or from four sides, each where slopes need it."),
     };
 }
 
@@ -41,6 +55,8 @@ ViewSettings view_settings(const Parameters& parameters) {
                     std::sin(elevation)};
     settings.shadows = parameters.toggle("render.shadows");
     settings.band_m = parameters.number("render.band_m");
+    settings.difference_m = parameters.number("render.difference_m");
+    settings.hillshade_lights = parameters.choice("render.hillshade") == "sun" ? 1 : 4;
     return settings;
 }
 
@@ -48,21 +64,54 @@ std::vector<Legend> legend_of(const ViewSettings& settings, double lowest_m, dou
     const auto band_of = [&](double height_m) {
         return static_cast<int>(std::floor(height_m / settings.band_m));
     };
+    using Scale = Legend::Scale;
     switch (settings.view) {
         case View::shaded:
             return {};
         case View::hillshade:
-            return {{"Hillshade", 0, 1, "of full light", true, 0}};
+            return {{"Hillshade", 0, 1, "of full light", Scale::grey, 0, {}}};
         case View::slope:
-            return {{"Slope", 0, slope_scale_deg, "degrees", false, 0}};
+            return {{"Slope", 0, slope_scale_deg, "degrees", Scale::map, 0, {}}};
         case View::bands:
-            return {{"Height", band_of(lowest_m) * settings.band_m,
-                     (band_of(highest_m) + 1) * settings.band_m, "m", false,
-                     band_of(highest_m) - band_of(lowest_m) + 1}};
+            return {{"Height",
+                     band_of(lowest_m) * settings.band_m,
+                     (band_of(highest_m) + 1) * settings.band_m,
+                     "m",
+                     Scale::map,
+                     band_of(highest_m) - band_of(lowest_m) + 1,
+                     {}}};
         case View::steps:
-            return {{"Steps of the ray", 0, steps_scale, "cells", false, 0}};
+            return {{"Steps of the ray", 0, steps_scale, "cells", Scale::map, 0, {}}};
         case View::cells:
-            return {};
+            return {{"Drawn by",
+                     0,
+                     0,
+                     "method",
+                     Scale::none,
+                     0,
+                     {{1, "mesh"},
+                      {2, "rays to the patch"},
+                      {4, "rays ended at level 2"},
+                      {8, "rays ended at level 6"}}}};
+        case View::aspect:
+            return {{"Slope faces", 0, 360, "degrees from north", Scale::direction, 0, {}}};
+        case View::contours:
+            return {{"Contours: " + number_text(settings.band_m) +
+                         " m, bold: " + number_text(5 * settings.band_m),
+                     0,
+                     0,
+                     "m",
+                     Scale::none,
+                     0,
+                     {}}};
+        case View::difference:
+            return {{"Ground since the start",
+                     -settings.difference_m,
+                     settings.difference_m,
+                     "m",
+                     Scale::difference,
+                     0,
+                     {}}};
     }
     return {};
 }

@@ -8,7 +8,17 @@
 namespace talus {
 
 /// How the surface is coloured. The order is that of `view` in shaders/render/shade.frag and of view_names().
-enum class View { shaded = 0, hillshade = 1, slope = 2, bands = 3, steps = 4, cells = 5 };
+enum class View {
+    shaded = 0,
+    hillshade = 1,
+    slope = 2,
+    bands = 3,
+    steps = 4,
+    cells = 5,
+    aspect = 6,
+    contours = 7,
+    difference = 8
+};
 const std::vector<std::string>& view_names();
 
 /// What a view's colours mean: a title with unit, and the values at the scale's ends.
@@ -17,8 +27,10 @@ struct Legend {
     double low = 0;
     double high = 0;
     std::string unit;
-    bool grey = false;  ///< black to white instead of the colour map
-    int bands = 0;      ///< a scale of so many flat steps; 0: smooth
+    enum class Scale { map, grey, direction, difference, none } scale = Scale::map;
+    int bands = 0;  ///< a scale of so many flat steps; 0: smooth
+    /// Instead of a scale: what single colours mean, by kind (render/methods/method.h).
+    std::vector<std::pair<double, std::string>> kinds;
 };
 
 /// The parameters of drawing (law 8): they change the picture, never the terrain.
@@ -32,6 +44,8 @@ struct ViewSettings {
     glm::dvec3 sun{0, 0, 1};  ///< unit vector towards the sun: east, north, up
     bool shadows = true;
     double band_m = 100;
+    double difference_m = 20;
+    int hillshade_lights = 1;
     glm::dvec3 ring_m{0};  ///< brush ring: world x, y, radius; radius 0: none
     bool operator==(const ViewSettings&) const = default;
 };

@@ -6,6 +6,7 @@
 
 #include "app/calibration.h"
 #include "app/commands/commands.h"
+#include "app/flight.h"
 #include "app/panels/legend.h"
 #include "app/report.h"
 #include "render/renderer.h"
@@ -15,6 +16,14 @@
 #include "sim/terrain/terrain.h"
 
 namespace talus {
+namespace {
+
+// picture.png becomes picture-0007.png.
+std::string numbered(const std::string& path, std::size_t number) {
+    return fmt::format("{}-{:04}.png", path.substr(0, path.size() - 4), number);
+}
+
+}  // namespace
 
 void render(const RenderOptions& options) {
     if (options.size.x < 1 || options.size.y < 1 || options.size.x > 16384 || options.size.y > 16384)
@@ -22,6 +31,10 @@ void render(const RenderOptions& options) {
                                 options.size.x, options.size.y));
     if (options.image.empty() && options.depth.empty() && options.report.empty() && !options.json)
         throw Error("render writes nothing: give --image, --depth or --report");
+    const bool film = !options.keys.empty() || options.turntable > 0;
+    if (film && (options.image.empty() || !options.depth.empty() || !options.report.empty() || options.json))
+        throw Error(
+            "--keys and --turntable write frames alone: give --image, and neither --depth nor a report");
     if (!options.image.empty() && ending_of(options.image) != ".png")
         throw Error(fmt::format("cannot write the picture '{}': its ending must be .png", options.image));
     if (!options.depth.empty() && ending_of(options.depth) != ".exr")
@@ -42,6 +55,21 @@ void render(const RenderOptions& options) {
     const ViewSettings settings = view_settings(scene.view);
     Terrain terrain(scene.document.state);
     Renderer renderer(terrain, patch_pixels(context.device()));
+    if (film) {
+        const glm::dvec2 middle(grid.width_m() / 2, grid.height_m() / 2);
+        const std::vector<Camera> way =
+            options.keys.empty() ? turn_around(camera, middle, options.turntable)
+                                 : fly_along(read_keys(options.keys, camera.fov_deg), options.frames);
+        for (std::size_t i = 0; i < way.size(); ++i) {
+            renderer.draw(terrain, way[i], settings, options.size.x, options.size.y);
+            draw_legend_into(renderer.framebuffer(), options.size.x, options.size.y,
+                             legend_of(settings, *low, *high));
+            renderer.forget();
+            write_rgb(numbered(options.image, i), options.size.x, options.size.y,
+                      renderer.read_rgb(options.size.x, options.size.y));
+        }
+        return;
+    }
     const double cpu_start = process_cpu_s();
     renderer.draw(terrain, camera, settings, options.size.x, options.size.y);
     const std::vector<float> depth = renderer.read_depth(options.size.x, options.size.y);

@@ -23,10 +23,22 @@ struct ColourTwin {
 namespace talus {
 namespace {
 
-ImU32 colour_at(const Legend& legend, float share) {
-    if (legend.grey) return ImGui::GetColorU32(ImVec4(share, share, share, 1));
-    const glm::vec3 c = maths::ColourTwin<float>().colour_map(share);
+ImU32 packed(glm::vec3 c) {
     return ImGui::GetColorU32(ImVec4(c.x, c.y, c.z, 1));
+}
+
+ImU32 colour_at(const Legend& legend, float share) {
+    maths::ColourTwin<float> twin;
+    switch (legend.scale) {
+        case Legend::Scale::grey:
+            return packed(glm::vec3(share));
+        case Legend::Scale::direction:
+            return packed(twin.direction_map(share));
+        case Legend::Scale::difference:
+            return packed(twin.difference_map(share));
+        default:
+            return packed(twin.colour_map(share));
+    }
 }
 
 }  // namespace
@@ -49,14 +61,27 @@ void draw_legend(const std::vector<Legend>& legends, int width, int height) {
     float bottom = static_cast<float>(height) - margin;
     const float line = ImGui::GetFontSize() + 2;
     for (const Legend& legend : legends) {
-        const float top = bottom - (2 * line + bar_height + 18);
+        const bool bar = legend.scale != Legend::Scale::none;
+        const float rows = bar ? line + bar_height : line * static_cast<float>(legend.kinds.size());
+        const float top = bottom - (line + rows + 18);
         const float left = static_cast<float>(width) - margin - bar_width - 24;
         list->AddRectFilled({left, top}, {static_cast<float>(width) - margin, bottom},
                             IM_COL32(18, 20, 24, 225), 5);
         const float x0 = left + 12;
         const float y0 = top + 8 + line;
         list->AddText({x0, top + 6}, IM_COL32_WHITE,
-                      fmt::format("{} ({})", legend.title, legend.unit).c_str());
+                      (bar ? fmt::format("{} ({})", legend.title, legend.unit) : legend.title).c_str());
+        for (std::size_t i = 0; i < legend.kinds.size(); ++i) {
+            const float y = y0 + line * static_cast<float>(i);
+            const auto& [kind, name] = legend.kinds[i];
+            list->AddRectFilled({x0, y + 2}, {x0 + 22, y + line - 3},
+                                packed(maths::ColourTwin<float>().kind_map(static_cast<float>(kind))));
+            list->AddText({x0 + 30, y}, IM_COL32_WHITE, name.c_str());
+        }
+        if (!bar) {
+            bottom = top - 8;
+            continue;
+        }
         const int steps = legend.bands > 0 ? std::min(legend.bands, static_cast<int>(bar_width))
                                            : static_cast<int>(bar_width);
         for (int i = 0; i < steps; ++i) {

@@ -10,6 +10,7 @@ layout(location = 0) out vec4 colour_out;
 layout(binding = 2) uniform sampler2D bottoms;
 layout(binding = 3) uniform sampler2D solid;  // bedrock, its low word, regolith, its low word
 layout(binding = 4) uniform sampler2D hits;
+layout(binding = 5) uniform sampler2D start;  // the ground when the terrain was made, two words
 
 uniform int view;            // as in render/view.h
 uniform real3 sun;           // towards it: east, north, up
@@ -19,6 +20,8 @@ uniform real pixel_angle;    // radians that a pixel covers
 uniform real band_m;         // height bands: interval
 uniform real slope_scale_deg;
 uniform real steps_scale;
+uniform real difference_m;   // view of the difference: end of its scale
+uniform int hillshade_lights;  // 1: the sun; 4: from four sides
 
 const float pi = 3.14159265;
 
@@ -99,6 +102,64 @@ vec3 cut_face(float above_eye, float lowest, float highest, vec3 backdrop, vec2 
     return mix(backdrop, rock, smoothstep(-0.42, -0.05, depth));
 }
 
+// Hillshade lit from south-west, west, north-west and north, each where slopes would else lie in one light (Mark 1992).
+float four_lights(vec2 gradient, vec3 normal) {
+    float facing = atan(-gradient.x, -gradient.y);
+    float low = sqrt(max(1.0 - sun.z * sun.z, 0.0));
+    float light = 0.0;
+    float weights = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        float azimuth = (225.0 + 45.0 * float(i)) * pi / 180.0;
+        float across = sin(facing - azimuth);
+        float weight = across * across + 0.05;
+        light += weight * max(dot(normal, vec3(low * sin(azimuth), low * cos(azimuth), sun.z)), 0.0);
+        weights += weight;
+    }
+    return light / weights;
+}
+
+// Height over the datum where a pixel beside this one hit; the eye's where it hit nothing.
+float height_beside(ivec2 pixel) {
+    float distance_m = texelFetch(hits, clamp(pixel, ivec2(0), ivec2(picture_size) - 1), 0).r;
+    vec2 at = vec2(2.0 * (vec2(pixel) + 0.5) / picture_size - 1.0);
+    return origin_height_m.x + (isinf(distance_m) ? 0.0 : distance_m * pixel_ray(at).z);
+}
+
+// How much ink of contour lines a pixel carries: lines as wide everywhere, every fifth bolder. Their distance in pixels
+// is the distance in height over the height's change from pixel to pixel.
+float contour_ink(float distance_m, vec3 ray) {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float height_m = origin_height_m.x + distance_m * ray.z;
+    vec2 east = vec2(height_beside(pixel + ivec2(1, 0)) - height_m, height_m - height_beside(pixel - ivec2(1, 0)));
+    vec2 north = vec2(height_beside(pixel + ivec2(0, 1)) - height_m, height_m - height_beside(pixel - ivec2(0, 1)));
+    // The smaller of both sides: a crest before something far is no slope.
+    float change = length(vec2(min(abs(east.x), abs(east.y)), min(abs(north.x), abs(north.y))));
+    float ink = 0.0;
+    for (int i = 0; i < 2; ++i) {
+        float interval = i == 0 ? band_m : 5.0 * band_m;
+        float off = abs(height_m / interval - floor(height_m / interval + 0.5)) * interval;
+        float pixels = off / max(change, 1e-6 * interval);
+        // Where lines would run together there is a tone.
+        float apart = interval / max(change, 1e-6 * interval);
+        float width = i == 0 ? 0.5 : 1.0;
+        ink = max(ink, (i == 0 ? 0.7 : 0.9) * (1.0 - smoothstep(width, width + 1.0, pixels)) * smoothstep(2.0, 6.0, apart));
+    }
+    return ink;
+}
+
+// What the ground gained since the terrain was made.
+float ground_change(vec2 place) {
+    ivec2 cell = clamp(origin_cell + ivec2(floor(place)), ivec2(0), patches - 1);
+    vec2 w = clamp(place - vec2(cell - origin_cell), 0.0, 1.0);
+    vec4 change;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 at = cell + ivec2(i & 1, i >> 1);
+        vec2 before = texelFetch(start, at, 0).rg;
+        change[i] = (texelFetch(ground, at, 0).r - before.x) - before.y;
+    }
+    return mix(mix(change.x, change.y, w.x), mix(change.z, change.w, w.x), w.y);
+}
+
 void main() {
     vec2 hit = texelFetch(hits, ivec2(gl_FragCoord.xy), 0).rg;
     vec3 ray = pixel_ray(picture_position());
@@ -123,8 +184,7 @@ void main() {
     float share = (above_eye - lowest) / max(highest - lowest, 1e-3);
     vec3 colour;
     if (view == 5) {
-        vec3 kind = hit.y < 1.5 ? vec3(0.30, 0.55, 0.85) : hit.y < 2.5 ? vec3(0.95, 0.75, 0.35) : mix(vec3(0.55, 0.85, 0.45), vec3(0.10, 0.45, 0.25), (hit.y - 3.0) / 5.0);
-        colour_out = vec4(kind * (0.45 + 0.55 * max(dot(normal, sun), 0.0)), 1.0);
+        colour_out = vec4(kind_map(hit.y) * (0.45 + 0.55 * max(dot(normal, sun), 0.0)), 1.0);
         return;
     }
     if (above_eye < height_at(place) - 1e-3 * extent_m * 0.05 - 1e-4 * hit.x) {
@@ -133,7 +193,7 @@ void main() {
         return;
     }
     if (view == 1) {
-        colour = vec3(max(dot(normal, sun), 0.0));
+        colour = vec3(hillshade_lights == 4 ? four_lights(gradient, normal) : max(dot(normal, sun), 0.0));
     } else if (view == 2) {
         colour = colour_map(atan(length(gradient)) * 180.0 / pi / slope_scale_deg) * (0.75 + 0.25 * normal.z);
     } else if (view == 3) {
@@ -142,6 +202,16 @@ void main() {
         float bottom_band = floor((lowest + origin_height_m.x) / band_m);
         float top_band = floor((highest + origin_height_m.x) / band_m);
         colour = colour_map((band - bottom_band) / max(top_band - bottom_band, 1.0)) * (0.55 + 0.45 * max(dot(normal, sun), 0.0));
+    } else if (view == 6) {
+        // Where the slope faces, clockwise from north; the flatter, the greyer.
+        float facing = atan(-gradient.x, -gradient.y) / (2.0 * pi);
+        colour = mix(vec3(0.6), direction_map(facing), smoothstep(0.0, 0.05, length(gradient))) * (0.55 + 0.45 * max(dot(normal, sun), 0.0));
+    } else if (view == 7) {
+        colour = vec3(0.93, 0.91, 0.86) * (0.55 + 0.45 * max(dot(normal, sun), 0.0));
+        colour = mix(colour, vec3(0.36, 0.22, 0.12), contour_ink(hit.x, ray));
+    } else if (view == 8) {
+        float change = ground_change(place);
+        colour = difference_map(0.5 + 0.5 * change / difference_m) * (0.55 + 0.45 * max(dot(normal, sun), 0.0));
     } else {
         vec3 albedo = material(place, share, origin_height_m.x + above_eye, gradient, regolith_at(place));
         float light = max(dot(normal, sun), 0.0);

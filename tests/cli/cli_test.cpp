@@ -124,12 +124,20 @@ TEST_F(Program, ConvertsWithoutLosingABit) {
 
 TEST_F(Program, RendersWithDepthAndViews) {
     ASSERT_EQ(talus(small + "--ticks 0 --out a.exr").code, 0);
-    for (const char* view : {"shaded", "hillshade", "slope", "bands", "steps"}) {
+    for (const char* view :
+         {"shaded", "hillshade", "slope", "bands", "steps", "cells", "aspect", "contours", "difference"}) {
         const Outcome outcome = talus(std::string("render a.exr --size 320x180 --image v.png --depth d.exr "
-                                                  "--report v.json --method exact --view ") +
+                                                  "--report v.json --view ") +
                                       view);
         ASSERT_EQ(outcome.code, 0) << outcome.output;
         EXPECT_GT(report("v.json")["pixels_hit"], 10000);
+    }
+    for (const char* method : {"exact", "boxes", "mesh", "hybrid"}) {
+        const Outcome outcome =
+            talus(std::string("render a.exr --size 320x180 --report m.json --method ") + method);
+        ASSERT_EQ(outcome.code, 0) << outcome.output;
+        EXPECT_NEAR(report("m.json")["pixels_hit"].get<int>(), report("v.json")["pixels_hit"].get<int>(), 300)
+            << method;
     }
     ASSERT_EQ(
         talus("render a.exr --size 64x48 --eye 1000,900,5000 --target 1000,900,0 --fov 40 --depth d.exr")
@@ -255,6 +263,48 @@ TEST_F(Program, TheIssuesRealRunKeepsLedgerAndGeoreference) {
         ASSERT_EQ(talus(std::string("convert ") + step).code, 0);
     EXPECT_EQ(json::parse(talus("info --json c.tif").output)["hash"],
               json::parse(talus("info --json eroded.tif").output)["hash"]);
+}
+
+TEST_F(Program, ComparesMethodsWithTheReference) {
+    ASSERT_EQ(talus(small + "--ticks 0 --out a.exr").code, 0);
+    const Outcome outcome = talus("compare a.exr --size 96x54 --tolerance 0.5 --limit 0.5 --report c.json");
+    ASSERT_EQ(outcome.code, 0) << outcome.output;
+    const json results = report("c.json")["results"];
+    ASSERT_EQ(results.size(), 4U);
+    for (const json& r : results) {
+        const bool promises = r["method"] == "exact" || r["method"] == "hybrid";
+        if (promises) {
+            EXPECT_EQ(r["beyond_limit"], 0) << r["method"];
+        } else {
+            EXPECT_GT(r["beyond_limit"], 0) << r["method"];
+        }
+        EXPECT_EQ(r["frames"].size(), 12U);
+        EXPECT_GT(r["cpu_ms"], 0);
+    }
+    std::ofstream(path("keys.toml")) << "[[key]]\neye=[0,0,900]\ntarget=[500,500,0]\n"
+                                        "[[key]]\neye=[900,0,900]\ntarget=[500,500,0]\n";
+    ASSERT_EQ(
+        talus("compare a.exr --size 32x18 --method exact --keys keys.toml --frames 3 --report k.json").code,
+        0);
+    EXPECT_EQ(report("k.json")["results"][0]["frames"].size(), 3U);
+    ASSERT_EQ(talus("render a.exr --size 64x36 --keys keys.toml --frames 2 --image fly.png").code, 0);
+    ASSERT_EQ(talus("render a.exr --size 64x36 --turntable 2 --image turn.png").code, 0);
+    for (const char* file : {"fly-0000.png", "fly-0001.png", "turn-0000.png", "turn-0001.png"})
+        EXPECT_GT(fs::file_size(path(file)), 100U) << file;
+
+    EXPECT_EQ(refusal("compare a.exr --method x"),
+              "--method 'x' is none, it must be one of: exact, boxes, mesh, hybrid\n");
+    EXPECT_EQ(refusal("compare a.exr --tolerance -1"),
+              "--tolerance -1 cannot be compared, it must be 0 to 16 pixels\n");
+    std::ofstream(path("bad.toml")) << "[[key]]\neye=[0,0]\ntarget=[500,500,0]\n";
+    EXPECT_EQ(refusal("compare a.exr --keys bad.toml"),
+              "'bad.toml': key 1 needs eye = [x, y, z] in metres\n");
+    std::ofstream(path("one.toml")) << "[[key]]\neye=[0,0,1]\ntarget=[500,500,0]\n";
+    EXPECT_EQ(refusal("render a.exr --keys one.toml --image f.png"),
+              "'one.toml' needs two [[key]] tables or more\n");
+    EXPECT_NE(refusal("render a.exr --keys none.toml --image f.png").find("'none.toml' cannot be read"),
+              std::string::npos);
+    EXPECT_NE(refusal("render a.exr --turntable 3 --depth d.exr").find("give --image"), std::string::npos);
 }
 
 }  // namespace
