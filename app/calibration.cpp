@@ -39,7 +39,8 @@ double patch_pixels(const gpu::Device& device) {
     if (const auto found = known.find(name); found != known.end()) return found->second;
     const fs::path file = cache_file();
     toml::table cache = read_cache(file);
-    if (const auto value = cache[name]["patch_pixels"].value<double>(); value && *value > 0) {
+    if (const auto value = cache[name]["patch_pixels"].value<double>();
+        value && *value >= 4 && *value <= 1024) {
         return known[name] = *value;
     }
     const double measured = measure_patch_pixels();
@@ -50,7 +51,7 @@ double patch_pixels(const gpu::Device& device) {
         text << cache << "\n";
         write_atomically(file.string(), text.str());
     } catch (const std::exception&) {
-        // A cache that cannot be written costs the next start a third of a second.
+        // A cache that cannot be written costs the next start another measurement.
     }
     return known[name] = measured;
 }

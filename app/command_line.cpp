@@ -39,11 +39,11 @@ std::vector<double> numbers(const std::string& option, const std::string& text, 
     return values;
 }
 
-glm::ivec2 size_from(const std::string& text) {
-    const std::vector<double> v = numbers("--size", text, 'x', 2);
+glm::ivec2 size_from(const std::string& text, const char* option = "--size") {
+    const std::vector<double> v = numbers(option, text, 'x', 2);
     if (v[0] != std::floor(v[0]) || v[1] != std::floor(v[1]) || std::abs(v[0]) > 1e6 || std::abs(v[1]) > 1e6)
         throw Error(
-            fmt::format("--size '{}' cannot be read, write it as two whole numbers, e.g. 513x513", text));
+            fmt::format("{} '{}' cannot be read, write it as two whole numbers, e.g. 513x513", option, text));
     return {v[0], v[1]};
 }
 
@@ -248,7 +248,7 @@ int parse_and_do(int argc, char** argv) {
     } else if (compare_command->parsed()) {
         compare_options.gpu = t.context();
         compare_options.scene = t.scene(t.file);
-        if (!t.samples.empty()) compare_options.scene.size = size_from(t.samples);
+        if (!t.samples.empty()) compare_options.scene.size = size_from(t.samples, "--samples");
         if (!t.size.empty()) compare_options.size = size_from(t.size);
         if (!t.tolerances.empty()) {
             const auto count = 1 + std::count(t.tolerances.begin(), t.tolerances.end(), ',');

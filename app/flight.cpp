@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
 #include "sim/gpu/error.h"
@@ -32,6 +33,8 @@ glm::dvec3 spline(glm::dvec3 before, glm::dvec3 a, glm::dvec3 b, glm::dvec3 afte
 }  // namespace
 
 std::vector<Camera> read_keys(const std::string& path, double fov_deg) {
+    if (!std::filesystem::is_regular_file(path))
+        throw Error(fmt::format("'{}' does not exist, give the path of a file of key cameras", path));
     toml::table file;
     try {
         file = toml::parse_file(path);
@@ -47,7 +50,16 @@ std::vector<Camera> read_keys(const std::string& path, double fov_deg) {
             Camera camera;
             camera.eye = point_of(*key, "eye", path, cameras.size() + 1);
             camera.target = point_of(*key, "target", path, cameras.size() + 1);
-            camera.fov_deg = (*key)["fov_deg"].value_or(fov_deg);
+            camera.fov_deg = fov_deg;
+            for (const auto& [name, value] : *key) {
+                if (name == "eye" || name == "target") continue;
+                const auto fov = name == "fov_deg" ? value.value<double>() : std::nullopt;
+                if (!fov)
+                    throw Error(fmt::format(
+                        "'{}': key {} cannot have this '{}', keys have eye, target and the number fov_deg",
+                        path, cameras.size() + 1, std::string(name.str())));
+                camera.fov_deg = *fov;
+            }
             if (camera.eye == camera.target || !(camera.fov_deg >= 1 && camera.fov_deg <= 150))
                 throw Error(
                     fmt::format("'{}': key {} needs an eye apart from its target and 1 to 150 for fov_deg",
@@ -72,6 +84,9 @@ std::vector<Camera> fly_along(const std::vector<Camera>& keys, int frames) {
         cameras.push_back({spline(key(i - 1).eye, key(i).eye, key(i + 1).eye, key(i + 2).eye, t),
                            spline(key(i - 1).target, key(i).target, key(i + 1).target, key(i + 2).target, t),
                            key(i).fov_deg + (key(i + 1).fov_deg - key(i).fov_deg) * t});
+        if (cameras.back().eye == cameras.back().target)
+            throw Error(fmt::format("between keys {} and {} the eye meets its target, move one of them",
+                                    i + 1, i + 2));
     }
     return cameras;
 }

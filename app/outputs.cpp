@@ -47,11 +47,13 @@ void check_outputs(const Outputs& outputs) {
     std::vector<std::string> all = outputs.files;
     for (const std::string& file : {outputs.image, outputs.report, outputs.journal})
         if (!file.empty()) all.push_back(file);
-    for (const std::string& file : all) {
-        const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-        if (!std::filesystem::is_directory(folder))
-            throw Error(fmt::format("cannot write '{}': there is no folder '{}'", file, folder.string()));
-    }
+    for (const std::string& file : all) check_folder(file);
+}
+
+void check_folder(const std::string& file) {
+    const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+    if (!std::filesystem::is_directory(folder))
+        throw Error(fmt::format("cannot write '{}': there is no folder '{}'", file, folder.string()));
 }
 
 void write_terrain(const std::string& path, const Document& document, const std::string& layer,

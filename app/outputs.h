@@ -7,6 +7,9 @@ namespace talus {
 /// Throws talus::Error, before any work is done, when an output's ending cannot be written.
 void check_outputs(const Outputs& outputs);
 
+/// Throws talus::Error when there is no folder to write this file into.
+void check_folder(const std::string& file);
+
 /// Writes one terrain file: .exr as the document (or one layer), the others as a heightmap of the layer.
 void write_terrain(const std::string& path, const Document& document, const std::string& layer,
                    std::optional<glm::dvec2> range_m);

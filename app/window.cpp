@@ -105,7 +105,10 @@ class Window {
                 glfwPollEvents();
             else
                 glfwWaitEventsTimeout(0.3);
-            if (gpu::poll_shader_folder()) wake();
+            if (gpu::poll_shader_folder()) {
+                session_.renderer().forget();
+                wake();
+            }
             frame();
         }
         session_.pause();
@@ -212,6 +215,7 @@ class Window {
             return;
         const int x = std::clamp(static_cast<int>(mouse.x * drawn_width / width), 0, drawn_width - 1);
         const int y = std::clamp(static_cast<int>(mouse.y * drawn_height / height), 0, drawn_height - 1);
+        cursor_mouse_ = mouse;
         cursor_camera_ = session_.camera();
         cursor_direction_ = pixel_direction(cursor_camera_, x + 0.5, y + 0.5, drawn_width, drawn_height);
         cursor_readback_.start(session_.renderer().hits(), {x, drawn_height - 1 - y, 1, 1});
@@ -246,7 +250,8 @@ class Window {
             fly(camera, step * (down(GLFW_KEY_W) - down(GLFW_KEY_S)),
                 step * (down(GLFW_KEY_D) - down(GLFW_KEY_A)), step * (down(GLFW_KEY_E) - down(GLFW_KEY_Q)));
         }
-        if (!(camera == before)) moving_s_ = 0.25;
+        camera_moved_ = !(camera == before);
+        if (camera_moved_) moving_s_ = 0.25;
     }
 
     void sculpt(double passed_s) {
@@ -313,7 +318,9 @@ class Window {
         // While anything moves, the resolution gives way so that frames keep coming; at rest it is full.
         const bool moving = session_.playing || session_.stroking() || moving_s_ > 0;
         moving_s_ = std::max(0.0, moving_s_ - passed_s);
-        if (moving && moved_before_)
+        // A camera at rest keeps its size while it can, so that changes redraw only what they touch.
+        const double haste = frame_goal_s / std::max(frame_s_, 1e-3);
+        if (moving && moved_before_ && (camera_moved_ || haste < 0.7 || haste > 2))
             scale_ = std::clamp(scale_ * std::sqrt(frame_goal_s / std::max(frame_s_, 1e-3)), 0.9 * scale_,
                                 1.05 * scale_);
         moved_before_ = moving;
@@ -327,9 +334,11 @@ class Window {
         ViewSettings settings = view_settings(session_.view());
         if (cursor_ && !ImGui::GetIO().WantCaptureMouse)
             settings.ring_m = {cursor_->x, cursor_->y, session_.view().number("brush.radius_m")};
-        session_.renderer().draw(session_.simulation().terrain(), session_.camera(), settings, drawn_width,
-                                 drawn_height);
-        start_cursor_readback(mouse, width, height, drawn_width, drawn_height);
+        const Drawn drawn = session_.renderer().draw(session_.simulation().terrain(), session_.camera(),
+                                                     settings, drawn_width, drawn_height);
+        // Over a picture at rest the cursor is read where it came to, once.
+        if (drawn != Drawn::nothing || mouse != cursor_mouse_)
+            start_cursor_readback(mouse, width, height, drawn_width, drawn_height);
 
         gpu::bind_window(width, height);
         session_.renderer().framebuffer().blit_to_window({0, 0, drawn_width, drawn_height},
@@ -368,6 +377,7 @@ class Window {
 
     gpu::Readback cursor_readback_;
     Camera cursor_camera_;
+    glm::dvec2 cursor_mouse_{-1};  // where the last read-back began
     glm::dvec3 cursor_direction_{0};
     std::optional<glm::dvec3> cursor_;
     glm::dvec2 mouse_{0};
@@ -379,6 +389,7 @@ class Window {
     double frame_s_ = frame_goal_s;
     double scale_ = 1.0;
     double moving_s_ = 0;
+    bool camera_moved_ = false;
     bool moved_before_ = false;
     int frames_left_ = 3;
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "sim/gpu/error.h"
 
@@ -62,7 +63,9 @@ Drawn Renderer::draw(Terrain& terrain, const Camera& camera, const ViewSettings&
     resize(width, height);
     Picture picture{camera, settings, width, height, terrain.tiles.changes()};
     picture.settings.ring_m = glm::dvec3(0);
-    const Drawn drawn = redraw(terrain, picture);
+    // What throws half way leaves nothing to build on.
+    const std::optional<Picture> before = std::exchange(drawn_, std::nullopt);
+    const Drawn drawn = redraw(terrain, picture, before);
     drawn_ = picture;
     follow_bounds(drawn != Drawn::nothing);
     ringed_ = settings.ring_m.z > 0;
@@ -70,18 +73,18 @@ Drawn Renderer::draw(Terrain& terrain, const Camera& camera, const ViewSettings&
     return drawn;
 }
 
-Drawn Renderer::redraw(Terrain& terrain, const Picture& picture) {
-    if (drawn_ == picture) return Drawn::nothing;
-    const bool same_view = drawn_ && drawn_->camera == picture.camera && drawn_->width == picture.width &&
-                           drawn_->height == picture.height && same_hits(drawn_->settings, picture.settings);
-    const bool same_terrain = drawn_ && drawn_->changes == picture.changes;
+Drawn Renderer::redraw(Terrain& terrain, const Picture& picture, const std::optional<Picture>& before) {
+    if (before == picture) return Drawn::nothing;
+    const bool same_view = before && before->camera == picture.camera && before->width == picture.width &&
+                           before->height == picture.height && same_hits(before->settings, picture.settings);
+    const bool same_terrain = before && before->changes == picture.changes;
     if (same_view && same_terrain) {
         shade(terrain, picture, false);
         return Drawn::colours;
     }
     bool redraws_blocks = false;
     const Method& method = method_of(picture.settings, redraws_blocks);
-    const bool blocks = redraws_blocks && same_view && drawn_->settings == picture.settings;
+    const bool blocks = redraws_blocks && same_view && before->settings == picture.settings;
     const bool shadows = picture.settings.shadows && picture.settings.view == View::shaded;
     const glm::dvec3 sun = shadows ? picture.settings.sun : glm::dvec3(0);
     if (blocks) redraw_.begin(picture.width, picture.height);
@@ -168,8 +171,11 @@ void Renderer::follow_bounds(bool again) {
     const gpu::Region last{pyramid_.highest.width() - 1, pyramid_.highest.height() - 1, 1, 1};
     if (const auto texel = lowest_readback_.poll()) bounds_.x = (*texel)[0];
     if (const auto texel = highest_readback_.poll()) bounds_.y = (*texel)[0];
-    if (again && !lowest_readback_.pending()) lowest_readback_.start(pyramid_.lowest, last);
-    if (again && !highest_readback_.pending()) highest_readback_.start(pyramid_.highest, last);
+    bounds_stale_ = bounds_stale_ || again;
+    if (!bounds_stale_ || lowest_readback_.pending() || highest_readback_.pending()) return;
+    lowest_readback_.start(pyramid_.lowest, last);
+    highest_readback_.start(pyramid_.highest, last);
+    bounds_stale_ = false;
 }
 
 }  // namespace talus

@@ -58,7 +58,7 @@ class Renderer {
     void resize(int width, int height);
     void follow_bounds(bool again);
     const Method& method_of(const ViewSettings& settings, bool& redraws_blocks);
-    Drawn redraw(Terrain& terrain, const Picture& picture);
+    Drawn redraw(Terrain& terrain, const Picture& picture, const std::optional<Picture>& before);
     void shade(const Terrain& terrain, const Picture& picture, bool blocks);
     void draw_ring(const Grid& grid, const Picture& picture, glm::dvec3 ring_m);
 
@@ -80,6 +80,7 @@ class Renderer {
     gpu::Readback lowest_readback_;
     gpu::Readback highest_readback_;
     glm::dvec2 bounds_{0};
+    bool bounds_stale_ = true;
 };
 
 }  // namespace talus

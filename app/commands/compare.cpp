@@ -7,6 +7,7 @@
 #include "app/calibration.h"
 #include "app/commands/commands.h"
 #include "app/flight.h"
+#include "app/outputs.h"
 #include "app/report.h"
 #include "render/hits_target.h"
 #include "render/measure.h"
@@ -51,7 +52,7 @@ nlohmann::ordered_json measure_method(const Subject& subject, const MethodEntry&
     double mean_square = 0;
     double mean_px = 0;
     double cpu_ms = 0;
-    std::vector<float> steps;
+    std::array<std::int64_t, 1024> steps{};  // how many rays took so many; the last: that or more
     for (const NamedCamera& view : subject.cameras) {
         const Frame frame{subject.terrain, subject.pyramid, view.camera,          width,
                           height,          tolerance_px,    subject.patch_pixels, target.framebuffer()};
@@ -71,7 +72,8 @@ nlohmann::ordered_json measure_method(const Subject& subject, const MethodEntry&
             view.camera, width, height, target.read_distances(width, height), subject.limit_px);
         const MethodFigures figures = plain.figures();
         counting(frame);
-        std::vector<float> walked = target.read_details(width, height);
+        for (const float walked : target.read_details(width, height))
+            ++steps[static_cast<std::size_t>(std::clamp(walked, 0.0F, 1023.0F))];
         telling(frame);
         std::array<int, 4> kinds{};  // nothing, mesh, rays, ended early
         for (const float kind : target.read_details(width, height))
@@ -101,16 +103,21 @@ nlohmann::ordered_json measure_method(const Subject& subject, const MethodEntry&
         mean_px += error.mean_px;
         mean_square += std::isinf(error.psnr_db) ? 0 : std::pow(10, -error.psnr_db / 10);
         cpu_ms += 1000 * median(seconds);
-        steps.insert(steps.end(), walked.begin(), walked.end());
     }
     const auto count = static_cast<double>(subject.cameras.size());
-    std::sort(steps.begin(), steps.end());
+    std::int64_t rays = 0;
     double sum = 0;
-    for (const float s : steps) sum += s;
-    const auto above = [&](float limit) {
-        return static_cast<double>(steps.end() - std::upper_bound(steps.begin(), steps.end(), limit)) /
-               static_cast<double>(steps.size());
+    for (std::size_t n = 0; n < steps.size(); ++n) {
+        rays += steps[n];
+        sum += static_cast<double>(n) * static_cast<double>(steps[n]);
+    }
+    const auto share_above = [&](std::size_t limit) {
+        std::int64_t above = 0;
+        for (std::size_t n = limit + 1; n < steps.size(); ++n) above += steps[n];
+        return static_cast<double>(above) / static_cast<double>(rays);
     };
+    std::size_t p99 = 0;
+    while (share_above(p99) > 0.01) ++p99;
     nlohmann::ordered_json result;
     result["method"] = entry.name;
     result["tolerance_px"] = tolerance_px;
@@ -122,10 +129,10 @@ nlohmann::ordered_json measure_method(const Subject& subject, const MethodEntry&
     result["wrong_coverage"] = all.wrong_coverage;
     result["silhouettes"] = all.silhouettes;
     result["silhouettes_missed"] = all.silhouettes_missed;
-    result["steps_mean"] = sum / static_cast<double>(steps.size());
-    result["steps_p99"] = steps[steps.size() * 99 / 100];
-    result["steps_above_35"] = above(35);
-    result["steps_above_85"] = above(85);
+    result["steps_mean"] = sum / static_cast<double>(rays);
+    result["steps_p99"] = p99;
+    result["steps_above_35"] = share_above(35);
+    result["steps_above_85"] = share_above(85);
     result["frames"] = frames;
     return result;
 }
@@ -148,6 +155,7 @@ void compare(const CompareOptions& options) {
     if (options.size.x < 1 || options.size.y < 1 || options.size.x > 4096 || options.size.y > 4096)
         throw Error(fmt::format("--size {}x{} cannot be compared, each side must be 1 to 4096 pixels",
                                 options.size.x, options.size.y));
+    if (!options.report.empty()) check_folder(options.report);
     const gpu::Context context(options.gpu);
     say(gpu::describe(context.device()));
     const Scene scene = make_scene(options.scene);
@@ -191,7 +199,7 @@ void compare(const CompareOptions& options) {
                        r["largest_px"].get<double>(), r["beyond_limit"].get<int>(),
                        r["wrong_coverage"].get<int>(),
                        fmt::format("{}/{}", r["silhouettes_missed"].get<int>(), r["silhouettes"].get<int>()),
-                       r["steps_mean"].get<double>(), r["steps_p99"].get<float>());
+                       r["steps_mean"].get<double>(), r["steps_p99"].get<int>());
         }
     }
     if (!options.report.empty()) write_atomically(options.report, report.dump(2) + "\n");

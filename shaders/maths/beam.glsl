@@ -88,6 +88,8 @@ Beam cast_beam(int2 origin_cell, real2 fraction, real3 middle, real3 spread, rea
     if (highest > real(0) && fall > real(0)) end = min(end, highest / fall);
     if (highest <= real(0) && fall >= real(0)) end = real(0);
 
+    // What starts beyond the end has no cell there.
+    depth = min(depth, max(end, real(0)));
     int level = top_level;
     int steps = 0;
     bool going = depth < end;
@@ -114,7 +116,7 @@ Beam cast_beam(int2 origin_cell, real2 fraction, real3 middle, real3 spread, rea
         real bottom = min(min(beam_bottom(block.cell, last), beam_bottom(int2(block.cell.x + 1, block.cell.y), last)),
                           min(beam_bottom(int2(block.cell.x, block.cell.y + 1), last), beam_bottom(int2(block.cell.x + 1, block.cell.y + 1), last)));
         beam.height_m = real(0.5) * (block.top + bottom);
-        beam.flat_end = depth < end && block.fits && rise < real(0) && fall * depth >= block.top * real(1.00001) &&
+        beam.flat_end = flatness > real(0) && depth < end && block.fits && rise < real(0) && fall * depth >= block.top * real(1.00001) &&
                         bottom > block.leave * rise && block.top - beam.height_m <= -flatness * beam.height_m;
         beam.level = beam.flat_end ? last : beam.level;
     }

@@ -55,8 +55,10 @@ CastHit cast_ray(int2 origin_cell, real2 fraction, real3 direction, real from_m,
     // A walk that starts further on changes no bit of the hit: patches still count from the beginning.
     real at = max(begin, from_m);
     int level = min(start_level, top_level);
-    int2 cell = int2(origin_cell.x + int(floor(fraction.x + at * direction.x)),
-                     origin_cell.y + int(floor(fraction.y + at * direction.y)));
+    // Where the walk would start beyond the end, it ends at once: from a cell that there is.
+    real first = min(at, end);
+    int2 cell = int2(origin_cell.x + int(floor(fraction.x + first * direction.x)),
+                     origin_cell.y + int(floor(fraction.y + first * direction.y)));
     cell = int2(min(max(cell.x, 0), patches.x - 1) >> level, min(max(cell.y, 0), patches.y - 1) >> level);
     bool inside = at <= end;
 

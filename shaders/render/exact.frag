@@ -37,5 +37,6 @@ void main() {
 #ifdef FLAT_ENDS
     hit_out.y = flat_end ? 2.0 - beam.y : 2.0;
 #endif
+    if (hit.distance_m < 0.0) hit_out.y = 0.0;
 #endif
 }

@@ -1,9 +1,9 @@
 // What becomes of a cell in method "hybrid". The including side has surface.glsl, camera.glsl and cell_box.glsl.
-#include "maths/patch.glsl"
 #include "render/hybrid_sectors.glsl"
 
 uniform int cell_level;
 uniform real pixel_m;           // width of a pixel at one metre
+uniform real near_m;            // nearer along the view the mesh is cut off
 uniform real pixels_per_patch;  // from so many on, the mesh is cheaper than rays
 
 const int cell_unseen = 0;
@@ -19,22 +19,44 @@ real2 ground_span(CellBox box) {
     return real2(length(nearest), length(farthest));
 }
 
-// True where rays alone tell: the eye is below the ground, or sees the terrain's side through the cell.
+// The upper hull of a patch, which hybrid_patch.vert draws, at a place in columns and rows from the origin cell; far below
+// beside the terrain.
+real hull_height(real2 place) {
+    int2 at = origin_cell + int2(floor(place));
+    if (any(lessThan(at, int2(0))) || any(greaterThanEqual(at, patches))) return -1e30;
+    real4 z = load_corners(at);
+    real2 w = place - real2(at - origin_cell);
+    real falling = w.x >= w.y ? z.x + w.x * (z.y - z.x) + w.y * (z.w - z.y) : z.x + w.y * (z.z - z.x) + w.x * (z.w - z.z);
+    real rising = w.x + w.y <= 1.0 ? z.x + w.x * (z.y - z.x) + w.y * (z.z - z.x)
+                                   : z.w + (1.0 - w.x) * (z.z - z.w) + (1.0 - w.y) * (z.y - z.w);
+    return max(falling, rising);
+}
+
+// True where the eye is below the mesh, or so near to it that the near plane would cut it.
+bool eye_is_low() {
+    real margin = 20.0 * near_m;
+    for (int i = 0; i < 5; ++i) {
+        real2 off = i == 4 ? real2(0.0) : margin * cells_per_m * real2((i & 1) == 0 ? -1.0 : 1.0, (i & 2) == 0 ? -1.0 : 1.0);
+        if (hull_height(origin_fraction + off) >= -margin) return true;
+    }
+    return false;
+}
+
+// True where rays alone tell: the eye is low in the cell, or sees the terrain's side through it.
 bool needs_rays(int2 cell, CellBox box) {
     int2 first = cell << cell_level;
     int2 last = (cell + 1) << cell_level;
     if (first.x == 0 && box.low.x > 0.0 || last.x >= patches.x && box.high.x < 0.0) return true;
     if (last.y >= patches.y && box.low.y > 0.0 || first.y == 0 && box.high.y < 0.0) return true;
     if (origin_cell.x < first.x || origin_cell.x >= last.x || origin_cell.y < first.y || origin_cell.y >= last.y) return false;
-    if (origin_cell.x >= patches.x || origin_cell.y >= patches.y) return false;
-    return patch_height(load_corners(origin_cell), origin_fraction) >= 0.0;
+    return eye_is_low();
 }
 
 // The pixels that a patch of the cell covers: its area as the eye sees it, with its relief.
 real pixels_of_patch(CellBox box) {
     real3 middle = 0.5 * (box.low + box.high);
     real3 nearest = real3(max(max(box.low, -box.high), real3(0.0)));
-    real distance = max(0.5 * (length(middle) + length(nearest)), 0.25 * cell_m.x);
+    real distance = max(0.5 * (length(middle) + length(nearest)), 0.25 * min(cell_m.x, cell_m.y));
     real3 way = abs(middle) / max(length(middle), 1e-6);
     real relief = 0.5 * (box.high.z - box.low.z) / max(box.high.x - box.low.x, box.high.y - box.low.y);
     real facing = way.z + relief * length(way.xy);

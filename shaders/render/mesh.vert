@@ -1,7 +1,6 @@
 // A sample of a cell's mesh: (cell_patches + 1)^2 vertices, row by row; those beyond the terrain lie on its edge.
 #include "render/surface.glsl"
 #include "render/camera.glsl"
-#include "render/cell_box.glsl"
 
 layout(binding = 3, std430) readonly buffer MeshCells { uint draw_arguments[8]; uint mesh_cells[]; };
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "render/hits_target.h"
 #include "render/measure.h"
@@ -115,6 +116,37 @@ TEST(Exact, BeamsChangeNoBit) {
         double saved = 0;
         for (std::size_t i = 0; i < with_beams.size(); ++i) saved += without_beams[i].y - with_beams[i].y;
         EXPECT_GE(saved, 0) << view.name;
+    }
+}
+
+// Between the ground and the mesh over it, on it, and nearer than its near plane: there rays take over.
+TEST(Hybrid, IsRightFromJustAboveTheGround) {
+    const gpu::Context context;
+    const Grid grid{257, 257, 30, 30};
+    const scenes::Scene scene{grid, generate_heights(grid, {"mountains", 8, 1500})};
+    Easel easel(scene);
+    Measure measure(scene.grid, scene.heights);
+    const Method hybrid = make_hybrid(Detail::kind);
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (int i = 0; i < 40; ++i) {
+        const int column = 20 + static_cast<int>(random() % 216);
+        const int row = 20 + static_cast<int>(random() % 216);
+        const auto z = [&](int x, int y) {
+            return static_cast<double>(
+                scene.heights[static_cast<std::size_t>(row + y) * grid.nx + column + x]);
+        };
+        const double ground = 0.25 * (z(0, 0) + z(1, 0) + z(0, 1) + z(1, 1));
+        const double hull = 0.5 * std::max(z(0, 0) + z(1, 1), z(1, 0) + z(0, 1));
+        const double shares[] = {0.1, 0.5, 0.9, 1.001};
+        const double above = i % 5 == 4 ? 0.5e-3 * grid.dx : shares[i % 5] * (hull - ground);
+        const glm::dvec3 eye((column + 0.5) * grid.dx, (grid.ny - 1 - row - 0.5) * grid.dy, ground + above);
+        const double angle = 2 * std::numbers::pi * unit(random);
+        const Camera camera{eye, eye + glm::dvec3(std::cos(angle), std::sin(angle), 0.3 - unit(random)), 60};
+        const std::vector<glm::vec2> hits = easel.draw(hybrid, camera, 0.5);
+        const PictureError error = measure.compare(camera, width, height, distances(hits), 0.5);
+        EXPECT_EQ(error.beyond, 0) << "eye " << above << " m over the ground, hull " << hull - ground
+                                   << " m, patch " << column << ", " << row;
     }
 }
 

@@ -299,10 +299,19 @@ TEST_F(Program, ComparesMethodsWithTheReference) {
     std::ofstream(path("bad.toml")) << "[[key]]\neye=[0,0]\ntarget=[500,500,0]\n";
     EXPECT_EQ(refusal("compare a.exr --keys bad.toml"),
               "'bad.toml': key 1 needs eye = [x, y, z] in metres\n");
+    std::ofstream(path("odd.toml")) << "[[key]]\neye=[0,0,1]\ntarget=[5,5,0]\nfov=30\n";
+    EXPECT_EQ(refusal("compare a.exr --keys odd.toml"),
+              "'odd.toml': key 1 cannot have this 'fov', keys have eye, target and the number fov_deg\n");
+    std::ofstream(path("swap.toml")) << "[[key]]\neye=[0,0,1]\ntarget=[5,5,0]\n"
+                                        "[[key]]\neye=[5,5,0]\ntarget=[0,0,1]\n";
+    EXPECT_EQ(refusal("compare a.exr --keys swap.toml --frames 3"),
+              "between keys 1 and 2 the eye meets its target, move one of them\n");
+    EXPECT_EQ(refusal("compare a.exr --report nowhere/r.json"),
+              "cannot write 'nowhere/r.json': there is no folder '" + path("nowhere") + "'\n");
     std::ofstream(path("one.toml")) << "[[key]]\neye=[0,0,1]\ntarget=[500,500,0]\n";
     EXPECT_EQ(refusal("render a.exr --keys one.toml --image f.png"),
               "'one.toml' needs two [[key]] tables or more\n");
-    EXPECT_NE(refusal("render a.exr --keys none.toml --image f.png").find("'none.toml' cannot be read"),
+    EXPECT_NE(refusal("render a.exr --keys none.toml --image f.png").find("'none.toml' does not exist"),
               std::string::npos);
     EXPECT_NE(refusal("render a.exr --turntable 3 --depth d.exr").find("give --image"), std::string::npos);
 }
