@@ -97,7 +97,7 @@ std::vector<Legend> legend_of(const ViewSettings& settings, double lowest_m, dou
             return {{"Slope faces", 0, 360, "degrees from north", Scale::direction, 0, {}}};
         case View::contours:
             return {{"Contours: " + number_text(settings.band_m) +
-                         " m, bold: " + number_text(5 * settings.band_m),
+                         " m, bold: " + number_text(5 * settings.band_m) + " m",
                      0,
                      0,
                      "m",

@@ -1,3 +1,5 @@
+#include <bit>
+#include <cmath>
 #include <numbers>
 
 #include "render/methods/beams.h"
@@ -41,17 +43,17 @@ struct Hybrid {
 };
 
 // Which cells the mesh draws, and how far it reaches.
-void choose_cells(Hybrid& hybrid, int cells, int cell_level) {
+void choose_cells(Hybrid& hybrid, int cells, int cell_level, float mesh_end_m) {
     const unsigned vertices = 6U << (2U * static_cast<unsigned>(cell_level));
     // Cells in front, cells behind rays, rays everywhere, rays behind the mesh.
     const std::array<std::uint32_t, 16> arguments = {vertices, 0, 0, 0, vertices, 0, 0, 0,
                                                      3,        1, 0, 0, 3,        0, 0, 0};
     hybrid.cells.write(0, std::as_bytes(std::span(arguments)));
-    hybrid.sectors.fill(0x7f800000U);  // infinity
+    hybrid.sectors.fill(std::bit_cast<std::uint32_t>(mesh_end_m));
     hybrid.cells.bind_storage(3);
     hybrid.sectors.bind_storage(4);
-    hybrid.reach.dispatch((cells + 63) / 64);
-    hybrid.list.dispatch((cells + 63) / 64);
+    hybrid.reach.dispatch((cells + 511) / 512);
+    hybrid.list.dispatch((cells + 511) / 512);
 }
 
 void draw(Hybrid& hybrid, const Frame& frame) {
@@ -62,6 +64,12 @@ void draw(Hybrid& hybrid, const Frame& frame) {
     const std::size_t bytes = (16 + 2 * static_cast<std::size_t>(cells)) * sizeof(std::uint32_t);
     if (hybrid.cells.bytes() != bytes) hybrid.cells = gpu::Buffer("mesh cells", bytes);
     const double pixel_m = 2 * std::tan(frame.camera.fov_deg * std::numbers::pi / 360) / frame.height;
+    // A patch seen straight on covers the pixels that the mesh must have at this distance; on slopes up to
+    // twice as many.
+    const bool meshed = frame.tolerance_px >= mesh_error_px;
+    const double patch_pixels = meshed ? frame.patch_pixels : HUGE_VAL;
+    const auto mesh_end_m =
+        static_cast<float>(std::sqrt(2 * grid.dx * grid.dy / std::max(patch_pixels, 1e-9)) / pixel_m);
     gpu::Program& rays = frame.redraw ? hybrid.ray_blocks : hybrid.rays;
     for (gpu::Program* program :
          {&hybrid.reach, &hybrid.list, &hybrid.patches, &hybrid.patches_behind_rays, &rays}) {
@@ -69,13 +77,13 @@ void draw(Hybrid& hybrid, const Frame& frame) {
         set_camera(*program, grid, frame.camera, frame.width, frame.height);
         program->set("cell_level", level);
         program->set("pixel_m", static_cast<float>(pixel_m));
-        program->set("pixels_per_patch",
-                     frame.tolerance_px < mesh_error_px ? HUGE_VALF : static_cast<float>(frame.patch_pixels));
+        program->set("pixels_per_patch", static_cast<float>(patch_pixels));
+        program->set("mesh_end_m", mesh_end_m);
         program->set("near_m", static_cast<float>(1e-3 * std::min(grid.dx, grid.dy)));
     }
     frame.pyramid.lowest.bind_sampled(2);
     if (frame.redraw) hybrid.sectors_before.copy_from(hybrid.sectors);
-    choose_cells(hybrid, cells, level);
+    choose_cells(hybrid, cells, level, mesh_end_m);
     hybrid.beams.cast(frame, std::min(largest_flatness, frame.tolerance_px * pixel_m));
 
     const gpu::Region picture{0, 0, frame.width, frame.height};

@@ -1,5 +1,5 @@
 // Lists the cells of the mesh: first those that no cell of rays can hide, then those that one may.
-layout(local_size_x = 64) in;
+layout(local_size_x = 512) in;
 #include "render/surface.glsl"
 #include "render/camera.glsl"
 #include "render/cell_box.glsl"
@@ -12,7 +12,7 @@ void main() {
     int index = int(gl_GlobalInvocationID.x);
     if (index >= size.x * size.y) return;
     int2 cell = int2(index % size.x, index / size.x);
-    if (!has_patches(cell)) return;
+    if (!has_patches(cell) || beyond_mesh(cell)) return;
     CellBox box = cell_box(cell, cell_level);
     if (cell_choice(cell, box) != cell_mesh) return;
     real2 span = ground_span(box);

@@ -5,12 +5,20 @@ uniform int cell_level;
 uniform real pixel_m;           // width of a pixel at one metre
 uniform real near_m;            // nearer along the view the mesh is cut off
 uniform real pixels_per_patch;  // from so many on, the mesh is cheaper than rays
+uniform real mesh_end_m;        // over ground; beyond it all cells are left to rays, and the reach ends there at the latest
 
 const int cell_unseen = 0;
 const int cell_mesh = 1;
 const int cell_rays = 2;
 
 bool has_patches(int2 cell) { return (cell.x << cell_level) < patches.x && (cell.y << cell_level) < patches.y; }
+
+// True for the many cells that need no closer look.
+bool beyond_mesh(int2 cell) {
+    real2 low = (real2((cell << cell_level) - origin_cell) - origin_fraction) * cell_m;
+    real2 high = (real2(((cell + 1) << cell_level) - origin_cell) - origin_fraction) * cell_m;
+    return length(max(max(low, -high), real2(0.0))) >= mesh_end_m;
+}
 
 // Distances over ground from the eye to the nearest and to the farthest point of the cell.
 real2 ground_span(CellBox box) {

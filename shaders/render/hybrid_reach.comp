@@ -1,5 +1,5 @@
 // Lowers the reach of the sectors of every cell that rays draw.
-layout(local_size_x = 64) in;
+layout(local_size_x = 512) in;
 #include "render/surface.glsl"
 #include "render/camera.glsl"
 #include "render/cell_box.glsl"
@@ -10,7 +10,7 @@ void main() {
     int index = int(gl_GlobalInvocationID.x);
     if (index >= size.x * size.y) return;
     int2 cell = int2(index % size.x, index / size.x);
-    if (!has_patches(cell)) return;
+    if (!has_patches(cell) || beyond_mesh(cell)) return;
     CellBox box = cell_box(cell, cell_level);
     if (cell_choice(cell, box) != cell_rays) return;
     uint bits = floatBitsToUint(ground_span(box).x);

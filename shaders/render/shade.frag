@@ -183,15 +183,15 @@ void main() {
     float lowest = (texelFetch(bottoms, whole_texel(), 0).r - origin_height_m.x) - origin_height_m.y;
     float share = (above_eye - lowest) / max(highest - lowest, 1e-3);
     vec3 colour;
-    if (view == 5) {
-        colour_out = vec4(kind_map(hit.y) * (0.45 + 0.55 * max(dot(normal, sun), 0.0)), 1.0);
-        return;
-    }
     // The side that the terrain is cut out by: below the surface on the rectangle's edge, or from inside the ground.
     vec2 absolute = place + vec2(origin_cell);
     bool on_edge = hit.x == 0.0 || any(lessThan(absolute, vec2(2e-3))) || any(greaterThan(absolute, vec2(patches) - 2e-3));
     if (on_edge && above_eye < height_at(place) - 1e-3 * extent_m * 0.05 - 1e-4 * hit.x) {
         colour_out = vec4(cut_face(above_eye, lowest, highest, backdrop, absolute), 1.0);
+        return;
+    }
+    if (view == 5) {
+        colour_out = vec4(kind_map(hit.y) * (0.45 + 0.55 * max(dot(normal, sun), 0.0)), 1.0);
         return;
     }
     if (view == 1) {
