@@ -14,6 +14,7 @@ constexpr double agreement = 1e-4;
 void over_rows(int rows, const std::function<void(int)>& work) {
     const int count = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     std::vector<std::thread> threads;
+    threads.reserve(static_cast<std::size_t>(count));
     for (int t = 0; t < count; ++t)
         threads.emplace_back([=, &work] {
             for (int y = t; y < rows; y += count) work(y);
