@@ -44,6 +44,7 @@ class Easel {
 
 std::vector<float> distances(const std::vector<glm::vec2>& hits) {
     std::vector<float> result;
+    result.reserve(hits.size());
     for (const glm::vec2 hit : hits) result.push_back(hit.x);
     return result;
 }
