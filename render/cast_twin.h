@@ -24,9 +24,10 @@ struct CastTwin {
     std::vector<std::vector<float>> tops;  // by level - 1, rows of tops_width >> (level - 1)
     int tops_width = 0;
 
-    CastTwin(const Grid& grid, std::vector<float> ground) : heights(std::move(ground)) {
-        patches = int2(grid.nx - 1, grid.ny - 1);
-        cells_per_m = real2(1 / grid.dx, 1 / grid.dy);
+    CastTwin(const Grid& grid, std::vector<float> ground)
+        : patches(grid.nx - 1, grid.ny - 1),
+          cells_per_m(1 / grid.dx, 1 / grid.dy),
+          heights(std::move(ground)) {
         const int side = max(patches.x, patches.y);
         while ((1 << top_level) < side && top_level < 8) ++top_level;
         top_level = max(top_level, 1);
