@@ -2,10 +2,11 @@
 
 #include <array>
 
+#include "render/blocks.h"
+
 namespace talus {
 namespace {
 
-constexpr int block_pixels = 32;       // as in shaders/render/redraw_marks.glsl
 constexpr std::size_t head_words = 4;  // before the marks
 
 }  // namespace
@@ -15,7 +16,7 @@ Redraw::Redraw() : mark_("render/redraw_mark.comp"), list_("render/redraw_list.c
 void Redraw::begin(int width, int height) {
     width_ = width;
     height_ = height;
-    blocks_ = (glm::ivec2(width, height) + block_pixels - 1) / block_pixels;
+    blocks_ = blocks_of(width, height);
     const std::size_t bytes =
         (head_words + static_cast<std::size_t>(blocks_.x) * blocks_.y) * sizeof(std::uint32_t);
     if (marks_.bytes() != bytes) {
@@ -44,17 +45,15 @@ void Redraw::mark(bool after, const TileList& tiles, const Terrain& terrain, con
 }
 
 void Redraw::list() {
-    const std::array<std::uint32_t, head_words> arguments = {6, 0, 0, 0};
+    const std::array<std::uint32_t, head_words> arguments = {0, 1, 0, 0};
     listed_.write(0, std::as_bytes(std::span(arguments)));
     bind(list_);
     listed_.bind_storage(6);
     list_.dispatch((blocks_.x * blocks_.y + 63) / 64);
 }
 
-void Redraw::draw(gpu::Program& program, gpu::Depth depth) const {
-    program.set("blocks", blocks_);
-    listed_.bind_storage(6);
-    program.draw_indirect(listed_, 0, depth);
+void Redraw::draw(gpu::Program& program, const gpu::Framebuffer& target, gpu::Depth depth) const {
+    draw_blocks(program, target, blocks_, {listed_, 0, head_words}, depth);
 }
 
 }  // namespace talus

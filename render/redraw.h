@@ -6,7 +6,7 @@
 
 namespace talus {
 
-/// The blocks of 32 x 32 pixels of a picture that a change of the terrain may touch. Marked, listed and drawn
+/// The blocks of a picture (render/blocks.h) that a change of the terrain may touch. Marked, listed and drawn
 /// on the device; all other pixels would keep their bits (law 2).
 class Redraw {
   public:
@@ -24,8 +24,8 @@ class Redraw {
     void bind(gpu::Program& program) const;
     /// Lists the marked blocks; draws before the next list() use it.
     void list();
-    /// Draws the marked blocks. Programs with block.vert.
-    void draw(gpu::Program& program, gpu::Depth depth) const;
+    /// Draws the marked blocks, with a program of block.vert.
+    void draw(gpu::Program& program, const gpu::Framebuffer& target, gpu::Depth depth) const;
 
   private:
     int width_ = 0;

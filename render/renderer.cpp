@@ -122,11 +122,12 @@ void Renderer::shade(const Terrain& terrain, const Picture& picture, bool blocks
     program.set("hillshade_lights", settings.hillshade_lights);
     program.set("slope_scale_deg", static_cast<float>(slope_scale_deg));
     program.set("steps_scale", static_cast<float>(steps_scale));
-    colour_buffer_.bind({0, 0, picture.width, picture.height});
-    if (blocks)
-        redraw_.draw(program, gpu::Depth::none);
-    else
+    if (blocks) {
+        redraw_.draw(program, colour_buffer_, gpu::Depth::none);
+    } else {
+        colour_buffer_.bind({0, 0, picture.width, picture.height});
         program.draw_fullscreen();
+    }
 }
 
 void Renderer::draw_ring(const Grid& grid, const Picture& picture, glm::dvec3 ring_m) {

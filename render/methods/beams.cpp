@@ -5,18 +5,18 @@ namespace {
 
 constexpr int beam_pixels = 8;  // as in shaders/render/beam_pixels.glsl
 
-glm::ivec2 beams_of(const Frame& frame) {
+}  // namespace
+
+glm::ivec2 Beams::count(const Frame& frame) {
     return (glm::ivec2(frame.width, frame.height) + beam_pixels - 1) / beam_pixels;
 }
-
-}  // namespace
 
 Beams::Beams(const std::vector<std::string>& defines)
     : program_({"render/fullscreen.vert", "render/beam.frag"}, defines),
       changes_("render/beam_changes.comp") {}
 
 void Beams::cast(const Frame& frame, double flatness) {
-    const glm::ivec2 size = beams_of(frame);
+    const glm::ivec2 size = count(frame);
     newest_ = 1 - newest_;
     Set& set = sets_[newest_];
     if (set.texture.width() < size.x || set.texture.height() < size.y) {
@@ -34,7 +34,7 @@ void Beams::cast(const Frame& frame, double flatness) {
 }
 
 void Beams::mark_changes(const Frame& frame) {
-    const glm::ivec2 size = beams_of(frame);
+    const glm::ivec2 size = count(frame);
     sets_[newest_].texture.bind_sampled(0);
     sets_[1 - newest_].texture.bind_sampled(1);
     frame.redraw->bind(changes_);

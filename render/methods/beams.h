@@ -15,8 +15,9 @@ class Beams {
     void cast(const Frame& frame, double flatness = 0);
     /// Marks the blocks where the last two casts, of the same picture, ended in flat cells otherwise.
     void mark_changes(const Frame& frame);
-    /// Binds them for shaders/render/exact.frag.
-    void bind() const { sets_[newest_].texture.bind_sampled(4); }
+    void bind(unsigned unit) const { sets_[newest_].texture.bind_sampled(unit); }
+    /// In a row and in a column.
+    static glm::ivec2 count(const Frame& frame);
 
     std::size_t bytes() const;
 

@@ -2,117 +2,111 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/methods/beams.h"
+#include "render/methods/ray_casting.h"
 
 namespace talus {
 namespace {
 
-// Cells of 32 x 32 patches, or the coarsest that the pyramid of a small terrain has.
-constexpr int finest_cell_level = 5;
+// Cells of 16 x 16 patches, or the coarsest that the pyramid of a small terrain has.
+constexpr int finest_cell_level = 4;
 constexpr int sector_count = 1024;  // as in shaders/render/hybrid_sectors.glsl
 
 // A patch's pixels are right to 1/64 pixel, and corners snap to 1/256: a finer tolerance asks for rays.
 constexpr double mesh_error_px = 1.0 / 32;
 // Two distances agree to 1e-4 (render/measure.h): what ends in flat cells stays within it.
 constexpr double largest_flatness = 0.9e-4;
-
-std::vector<std::string> rays_defines(Detail detail) {
-    std::vector<std::string> defines = detail_defines(detail);
-    defines.emplace_back("FLAT_ENDS");
-    return defines;
-}
+// Drawing any mesh at all costs as much as rays for this share of the picture (docs/benchmarks.md).
+constexpr double least_gain = 1.0 / 16;
 
 struct Hybrid {
-    explicit Hybrid(Detail detail)
-        : rays({"render/fullscreen.vert", "render/exact.frag"}, rays_defines(detail)),
-          ray_blocks({"render/block.vert", "render/exact.frag"}, rays_defines(detail)) {}
+    explicit Hybrid(Detail detail) : rays({detail_defines(detail), true, true}) {}
 
-    Beams beams{{"BEHIND_MESH", "FLAT_ENDS"}};
-    gpu::Program reach{"render/hybrid_reach.comp"};
+    RayCasting rays;
     gpu::Program reach_changes{"render/hybrid_reach_changes.comp"};
-    gpu::Program list{"render/hybrid_cells.comp"};
+    gpu::Program choose{"render/hybrid_cells.comp"};
     gpu::Program patches{std::vector<std::string>{"render/hybrid_patch.vert", "render/hybrid_patch.frag"}};
     gpu::Program patches_behind_rays{
         std::vector<std::string>{"render/hybrid_patch.vert", "render/hybrid_patch.frag"}, {"BEHIND_RAYS"}};
-    gpu::Program empty_blocks{std::vector<std::string>{"render/block.vert", "render/empty.frag"}};
-    gpu::Program rays;
-    gpu::Program ray_blocks;
+    gpu::Program reset_blocks{std::vector<std::string>{"render/block.vert", "render/no_colour.frag"}};
     gpu::Buffer cells;
     gpu::Buffer sectors{"sectors", sector_count * sizeof(std::uint32_t)};
     gpu::Buffer sectors_before{"sectors before", sector_count * sizeof(std::uint32_t)};
 };
 
+// The cells around the eye that its mesh may reach, first and count in columns and rows: none where the eye
+// is far beside the terrain.
+struct CellRectangle {
+    glm::ivec2 first;
+    glm::ivec2 count;
+};
+CellRectangle cells_within(const Frame& frame, int level, double distance_m) {
+    const Grid& grid = frame.terrain.grid();
+    const double x = grid.column_of(frame.camera.eye.x);
+    const double y = grid.row_of(frame.camera.eye.y);
+    const glm::dvec2 reach = glm::dvec2(distance_m) / glm::dvec2(grid.dx, grid.dy);
+    const glm::dvec2 patches(grid.nx - 1, grid.ny - 1);
+    const glm::dvec2 low = glm::clamp(glm::dvec2(x, y) - reach, glm::dvec2(0), patches);
+    const glm::dvec2 high = glm::clamp(glm::dvec2(x, y) + reach, glm::dvec2(0), patches);
+    if (low.x >= high.x || low.y >= high.y) return {glm::ivec2(0), glm::ivec2(0)};
+    const glm::ivec2 first = glm::ivec2(low) >> level;
+    return {first, (glm::ivec2(glm::ceil(high)) >> level) - first + 1};
+}
+
 // Which cells the mesh draws, and how far it reaches.
-void choose_cells(Hybrid& hybrid, int cells, int cell_level, float mesh_end_m) {
-    const unsigned vertices = 6U << (2U * static_cast<unsigned>(cell_level));
-    // Cells in front, cells behind rays, rays everywhere, rays behind the mesh.
-    const std::array<std::uint32_t, 16> arguments = {vertices, 0, 0, 0, vertices, 0, 0, 0,
-                                                     3,        1, 0, 0, 3,        0, 0, 0};
-    hybrid.cells.write(0, std::as_bytes(std::span(arguments)));
-    hybrid.sectors.fill(std::bit_cast<std::uint32_t>(mesh_end_m));
+void choose_cells(Hybrid& hybrid, const CellRectangle& cells) {
+    const std::size_t bytes =
+        (8 + 2 * static_cast<std::size_t>(cells.count.x) * cells.count.y) * sizeof(std::uint32_t);
+    if (hybrid.cells.bytes() < bytes) hybrid.cells = gpu::Buffer("mesh cells", bytes);
+    hybrid.choose.set("first_cell", cells.first);
+    hybrid.choose.set("cell_count", cells.count);
     hybrid.cells.bind_storage(3);
     hybrid.sectors.bind_storage(4);
-    hybrid.reach.dispatch((cells + 511) / 512);
-    hybrid.list.dispatch((cells + 511) / 512);
+    hybrid.choose.dispatch(1);
 }
 
 void draw(Hybrid& hybrid, const Frame& frame) {
     const Grid& grid = frame.terrain.grid();
     const int level = std::min(finest_cell_level, frame.pyramid.top_level());
-    const glm::ivec2 size = frame.pyramid.level_1_size() >> (level - 1);
-    const int cells = size.x * size.y;
-    const std::size_t bytes = (16 + 2 * static_cast<std::size_t>(cells)) * sizeof(std::uint32_t);
-    if (hybrid.cells.bytes() != bytes) hybrid.cells = gpu::Buffer("mesh cells", bytes);
     const double pixel_m = 2 * std::tan(frame.camera.fov_deg * std::numbers::pi / 360) / frame.height;
     // A patch seen straight on covers the pixels that the mesh must have at this distance; on slopes up to
     // twice as many.
     const bool meshed = frame.tolerance_px >= mesh_error_px;
     const double patch_pixels = meshed ? frame.patch_pixels : HUGE_VAL;
-    const auto mesh_end_m =
-        static_cast<float>(std::sqrt(2 * grid.dx * grid.dy / std::max(patch_pixels, 1e-9)) / pixel_m);
-    gpu::Program& rays = frame.redraw ? hybrid.ray_blocks : hybrid.rays;
-    for (gpu::Program* program :
-         {&hybrid.reach, &hybrid.list, &hybrid.patches, &hybrid.patches_behind_rays, &rays}) {
+    const double mesh_end_m = std::sqrt(2 * grid.dx * grid.dy / std::max(patch_pixels, 1e-9)) / pixel_m;
+    for (gpu::Program* program : {&hybrid.choose, &hybrid.patches, &hybrid.patches_behind_rays}) {
         frame.pyramid.bind(*program, frame.terrain);
         set_camera(*program, grid, frame.camera, frame.width, frame.height);
         program->set("cell_level", level);
         program->set("pixel_m", static_cast<float>(pixel_m));
         program->set("pixels_per_patch", static_cast<float>(patch_pixels));
-        program->set("mesh_end_m", mesh_end_m);
+        program->set("mesh_end_m", static_cast<float>(mesh_end_m));
         program->set("near_m", static_cast<float>(1e-3 * std::min(grid.dx, grid.dy)));
     }
+    hybrid.choose.set("least_gain", static_cast<float>(least_gain));
     frame.pyramid.lowest.bind_sampled(2);
     if (frame.redraw) hybrid.sectors_before.copy_from(hybrid.sectors);
-    choose_cells(hybrid, cells, level, mesh_end_m);
-    hybrid.beams.cast(frame, std::min(largest_flatness, frame.tolerance_px * pixel_m));
+    choose_cells(hybrid, cells_within(frame, level, mesh_end_m));
+    hybrid.rays.cast_beams(frame, std::min(largest_flatness, frame.tolerance_px * pixel_m));
 
     const gpu::Region picture{0, 0, frame.width, frame.height};
     if (frame.redraw) {
         hybrid.sectors_before.bind_storage(6);
         frame.redraw->bind(hybrid.reach_changes);
         hybrid.reach_changes.dispatch((sector_count + 63) / 64);
-        hybrid.beams.mark_changes(frame);
+        hybrid.rays.beams().mark_changes(frame);
         frame.redraw->list();
-        set_camera(hybrid.empty_blocks, grid, frame.camera, frame.width, frame.height);
-        frame.hits.bind(picture);
-        frame.redraw->draw(hybrid.empty_blocks, gpu::Depth::reset);
+        frame.redraw->draw(hybrid.reset_blocks, frame.hits, gpu::Depth::reset);
     } else {
         frame.hits.clear_depth();
-        frame.hits.bind(picture);
     }
+    frame.hits.bind(picture);
     frame.terrain.ground.bind_sampled(0);
     frame.pyramid.highest.bind_sampled(1);
-    hybrid.patches.set("first_cell", 0);
+    hybrid.patches.set("second_half", 0);
     hybrid.patches.draw_indirect(hybrid.cells, 0, gpu::Depth::nearest);
-    hybrid.patches_behind_rays.set("first_cell", cells);
+    hybrid.patches_behind_rays.set("second_half", 1);
     hybrid.patches_behind_rays.draw_indirect(hybrid.cells, 4 * sizeof(std::uint32_t), gpu::Depth::nearest);
-    hybrid.beams.bind();
-    if (frame.redraw) {
-        frame.redraw->draw(rays, gpu::Depth::behind);
-    } else {
-        rays.draw_indirect(hybrid.cells, 8 * sizeof(std::uint32_t), gpu::Depth::none);
-        rays.draw_indirect(hybrid.cells, 12 * sizeof(std::uint32_t), gpu::Depth::behind);
-    }
+    hybrid.rays.draw(frame);
 }
 
 }  // namespace
@@ -126,7 +120,7 @@ Method make_hybrid(Detail detail) {
             result.mesh_cells = static_cast<int>(words[1] + words[5]);
             result.triangles = static_cast<long>(words[0] / 3) * result.mesh_cells;
         }
-        result.bytes = hybrid->beams.bytes() + hybrid->cells.bytes() + 2 * hybrid->sectors.bytes();
+        result.bytes = hybrid->rays.bytes() + hybrid->cells.bytes() + 2 * hybrid->sectors.bytes();
         return result;
     };
     return {[hybrid](const Frame& frame) { draw(*hybrid, frame); }, figures};

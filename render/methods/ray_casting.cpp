@@ -1,37 +1,84 @@
 #include "render/methods/ray_casting.h"
 
-#include "render/methods/beams.h"
+#include "render/blocks.h"
 
 namespace talus {
 namespace {
 
-struct Rays {
-    explicit Rays(const std::vector<std::string>& defines)
-        : everywhere({"render/fullscreen.vert", "render/exact.frag"}, defines),
-          in_blocks({"render/block.vert", "render/exact.frag"}, defines) {}
-    Beams beams;
-    gpu::Program everywhere;
-    gpu::Program in_blocks;
-};
+// As in shaders/render/ray_blocks.comp: what a block's rays do, each with its list.
+enum BlockKind { kind_nothing, kind_flat, kind_walk, kind_walk_or_flat, kind_count };
+// Four words of an indirect draw of each kind without a mesh, and of each behind one.
+constexpr std::size_t head_words = 4 * 2 * kind_count;
+
+std::vector<std::string> with(std::vector<std::string> defines, bool condition, const char* define) {
+    if (condition) defines.emplace_back(define);
+    return defines;
+}
+
+std::vector<std::string> beam_defines(const RayOptions& options) {
+    return with(with({}, options.flat_ends, "FLAT_ENDS"), options.behind_mesh, "BEHIND_MESH");
+}
 
 }  // namespace
 
-Method cast_rays(const std::vector<std::string>& defines) {
-    auto rays = std::make_shared<Rays>(defines);
-    const auto draw = [rays](const Frame& frame) {
-        rays->beams.cast(frame);
-        gpu::Program& program = frame.redraw ? rays->in_blocks : rays->everywhere;
+RayCasting::RayCasting(const RayOptions& options)
+    : flat_ends_(options.flat_ends),
+      behind_mesh_(options.behind_mesh),
+      beams_(beam_defines(options)),
+      list_({"render/ray_blocks.comp"}, with({}, options.behind_mesh, "BEHIND_MESH")),
+      nothing_({"render/block.vert", "render/empty.frag"}),
+      flat_({"render/block.vert", "render/flat.frag"}, options.defines),
+      walk_({"render/block.vert", "render/exact.frag"}, options.defines),
+      walk_or_flat_({"render/block.vert", "render/exact.frag"},
+                    with(options.defines, options.flat_ends, "FLAT_ENDS")) {}
+
+void RayCasting::cast_beams(const Frame& frame, double flatness) {
+    beams_.cast(frame, flatness);
+    if (frame.redraw) return;  // it has its own list
+    const glm::ivec2 blocks = blocks_of(frame.width, frame.height);
+    const std::size_t words = head_words + kind_count * static_cast<std::size_t>(blocks.x) * blocks.y;
+    if (lists_.bytes() != words * sizeof(std::uint32_t))
+        lists_ = gpu::Buffer("ray blocks", words * sizeof(std::uint32_t));
+    beams_.bind(0);
+    lists_.bind_storage(6);
+    list_.set("blocks", blocks);
+    list_.set("beam_count", Beams::count(frame));
+    list_.dispatch(1);
+}
+
+void RayCasting::draw(const Frame& frame) {
+    const gpu::Depth depth = behind_mesh_ ? gpu::Depth::behind : gpu::Depth::none;
+    const auto prepare = [&](gpu::Program& program) {
         frame.pyramid.bind(program, frame.terrain);
         set_camera(program, frame.terrain.grid(), frame.camera, frame.width, frame.height);
-        rays->beams.bind();
-        if (frame.redraw) frame.redraw->list();
-        frame.hits.bind({0, 0, frame.width, frame.height});
-        if (frame.redraw)
-            frame.redraw->draw(program, gpu::Depth::none);
-        else
-            program.draw_fullscreen();
     };
-    return {draw, [rays] { return MethodFigures{0, 0, rays->beams.bytes()}; }};
+    beams_.bind(4);
+    if (frame.redraw) {
+        prepare(walk_or_flat_);
+        frame.redraw->draw(walk_or_flat_, frame.hits, depth);
+        return;
+    }
+    const glm::ivec2 blocks = blocks_of(frame.width, frame.height);
+    const std::array<gpu::Program*, kind_count> programs = {&nothing_, &flat_, &walk_, &walk_or_flat_};
+    for (std::size_t kind = 0; kind < kind_count; ++kind) {
+        if (!flat_ends_ && (kind == kind_flat || kind == kind_walk_or_flat)) continue;
+        prepare(*programs[kind]);
+        const std::size_t numbers = head_words + kind * static_cast<std::size_t>(blocks.x) * blocks.y;
+        draw_blocks(*programs[kind], frame.hits, blocks, {lists_, 4 * kind, numbers}, gpu::Depth::none);
+        if (behind_mesh_)
+            draw_blocks(*programs[kind], frame.hits, blocks, {lists_, 4 * (kind_count + kind), numbers},
+                        gpu::Depth::behind);
+    }
+}
+
+Method cast_rays(const std::vector<std::string>& defines) {
+    auto rays = std::make_shared<RayCasting>(RayOptions{defines});
+    const auto draw = [rays](const Frame& frame) {
+        rays->cast_beams(frame);
+        if (frame.redraw) frame.redraw->list();
+        rays->draw(frame);
+    };
+    return {draw, [rays] { return MethodFigures{0, 0, rays->bytes()}; }};
 }
 
 }  // namespace talus

@@ -1,9 +1,44 @@
 #pragma once
+#include "render/methods/beams.h"
 #include "render/methods/method.h"
 
 namespace talus {
 
-/// A method that casts a ray for every pixel: shaders/render/exact.frag with defines, from where beams end.
+/// What the rays of a method may do besides walking to the patch.
+struct RayOptions {
+    std::vector<std::string> defines;  ///< for shaders/render/exact.frag
+    bool flat_ends = false;            ///< end in cells that their beam found flat
+    bool behind_mesh = false;          ///< fill what a mesh left; shaders/render/hybrid_list.glsl is bound
+};
+
+/// Casts rays for a picture: from where beams end, and only where one of these found ground to look at.
+class RayCasting {
+  public:
+    explicit RayCasting(const RayOptions& options);
+
+    /// Sends the beams and lists the picture's blocks by what became of them. flatness: as in
+    /// shaders/maths/beam.glsl, for flat ends.
+    void cast_beams(const Frame& frame, double flatness = 0);
+    /// Draws the rays; pixels of a mesh stay. After marking more (Beams::mark_changes), where the frame asks
+    /// for blocks.
+    void draw(const Frame& frame);
+
+    Beams& beams() { return beams_; }
+    std::size_t bytes() const { return beams_.bytes() + lists_.bytes(); }
+
+  private:
+    bool flat_ends_;
+    bool behind_mesh_;
+    Beams beams_;
+    gpu::Program list_;
+    gpu::Program nothing_;
+    gpu::Program flat_;
+    gpu::Program walk_;
+    gpu::Program walk_or_flat_;
+    gpu::Buffer lists_;
+};
+
+/// A method that casts a ray for every pixel, with defines for shaders/render/exact.frag.
 Method cast_rays(const std::vector<std::string>& defines);
 
 }  // namespace talus

@@ -6,7 +6,7 @@
 
 struct Beam {
     real depth;     // no ray of the bundle meets ground before it
-    int level;      // of the cells where it stopped
+    int level;      // of the cells where it stopped; 0: none meets ground at all
     bool flat_end;  // all rays end in cells so flat that one height tells their hits
     real height_m;  // that height over the origin's, where flat_end
 };
@@ -104,7 +104,8 @@ Beam cast_beam(int2 origin_cell, real2 fraction, real3 middle, real3 spread, rea
         going = depth < end && level >= 1 && block.fits && ++steps < beam_step_limit;
     } while (going);
     beam.depth = depth >= end ? max(end, depth) : depth;
-    beam.level = max(level, 1);
+    bool nothing = depth >= end;
+    beam.level = nothing ? 0 : max(level, 1);
     if (flat_ends) {
         // Where the walk stopped: a block as long as the bundle's end is over ground. Does every ray come in by its top
         // and get below its lowest point before it leaves?

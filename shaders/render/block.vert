@@ -1,16 +1,21 @@
-// A listed block of the picture as two triangles.
+// A listed block of the picture as a point: a square without the diagonal of two triangles, along which software would
+// shade twice.
 #include "maths/glsl_types.glsl"
-#include "render/camera.glsl"
+#include "render/block_pixels.glsl"
 
-layout(binding = 6, std430) readonly buffer Blocks { uint block_arguments[4]; uint listed_blocks[]; };
+layout(binding = 6, std430) readonly buffer BlockList { uint block_words[]; };
 
 uniform int2 blocks;
-
-const int block_pixels = 32;  // as in redraw_marks.glsl
+uniform int first_word;  // of the list's numbers
 
 void main() {
-    int index = int(listed_blocks[gl_InstanceID]);
-    int corner = gl_VertexID < 3 ? gl_VertexID : 6 - gl_VertexID;  // 0 1 2, 3 2 1
-    int2 pixel = (int2(index % blocks.x, index / blocks.x) + int2(corner & 1, corner >> 1)) * block_pixels;
-    gl_Position = vec4(2.0 * real2(pixel) / picture_size - 1.0, 0.0, 1.0);
+    uint number = block_words[first_word + gl_VertexID];
+    int2 large_blocks = (blocks + large_block - 1) / large_block;
+    bool large = (number & large_bit) != 0u;
+    int index = int(number & ~large_bit);
+    int columns = large ? large_blocks.x : blocks.x;
+    int side = large ? large_block : 1;
+    real2 middle = real(side) * (real2(index % columns, index / columns) + 0.5);
+    gl_Position = vec4(2.0 * middle / real2(large_blocks * large_block) - 1.0, 0.0, 1.0);
+    gl_PointSize = float(side * block_pixels);
 }

@@ -1,28 +1,68 @@
-// Lists the cells of the mesh: first those that no cell of rays can hide, then those that one may.
-layout(local_size_x = 512) in;
+// Chooses the cells around the eye that the mesh draws: how far rays leave it room in every direction, then its list, first
+// the cells that no cell of rays can hide, then those that one may. One group does it all, because a dispatch costs more
+// than this work.
+layout(local_size_x = 256) in;
 #include "render/surface.glsl"
 #include "render/camera.glsl"
 #include "render/cell_box.glsl"
 #include "render/hybrid_cells.glsl"
+#include "render/hybrid_list.glsl"
 
-layout(binding = 3, std430) buffer MeshCells { uint draw_arguments[16]; uint mesh_cells[]; };
+uniform int2 first_cell;  // of the rectangle that the mesh may reach
+uniform int2 cell_count;
+uniform real least_gain;  // share of the picture; without so much the mesh is not worth its draws
+
+shared int gain;  // of the mesh, in 1/4096 of the picture
+
+int2 cell_at(int index) { return first_cell + int2(index % cell_count.x, index / cell_count.x); }
+
+int choice_at(int2 cell, CellBox box, bool meshed) {
+    int choice = cell_choice(cell, box);
+    return choice == cell_mesh && !meshed ? cell_rays : choice;
+}
 
 void main() {
-    int2 size = level_1_size >> (cell_level - 1);
-    int index = int(gl_GlobalInvocationID.x);
-    if (index >= size.x * size.y) return;
-    int2 cell = int2(index % size.x, index / size.x);
-    if (!has_patches(cell) || beyond_mesh(cell)) return;
-    CellBox box = cell_box(cell, cell_level);
-    if (cell_choice(cell, box) != cell_mesh) return;
-    real2 span = ground_span(box);
-    real2 reach = reach_over(sectors_of(box.low.xy, box.high.xy));
-    if (span.x >= reach.y) return;
-    if (span.y < reach.x)
-        mesh_cells[atomicAdd(draw_arguments[1], 1u)] = uint(index);
-    else
-        mesh_cells[size.x * size.y + int(atomicAdd(draw_arguments[5], 1u))] = uint(index);
-    // Rays then go behind the mesh instead of everywhere.
-    draw_arguments[9] = 0u;
-    draw_arguments[13] = 1u;
+    int me = int(gl_LocalInvocationIndex);
+    int count = cell_count.x * cell_count.y;
+    int most = cell_capacity();
+    for (int i = me; i < sector_count; i += 256) reach_m[i] = floatBitsToUint(mesh_end_m);
+    if (me == 0) {
+        gain = 0;
+        uint vertices = 6u << (2 * cell_level);
+        for (int i = 0; i < 8; ++i) draw_arguments[i] = (i & 3) == 0 ? vertices : 0u;
+    }
+    barrier();
+    for (int i = me; i < count; i += 256) {
+        int2 cell = cell_at(i);
+        if (!has_patches(cell) || beyond_mesh(cell)) continue;
+        CellBox box = cell_box(cell, cell_level);
+        if (cell_choice(cell, box) == cell_mesh) atomicAdd(gain, int(4096.0 * gain_of_mesh(box) / (picture_size.x * picture_size.y)));
+    }
+    barrier();
+    bool meshed = real(gain) > 4096.0 * least_gain;
+    for (int i = me; i < count; i += 256) {
+        int2 cell = cell_at(i);
+        if (!has_patches(cell) || beyond_mesh(cell)) continue;
+        CellBox box = cell_box(cell, cell_level);
+        if (choice_at(cell, box, meshed) != cell_rays) continue;
+        uint bits = floatBitsToUint(ground_span(box).x);
+        int2 sectors = sectors_of(box.low.xy, box.high.xy);
+        for (int k = 0; k < sectors.y; ++k) atomicMin(reach_m[(sectors.x + k) % sector_count], bits);
+    }
+    memoryBarrierBuffer();
+    barrier();
+    for (int i = me; i < count; i += 256) {
+        int2 cell = cell_at(i);
+        if (!has_patches(cell) || beyond_mesh(cell)) continue;
+        CellBox box = cell_box(cell, cell_level);
+        if (choice_at(cell, box, meshed) != cell_mesh) continue;
+        real2 span = ground_span(box);
+        real2 reach = reach_over(sectors_of(box.low.xy, box.high.xy));
+        if (span.x >= reach.y) continue;
+        uint number = uint(cell.y * (level_1_size.x >> (cell_level - 1)) + cell.x);
+        if (span.y < reach.x)
+            mesh_cells[atomicAdd(draw_arguments[1], 1u)] = number;
+        else
+            mesh_cells[most + int(atomicAdd(draw_arguments[5], 1u))] = number;
+    }
 }

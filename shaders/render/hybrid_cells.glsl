@@ -71,6 +71,27 @@ real pixels_of_patch(CellBox box) {
     return cell_m.x * cell_m.y * facing / (distance * distance * pixel_m * pixel_m);
 }
 
+// The pixels in the picture of the rectangle around a box.
+real pixels_around(CellBox box) {
+    real2 low = real2(1.0);
+    real2 high = real2(-1.0);
+    for (int i = 0; i < 8; ++i) {
+        real3 clip = clip_of(box_corner(box, i));
+        bool before = clip.z > 0.0;
+        real2 at = before ? clamp(clip.xy / max(clip.z, 1e-6), -1.0, 1.0) : real2(0.0);
+        low = before ? min(low, at) : real2(-1.0);
+        high = before ? max(high, at) : real2(1.0);
+    }
+    real2 size = 0.5 * max(high - low, 0.0) * picture_size;
+    return size.x * size.y;
+}
+
+// Pixels that a cell's mesh draws, less those that would cost as much as its patches.
+real gain_of_mesh(CellBox box) {
+    real patch_count = real(1 << (2 * cell_level));
+    return min(patch_count * pixels_of_patch(box), pixels_around(box)) - patch_count * pixels_per_patch;
+}
+
 // The cheaper way for a cell.
 int cell_choice(int2 cell, CellBox box) {
     if (needs_rays(cell, box)) return cell_rays;

@@ -2,11 +2,10 @@
 // are the upper hull of the bilinear patch and touch it on all four edges.
 #include "render/surface.glsl"
 #include "render/camera.glsl"
-
-layout(binding = 3, std430) readonly buffer MeshCells { uint draw_arguments[16]; uint mesh_cells[]; };
+#include "render/hybrid_list.glsl"
 
 uniform int cell_level;
-uniform int first_cell;  // in the list
+uniform int second_half;  // 1: of the list
 uniform real near_m;
 
 flat out vec4 corners;  // over the eye
@@ -14,7 +13,7 @@ flat out ivec2 offset;  // the patch, from the eye's
 
 void main() {
     int columns = level_1_size.x >> (cell_level - 1);
-    int cell = int(mesh_cells[first_cell + gl_InstanceID]);
+    int cell = int(mesh_cells[second_half * cell_capacity() + gl_InstanceID]);
     int index = gl_VertexID / 6;
     int side = 1 << cell_level;
     int2 at = (int2(cell % columns, cell / columns) << cell_level) + int2(index & (side - 1), index >> cell_level);

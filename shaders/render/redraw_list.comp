@@ -8,5 +8,5 @@ layout(binding = 6, std430) buffer Blocks { uint block_arguments[4]; uint listed
 void main() {
     int index = int(gl_GlobalInvocationID.x);
     if (index >= blocks.x * blocks.y || (redraw_all == 0u && redraw_marks[index] == 0u)) return;
-    listed_blocks[atomicAdd(block_arguments[1], 1u)] = uint(index);
+    listed_blocks[atomicAdd(block_arguments[0], 1u)] = uint(index);
 }

@@ -1,5 +1,5 @@
 // Blocks of the picture that must be drawn again.
-const int block_pixels = 32;
+#include "render/block_pixels.glsl"
 
 layout(binding = 5, std430) buffer RedrawMarks {
     uint lowest_before;    // bits of the terrain's bounds before the change

@@ -346,6 +346,16 @@ void Program::draw_indirect(const Buffer& arguments, std::size_t offset, Depth d
     raise_errors();
 }
 
+void Program::draw_points_indirect(const Buffer& arguments, std::size_t offset, Depth depth) {
+    use();
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, arguments.name());
+    glEnable(GL_PROGRAM_POINT_SIZE);
+    with_vertex_array(
+        0, [&] { with_depth(depth, [&] { glDrawArraysIndirect(GL_POINTS, as_offset(offset)); }); });
+    glDisable(GL_PROGRAM_POINT_SIZE);
+    raise_errors();
+}
+
 void Program::draw_indexed_indirect(const Buffer& indices, const Buffer& arguments, std::size_t offset,
                                     Depth depth) {
     use();

@@ -70,7 +70,10 @@ class Program {
     /// Draws triangles, as many and as often as the four words at the offset (bytes) say: vertices,
     /// instances, first vertex, base instance.
     void draw_indirect(const Buffer& arguments, std::size_t offset, Depth depth);
-    /// The same with 32-bit indices and five words: indices, instances, first index, base vertex, base
+    /// The same as points, as large as the vertex shader says: squares without the diagonal of two triangles,
+    /// along which software shades twice.
+    void draw_points_indirect(const Buffer& arguments, std::size_t offset, Depth depth);
+    /// Triangles with 32-bit indices and five words: indices, instances, first index, base vertex, base
     /// instance.
     void draw_indexed_indirect(const Buffer& indices, const Buffer& arguments, std::size_t offset,
                                Depth depth);

@@ -38,16 +38,14 @@ std::vector<int> Tiles::touched_by(const gpu::Region& samples) const {
 }
 
 void Tiles::take(Mark mark, int reach_low, int reach_high, int groups_per_tile, TileList& list) {
-    const std::array<std::uint32_t, 4> arguments = {static_cast<std::uint32_t>(groups_per_tile), 0, 1, 0};
-    list.buffer.write(0, std::as_bytes(std::span(arguments)));
     flags_.bind_storage(0);
     list.buffer.bind_storage(1);
     list_program_.set("tiles", glm::ivec2(columns_, rows_));
     list_program_.set("flag_bit", static_cast<unsigned>(mark));
     list_program_.set("reach_low", reach_low);
     list_program_.set("reach_high", reach_high);
-    list_program_.dispatch((count() + 63) / 64);
-    clear(mark);
+    list_program_.set("groups_per_tile", static_cast<unsigned>(groups_per_tile));
+    list_program_.dispatch(1);
 }
 
 void Tiles::clear(Mark mark) {

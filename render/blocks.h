@@ -1,0 +1,24 @@
+#pragma once
+#include <glm/glm.hpp>
+
+#include "sim/gpu/program.h"
+#include "sim/gpu/texture.h"
+
+namespace talus {
+
+/// Blocks of a picture in a row and in a column: squares of 32 x 32 pixels, the last ones cut off.
+glm::ivec2 blocks_of(int width, int height);
+
+/// A list on the device of blocks to draw: the four words of an indirect draw, the first of them how many,
+/// and their numbers; shaders/render/block_pixels.glsl says how squares of 4 x 4 blocks count as one.
+struct BlockList {
+    const gpu::Buffer& words;
+    std::size_t arguments;  ///< word where the four begin
+    std::size_t numbers;    ///< word where the numbers begin
+};
+
+/// Draws listed blocks into the target with a program of shaders/render/block.vert.
+void draw_blocks(gpu::Program& program, const gpu::Framebuffer& target, glm::ivec2 blocks,
+                 const BlockList& list, gpu::Depth depth);
+
+}  // namespace talus

@@ -1,0 +1,2 @@
+// For draws of depth alone.
+void main() {}
