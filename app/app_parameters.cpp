@@ -18,8 +18,14 @@ std::vector<Parameter> app_parameters() {
         number("brush.falloff", 1, 0, 1, "",
                "How much of the radius fades out: 0 a hard edge, 1 soft all the way."),
         choice("brush.material", "bedrock", {"bedrock", "regolith"}, "What raising adds."),
-        choice("camera.mode", "orbit", {"orbit", "fly"},
-               "Orbit turns about a point on the ground; fly moves with W A S D, Q and E."),
+        choice("camera.mode", "orbit", {"orbit", "fly", "walk"},
+               "Orbit turns about a point on the ground; fly moves with W A S D, Q and E; walk keeps the eye "
+               "over the "
+               "ground."),
+        number("camera.eye_height_m", 1.8, 1e-2, 1e4, "m", "Walking: the eye over the ground."),
+        number("camera.walk_m_per_s", 10, 1e-2, 1e6, "m/s", "Walking: speed."),
+        toggle("camera.collision", true,
+               "The ground stops the camera; off: it may go below, where the ground is solid."),
         number("camera.fov_deg", 50, 5, 120, "°", "Vertical field of view."),
         number("camera.speed_m_per_s", 500, 1e-2, 1e6, "m/s",
                "Speed of flying; unless set, it follows the terrain's size."),

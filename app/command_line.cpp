@@ -50,7 +50,7 @@ glm::ivec2 size_from(const std::string& text, const char* option = "--size") {
 // Texts as they stand on the command line, read after parsing so that errors are ours.
 struct Texts {
     std::string file, preset, input, size, spacing, range, raw, eye, target, fov, method, view, shader_dir,
-        layer, samples, tolerances;
+        layer, samples, tolerances, texture;
     std::vector<std::string> assignments;
     std::optional<int> gpu;
     bool require_hardware = false;
@@ -87,6 +87,7 @@ struct Texts {
         request.input = file_given;
         request.import = import();
         request.assignments = assignments;
+        request.texture = texture;
         if (!method.empty()) request.assignments.push_back("render.method=" + method);
         if (!view.empty()) request.assignments.push_back("render.view=" + view);
         if (!fov.empty()) request.assignments.push_back("camera.fov_deg=" + fov);
@@ -98,6 +99,11 @@ void add_gpu(CLI::App& app, Texts& t) {
     app.add_option("--gpu", t.gpu, "use the N-th device, hardware first (0 is the first)");
     app.add_flag("--require-hardware", t.require_hardware, "refuse software renderers");
     app.add_option("--shader-dir", t.shader_dir, "read shaders from this folder and follow its changes");
+}
+void add_texture(CLI::App& app, Texts& t) {
+    app.add_option("--texture", t.texture,
+                   "a picture draped over the terrain, its edges on the outer samples")
+        ->type_name("PICTURE");
 }
 void add_import(CLI::App& app, Texts& t) {
     app.add_option("--spacing", t.spacing, "metres between samples");
@@ -130,6 +136,7 @@ int parse_and_do(int argc, char** argv) {
     app.add_option("FILE", t.file, "heightmap or Talus document to open in the window");
     app.add_option("--preset", t.preset, "scene to start from, a name or a .toml file");
     app.add_option("--set", t.assignments, "section.name=value, may be repeated");
+    add_texture(app, t);
     app.add_option("--journal", window_options.journal, "write what was done here when the window closes");
     add_import(app, t);
     app.add_option("--shader-dir", t.shader_dir, "read shaders from this folder and follow its changes");
@@ -141,6 +148,7 @@ int parse_and_do(int argc, char** argv) {
     auto* ticks = run_command->add_option("--ticks", run_options.ticks, "how many ticks to run");
     run_command->add_option("--time", run_options.time_s, "how many seconds to simulate")->excludes(ticks);
     run_command->add_option("--set", t.assignments, "section.name=value, may be repeated");
+    add_texture(*run_command, t);
     add_import(*run_command, t);
     add_outputs(*run_command, t, run_options.outputs);
     add_gpu(*run_command, t);
@@ -161,6 +169,7 @@ int parse_and_do(int argc, char** argv) {
     render_command->add_option("--method", t.method, "how the surface is drawn");
     render_command->add_option("--view", t.view, "what the colours show; 'talus parameters' lists the views");
     render_command->add_option("--set", t.assignments, "section.name=value, may be repeated");
+    add_texture(*render_command, t);
     render_command->add_option("--depth", render_options.depth, "metres along each pixel's ray")
         ->type_name("OUT.exr");
     render_command->add_option("--report", render_options.report, "write the report")->type_name("FILE.json");

@@ -7,8 +7,7 @@
 #include <functional>
 
 #include "app/calibration.h"
-#include "app/panels/legend.h"
-#include "render/renderer.h"
+#include "app/still.h"
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/image_file.h"
@@ -29,9 +28,11 @@ void write_overview(const std::string& path, const Scene& scene, Simulation& sim
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
     Camera camera = overview(scene.document.state.grid, *low, *high);
     camera.fov_deg = scene.view.number("camera.fov_deg");
-    renderer.draw(simulation.terrain(), camera, settings, width, height);
-    draw_legend_into(renderer.framebuffer(), width, height, legend_of(settings, *low, *high));
-    write_rgb(path, width, height, renderer.read_rgb(width, height));
+    drape(renderer, scene);
+    const Still still =
+        draw_still(renderer, simulation.terrain(), camera, settings, legend_of(settings, *low, *high),
+                   {width, height}, scene.view.whole("render.samples"));
+    write_rgb(path, width, height, still.rgb);
 }
 
 }  // namespace

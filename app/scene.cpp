@@ -35,7 +35,7 @@ Scene assemble(const Parameters& all, Document document) {
     std::vector<Parameter> view = render_parameters();
     const std::vector<Parameter> app = app_parameters();
     view.insert(view.end(), app.begin(), app.end());
-    Scene scene{std::move(document), part_of(all, simulation_parameters()), part_of(all, view), {}, {}};
+    Scene scene{std::move(document), part_of(all, simulation_parameters()), part_of(all, view), {}, {}, {}};
     scene.start.parameters = to_toml(scene.simulation);
     const Grid& grid = scene.document.state.grid;
     const double extent = std::max(grid.width_m(), grid.height_m());
@@ -74,6 +74,7 @@ Scene make_scene(const SceneRequest& request) {
         document.kind = "generated";
     }
     Scene scene = assemble(all, std::move(document));
+    if (!request.texture.empty()) scene.texture = read_colour_image(request.texture);
     scene.start.input = request.input.empty() ? "" : std::filesystem::absolute(request.input).string();
     scene.start.import_guess = to_text(request.import);
     scene.title =

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/io/colour_image.h"
 #include "sim/io/document.h"
 #include "sim/journal.h"
 #include "sim/parameters.h"
@@ -16,6 +17,7 @@ struct SceneRequest {
     std::optional<glm::ivec2> size;        ///< of the generated terrain
     ImportSettings import;                 ///< its spacing holds for generated terrain too
     std::vector<std::string> assignments;  ///< section.name=value
+    std::string texture;                   ///< a picture draped over the terrain; empty: none
 };
 
 /// A terrain ready to run: where every session, live or replayed, begins.
@@ -25,6 +27,7 @@ struct Scene {
     Parameters view;        ///< render.*, brush.*, camera.*, time.speed, undo.*
     JournalStart start;     ///< without the hash, which the caller takes of the state
     std::string title;
+    ColourImage texture;  ///< draped over the terrain; without pixels: none
 };
 
 /// Throws talus::Error when the request cannot be met.

@@ -1,5 +1,7 @@
 #include "app/session.h"
 
+#include "app/still.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -31,6 +33,7 @@ void Session::start(Scene scene) {
     const std::size_t undo_bytes = static_cast<std::size_t>(scene.view.whole("undo.memory_mib")) << 20U;
     auto simulation = std::make_unique<Simulation>(scene.document.state, scene.simulation, undo_bytes);
     auto renderer = std::make_unique<Renderer>(simulation->terrain(), patch_pixels(device_));
+    drape(*renderer, scene);
     const std::vector<float> ground = scene.document.state.ground();
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
     bounds_ = {*low, *high};

@@ -8,16 +8,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 #include "app/panels/legend.h"
 #include "app/panels/panels.h"
 #include "app/report.h"
 #include "app/session.h"
+#include "app/still.h"
 #include "app/tools/camera_control.h"
+#include "app/tools/ground_probe.h"
 #include "sim/gpu/error.h"
 #include "sim/gpu/program.h"
 #include "sim/gpu/readback.h"
+#include "sim/io/image_file.h"
 
 namespace talus {
 namespace {
@@ -118,7 +122,7 @@ class Window {
   private:
     bool busy() const {
         return session_.playing || session_.stroking() || frames_left_ > 0 || moving_s_ > 0 ||
-               cursor_readback_.pending();
+               cursor_readback_.pending() || ground_.pending() || refining_;
     }
     void wake() { frames_left_ = 3; }
     void tell(const std::string& message) {
@@ -182,6 +186,9 @@ class Window {
             case GLFW_KEY_F:
                 requests_.framing = true;
                 break;
+            case GLFW_KEY_F12:
+                requests_.picture = true;
+                break;
             case GLFW_KEY_LEFT_BRACKET:
                 scale("brush.radius_m", 1 / 1.15);
                 break;
@@ -227,7 +234,9 @@ class Window {
         camera.fov_deg = session_.view().number("camera.fov_deg");
         const glm::dvec2 drag = mouse - mouse_;
         const bool captured = ImGui::GetIO().WantCaptureMouse;
-        const bool flying = session_.view().choice("camera.mode") == "fly";
+        const std::string& mode = session_.view().choice("camera.mode");
+        const bool walking = mode == "walk";
+        const bool flying = mode == "fly" || walking;
         const glm::dvec3 ahead = cursor_.value_or(camera.target);
         const auto held = [&](int button) { return glfwGetMouseButton(window_, button) == GLFW_PRESS; };
         const bool turning = held(GLFW_MOUSE_BUTTON_RIGHT) && !captured;
@@ -246,12 +255,54 @@ class Window {
         if (!ImGui::GetIO().WantTextInput && dialog_.purpose == FileDialog::Purpose::none &&
             !ImGui::GetIO().KeyCtrl) {
             const auto down = [&](int k) { return glfwGetKey(window_, k) == GLFW_PRESS ? 1.0 : 0.0; };
-            const double step = session_.view().number("camera.speed_m_per_s") * passed_s;
-            fly(camera, step * (down(GLFW_KEY_W) - down(GLFW_KEY_S)),
-                step * (down(GLFW_KEY_D) - down(GLFW_KEY_A)), step * (down(GLFW_KEY_E) - down(GLFW_KEY_Q)));
+            const double along = down(GLFW_KEY_W) - down(GLFW_KEY_S);
+            const double aside = down(GLFW_KEY_D) - down(GLFW_KEY_A);
+            if (walking) {
+                const double step = session_.view().number("camera.walk_m_per_s") * passed_s;
+                walk(camera, step * along, step * aside);
+            } else {
+                const double step = session_.view().number("camera.speed_m_per_s") * passed_s;
+                fly(camera, step * along, step * aside, step * (down(GLFW_KEY_E) - down(GLFW_KEY_Q)));
+            }
         }
+        meet_ground(camera, walking, passed_s);
         camera_moved_ = !(camera == before);
         if (camera_moved_) moving_s_ = 0.25;
+    }
+
+    // Walking stands on the ground; else the eye stays out of it, where collision is on.
+    void meet_ground(Camera& camera, bool walking, double passed_s) {
+        const bool collides = session_.view().toggle("camera.collision");
+        if (!walking && !collides) return;
+        const Grid& grid = session_.grid();
+        ground_.follow(session_.simulation().terrain(), camera.eye);
+        const std::optional<double> ground_m = ground_.height_m(grid, camera.eye);
+        if (!ground_m) return;
+        const double eye_m = session_.view().number("camera.eye_height_m");
+        if (walking)
+            stand(camera, *ground_m + eye_m, *ground_m + 0.5 * eye_m, passed_s);
+        else
+            keep_above(camera, *ground_m + 0.02 * std::min(grid.dx, grid.dy));
+    }
+
+    // The first free name in the folder where Talus was started.
+    void save_picture() {
+        attempt([&] {
+            int width = 0;
+            int height = 0;
+            glfwGetFramebufferSize(window_, &width, &height);
+            int number = 1;
+            while (std::filesystem::exists(fmt::format("talus-{:04}.png", number))) ++number;
+            const std::string path = fmt::format("talus-{:04}.png", number);
+            const ViewSettings settings = view_settings(session_.view());
+            const glm::dvec2 bounds = session_.renderer().bounds();
+            const Still still =
+                draw_still(session_.renderer(), session_.simulation().terrain(), session_.camera(), settings,
+                           legend_of(settings, bounds.x, bounds.y), {width, height},
+                           session_.view().whole("render.samples"));
+            write_rgb(path, width, height, still.rgb);
+            tell(fmt::format("saved the picture {}", path));
+        });
     }
 
     void sculpt(double passed_s) {
@@ -286,9 +337,11 @@ class Window {
             });
         for (const auto& act : asked.acts) attempt([&] { act(session_); });
         if (asked.reset) attempt([&] { session_.reset(); });
+        if (asked.open || asked.reset) ground_.forget();
         if (asked.undo) attempt([&] { session_.undo(); });
         if (asked.redo) attempt([&] { session_.redo(); });
         if (asked.framing) session_.frame_terrain();
+        if (asked.picture) save_picture();
         if (asked.quit) glfwSetWindowShouldClose(window_, GLFW_TRUE);
         if (asked.open || asked.save || asked.reset || asked.undo || asked.redo || asked.framing ||
             !asked.acts.empty()) {
@@ -340,6 +393,10 @@ class Window {
         if (drawn != Drawn::nothing || mouse != cursor_mouse_)
             start_cursor_readback(mouse, width, height, drawn_width, drawn_height);
 
+        // At rest the picture gathers samples, one a frame.
+        refining_ = !moving && session_.renderer().refine(session_.simulation().terrain(),
+                                                          session_.view().whole("render.samples"));
+
         gpu::bind_window(width, height);
         session_.renderer().framebuffer().blit_to_window({0, 0, drawn_width, drawn_height},
                                                          {0, 0, width, height});
@@ -375,6 +432,9 @@ class Window {
     std::string message_;
     double message_until_s_ = 0;
 
+    bool refining_ = false;
+
+    GroundProbe ground_;
     gpu::Readback cursor_readback_;
     Camera cursor_camera_;
     glm::dvec2 cursor_mouse_{-1};  // where the last read-back began

@@ -13,7 +13,16 @@ CameraRays camera_rays(const Camera& camera, double width, double height) {
         level > 1e-9 ? glm::dvec3(forward.y / level, -forward.x / level, 0) : glm::dvec3(1, 0, 0);
     const glm::dvec3 up = glm::cross(right, forward);
     const double reach = std::tan(camera.fov_deg * std::numbers::pi / 360);
-    return {forward, right * (reach * width / height), up * reach};
+    // The view's aspect, of which the picture may be a part.
+    const double aspect = width / camera.window_share.x / (height / camera.window_share.y);
+    const glm::dvec3 across = right * (reach * aspect);
+    const glm::dvec3 upwards = up * reach;
+    return {forward, forward + across * camera.window_middle.x + upwards * camera.window_middle.y,
+            across * camera.window_share.x, upwards * camera.window_share.y};
+}
+
+double pixel_at_one_metre(const Camera& camera, int height) {
+    return 2 * std::tan(camera.fov_deg * std::numbers::pi / 360) * camera.window_share.y / height;
 }
 
 CastOrigin cast_origin(const Grid& grid, glm::dvec3 point) {
@@ -41,7 +50,8 @@ void set_camera(gpu::Program& program, const Grid& grid, const Camera& camera, i
     const CastOrigin origin = cast_origin(grid, camera.eye);
     const auto high = static_cast<float>(origin.height_m);
     program.set("picture_size", glm::vec2(width, height));
-    program.set("ray_forward", glm::vec3(rays.forward));
+    program.set("view_axis", glm::vec3(rays.forward));
+    program.set("ray_forward", glm::vec3(rays.middle));
     program.set("ray_right", glm::vec3(rays.right));
     program.set("ray_up", glm::vec3(rays.up));
     program.set("cell_m", glm::vec2(grid.dx, grid.dy));

@@ -12,16 +12,24 @@ struct Camera {
     glm::dvec3 eye{0, 0, 0};
     glm::dvec3 target{0, 1, 0};
     double fov_deg = 50;
+    /// The part of the view that the picture shows: its middle from -1 to 1 across and up, and its share of
+    /// both sides. A tile of a larger picture, or a shift within a pixel.
+    glm::dvec2 window_middle{0, 0};
+    glm::dvec2 window_share{1, 1};
     bool operator==(const Camera&) const = default;
 };
 
-/// A camera's rays before normalisation: forward + x * right + y * up for x, y from -1 to 1 over the picture.
+/// A camera's rays before normalisation: middle + x * right + y * up for x, y from -1 to 1 over the picture.
 struct CameraRays {
-    glm::dvec3 forward;
+    glm::dvec3 forward;  ///< unit vector, the view's axis
+    glm::dvec3 middle;   ///< forward, shifted to the window's middle
     glm::dvec3 right;
     glm::dvec3 up;
 };
 CameraRays camera_rays(const Camera& camera, double width, double height);
+
+/// The width of a pixel at one metre before the eye.
+double pixel_at_one_metre(const Camera& camera, int height);
 
 /// The eye as the caster wants it: its patch, the place in it, its height in two words.
 struct CastOrigin {

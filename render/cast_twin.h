@@ -82,7 +82,7 @@ struct CastTwin {
     void look(const Grid& grid, const Camera& camera, int width, int height) {
         const CameraRays rays = camera_rays(camera, width, height);
         const CastOrigin origin = cast_origin(grid, camera.eye);
-        ray_forward = real3(rays.forward);
+        ray_forward = real3(rays.middle);
         ray_right = real3(rays.right);
         ray_up = real3(rays.up);
         origin_height_m = real(origin.height_m);

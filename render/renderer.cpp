@@ -25,8 +25,7 @@ bool same_hits(const ViewSettings& a, const ViewSettings& b) {
 
 Renderer::Renderer(const Terrain& terrain, double patch_pixels)
     : pyramid_(terrain),
-      shade_({"render/fullscreen.vert", "render/shade.frag"}),
-      shade_blocks_({"render/block.vert", "render/shade.frag"}),
+      sky_view_(terrain),
       ring_({"render/fullscreen.vert", "render/ring.frag"}),
       patch_pixels_(patch_pixels) {}
 
@@ -44,14 +43,14 @@ void Renderer::resize(int width, int height) {
     drawn_.reset();
 }
 
-const Method& Renderer::method_of(const ViewSettings& settings, bool& redraws_blocks) {
+const Method& Renderer::method_of(const ViewSettings& settings, const char* use, bool& redraws_blocks) {
     const auto entry = std::find_if(talus::methods().begin(), talus::methods().end(),
                                     [&](const MethodEntry& e) { return e.name == settings.method; });
     if (entry == talus::methods().end()) throw Error("there is no method '" + settings.method + "'");
     const Detail detail = detail_of(settings.view);
     // Steps of a walk depend on bounds far from where it ends.
     redraws_blocks = entry->redraws_blocks && detail != Detail::steps;
-    const std::string key = settings.method + std::to_string(static_cast<int>(detail));
+    const std::string key = settings.method + use + std::to_string(static_cast<int>(detail));
     auto found =
         std::find_if(methods_.begin(), methods_.end(), [&](const auto& m) { return m.first == key; });
     if (found == methods_.end()) found = methods_.insert(methods_.end(), {key, entry->make(detail)});
@@ -69,8 +68,35 @@ Drawn Renderer::draw(Terrain& terrain, const Camera& camera, const ViewSettings&
     drawn_ = picture;
     follow_bounds(drawn != Drawn::nothing);
     ringed_ = settings.ring_m.z > 0;
-    if (ringed_) draw_ring(terrain.grid(), picture, settings.ring_m);
+    ring_m_ = settings.ring_m;
+    if (drawn != Drawn::nothing) refinement_.restart();
+    if (ringed_) draw_ring(terrain.grid());
     return drawn;
+}
+
+bool Renderer::refine(const Terrain& terrain, int samples) {
+    if (!drawn_ || refinement_.samples() >= samples || samples < 2) return false;
+    Picture picture = *drawn_;
+    const HitsTarget& target = refinement_.target(picture.width, picture.height);
+    if (refinement_.samples() == 0) refinement_.add(colour_, picture.width, picture.height);
+    const glm::dvec2 shift_px = Refinement::shift_px(refinement_.samples());
+    picture.camera.window_middle +=
+        2.0 * shift_px * picture.camera.window_share / glm::dvec2(picture.width, picture.height);
+    // A method of its own: what it keeps for the next change belongs to the picture that was not shifted.
+    bool redraws_blocks = false;
+    method_of(picture.settings, " refined ",
+              redraws_blocks)({terrain, pyramid_, picture.camera, picture.width, picture.height,
+                               picture.settings.tolerance_px, patch_pixels_, target.framebuffer()});
+    shading_.draw(terrain, pyramid_, sky_view_, picture.camera, picture.settings, picture.width,
+                  picture.height, target.hits(), refinement_.colour_buffer(), nullptr);
+    refinement_.add(refinement_.colour(), picture.width, picture.height);
+    if (ringed_) draw_ring(terrain.grid());
+    return true;
+}
+
+void Renderer::drape(int width, int height, std::span<const std::byte> rgba) {
+    shading_.drape(width, height, rgba);
+    forget();
 }
 
 Drawn Renderer::redraw(Terrain& terrain, const Picture& picture, const std::optional<Picture>& before) {
@@ -79,11 +105,12 @@ Drawn Renderer::redraw(Terrain& terrain, const Picture& picture, const std::opti
                            before->height == picture.height && same_hits(before->settings, picture.settings);
     const bool same_terrain = before && before->changes == picture.changes;
     if (same_view && same_terrain) {
-        shade(terrain, picture, false);
+        follow_sky(terrain, picture.settings);
+        shade(terrain, picture, nullptr);
         return Drawn::colours;
     }
     bool redraws_blocks = false;
-    const Method& method = method_of(picture.settings, redraws_blocks);
+    const Method& method = method_of(picture.settings, " drawn ", redraws_blocks);
     const bool blocks = redraws_blocks && same_view && before->settings == picture.settings;
     const bool shadows = picture.settings.shadows && picture.settings.view == View::shaded;
     const glm::dvec3 sun = shadows ? picture.settings.sun : glm::dvec3(0);
@@ -95,58 +122,44 @@ Drawn Renderer::redraw(Terrain& terrain, const Picture& picture, const std::opti
         if (blocks) redraw_.mark(true, changed, terrain, pyramid_, picture.camera, sun);
         refreshed_changes_ = picture.changes;
     }
+    follow_sky(terrain, picture.settings);
     method({terrain, pyramid_, picture.camera, picture.width, picture.height, picture.settings.tolerance_px,
             patch_pixels_, target_.framebuffer(), blocks ? &redraw_ : nullptr});
-    shade(terrain, picture, blocks);
+    shade(terrain, picture, blocks ? &redraw_ : nullptr);
     return blocks ? Drawn::changes : Drawn::everything;
 }
 
-void Renderer::shade(const Terrain& terrain, const Picture& picture, bool blocks) {
-    const ViewSettings& settings = picture.settings;
-    const Grid& grid = terrain.grid();
-    gpu::Program& program = blocks ? shade_blocks_ : shade_;
-    set_camera(program, grid, picture.camera, picture.width, picture.height);
-    pyramid_.bind(program, terrain);
-    pyramid_.lowest.bind_sampled(2);
-    terrain.solid.front.bind_sampled(3);
-    target_.hits().bind_sampled(4);
-    program.set("view", static_cast<int>(settings.view));
-    program.set("sun", glm::vec3(settings.sun));
-    program.set("shadows", settings.shadows ? 1 : 0);
-    program.set("extent_m", static_cast<float>(std::max(grid.width_m(), grid.height_m())));
-    program.set("pixel_angle",
-                static_cast<float>(picture.camera.fov_deg * std::numbers::pi / 180 / picture.height));
-    program.set("band_m", static_cast<float>(settings.band_m));
-    terrain.start.bind_sampled(5);
-    program.set("difference_m", static_cast<float>(settings.difference_m));
-    program.set("hillshade_lights", settings.hillshade_lights);
-    program.set("slope_scale_deg", static_cast<float>(slope_scale_deg));
-    program.set("steps_scale", static_cast<float>(steps_scale));
-    if (blocks) {
-        redraw_.draw(program, colour_buffer_, gpu::Depth::none);
-    } else {
-        colour_buffer_.bind({0, 0, picture.width, picture.height});
-        program.draw_fullscreen();
-    }
+void Renderer::follow_sky(Terrain& terrain, const ViewSettings& settings) {
+    // What no view looks at waits until one does.
+    if (!settings.occlusion || settings.view != View::shaded || sky_changes_ == refreshed_changes_) return;
+    sky_view_.refresh(terrain, pyramid_);
+    sky_changes_ = refreshed_changes_;
 }
 
-void Renderer::draw_ring(const Grid& grid, const Picture& picture, glm::dvec3 ring_m) {
+void Renderer::shade(const Terrain& terrain, const Picture& picture, const Redraw* redraw) {
+    shading_.draw(terrain, pyramid_, sky_view_, picture.camera, picture.settings, picture.width,
+                  picture.height, target_.hits(), colour_buffer_, redraw);
+}
+
+void Renderer::draw_ring(const Grid& grid) {
+    const Picture& picture = *drawn_;
     set_camera(ring_, grid, picture.camera, picture.width, picture.height);
     target_.hits().bind_sampled(4);
-    colour_.bind_sampled(5);
+    (refined() ? refinement_.mean() : colour_).bind_sampled(5);
     // As wide at any resolution, but never thinner than a pixel.
     const double pixels = std::max(1.3 * picture.height / 720, 0.6);
     ring_.set("ring_angle",
               static_cast<float>(pixels * picture.camera.fov_deg * std::numbers::pi / 180 / picture.height));
     ring_.set("ring_m",
-              glm::vec3(ring_m.x - picture.camera.eye.x, ring_m.y - picture.camera.eye.y, ring_m.z));
+              glm::vec3(ring_m_.x - picture.camera.eye.x, ring_m_.y - picture.camera.eye.y, ring_m_.z));
     ringed_buffer_.bind({0, 0, picture.width, picture.height});
     ring_.draw_fullscreen();
 }
 
 std::vector<std::uint8_t> Renderer::read_rgb(int width, int height) const {
     std::vector<std::uint8_t> rgba(static_cast<std::size_t>(width) * height * 4);
-    colour_.read({0, 0, width, height}, std::as_writable_bytes(std::span(rgba)));
+    (refined() ? refinement_.mean() : colour_)
+        .read({0, 0, width, height}, std::as_writable_bytes(std::span(rgba)));
     std::vector<std::uint8_t> rgb;
     rgb.reserve(static_cast<std::size_t>(width) * height * 3);
     for (int y = height - 1; y >= 0; --y)

@@ -9,6 +9,8 @@
 #include "render/methods/method.h"
 #include "render/pyramid.h"
 #include "render/redraw.h"
+#include "render/refinement.h"
+#include "render/shading.h"
 #include "render/view.h"
 #include "sim/gpu/readback.h"
 
@@ -28,14 +30,23 @@ class Renderer {
     /// them, only what changed tiles can touch, only the colours, or nothing. The picture is the same bit for
     /// bit as a fresh one.
     Drawn draw(Terrain& terrain, const Camera& camera, const ViewSettings& settings, int width, int height);
+    /// Adds one sample a pixel to the picture drawn last, until it has as many: smoother silhouettes and
+    /// detail. False where nothing was left to add. The mean is the same bit for bit in whatever steps it was
+    /// made.
+    bool refine(const Terrain& terrain, int samples);
     /// The next draw() draws everything.
     void forget() { drawn_.reset(); }
+    /// An image over the whole terrain (render/shading.h).
+    void drape(int width, int height, std::span<const std::byte> rgba);
 
     /// What draw() made: rows bottom up; textures may be larger than the picture.
-    const gpu::Framebuffer& framebuffer() const { return ringed_ ? ringed_buffer_ : colour_buffer_; }
+    const gpu::Framebuffer& framebuffer() const {
+        return ringed_ ? ringed_buffer_ : refined() ? refinement_.mean_buffer() : colour_buffer_;
+    }
     /// Distance in metres along each pixel's normalised ray (infinity: nothing hit) and steps.
     const gpu::Texture& hits() const { return target_.hits(); }
     const Pyramid& pyramid() const { return pyramid_; }
+    const SkyView& sky_view() const { return sky_view_; }
 
     /// Top row first; waits for the device.
     std::vector<std::uint8_t> read_rgb(int width, int height) const;
@@ -57,26 +68,31 @@ class Renderer {
 
     void resize(int width, int height);
     void follow_bounds(bool again);
-    const Method& method_of(const ViewSettings& settings, bool& redraws_blocks);
+    bool refined() const { return refinement_.samples() > 1; }
+    const Method& method_of(const ViewSettings& settings, const char* use, bool& redraws_blocks);
     Drawn redraw(Terrain& terrain, const Picture& picture, const std::optional<Picture>& before);
-    void shade(const Terrain& terrain, const Picture& picture, bool blocks);
-    void draw_ring(const Grid& grid, const Picture& picture, glm::dvec3 ring_m);
+    void follow_sky(Terrain& terrain, const ViewSettings& settings);
+    void shade(const Terrain& terrain, const Picture& picture, const Redraw* redraw);
+    void draw_ring(const Grid& grid);
 
     Pyramid pyramid_;
+    SkyView sky_view_;
     Redraw redraw_;
     std::optional<Picture> drawn_;
     std::optional<std::uint64_t> refreshed_changes_;  // of the terrain that the pyramid knows
+    std::optional<std::uint64_t> sky_changes_;        // of the terrain that the view of the sky knows
     std::vector<std::pair<std::string, Method>> methods_;
-    gpu::Program shade_;
-    gpu::Program shade_blocks_;
+    Shading shading_;
     gpu::Program ring_;
     double patch_pixels_;
     HitsTarget target_;
+    Refinement refinement_;
     gpu::Texture colour_;
     gpu::Texture ringed_colour_;
     gpu::Framebuffer colour_buffer_;
     gpu::Framebuffer ringed_buffer_;
     bool ringed_ = false;
+    glm::dvec3 ring_m_{0};
     gpu::Readback lowest_readback_;
     gpu::Readback highest_readback_;
     glm::dvec2 bounds_{0};

@@ -35,6 +35,9 @@ std::vector<Parameter> render_parameters() {
         number("render.sun_azimuth_deg", 315, 0, 360, "°", "Where the sun stands, clockwise from north."),
         number("render.sun_elevation_deg", 38, 1, 90, "°", "How high the sun stands."),
         toggle("render.shadows", true, "The sun casts shadows."),
+        whole("render.samples", 8, 1, 64, "",
+              "Samples a pixel, as many as a picture at rest gathers: smoother silhouettes and detail."),
+        toggle("render.occlusion", true, "Valleys get less of the sky's light than ridges."),
         number("render.band_m", 100, 1e-3, 1e5, "m", "Interval of the views of height bands and contours."),
         number("render.difference_m", 20, 1e-3, 1e5, "m", "End of the scale of the view of differences."),
         choice("render.hillshade", "sun", {"sun", "four sides"},
@@ -54,6 +57,7 @@ ViewSettings view_settings(const Parameters& parameters) {
     settings.sun = {std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation),
                     std::sin(elevation)};
     settings.shadows = parameters.toggle("render.shadows");
+    settings.occlusion = parameters.toggle("render.occlusion");
     settings.band_m = parameters.number("render.band_m");
     settings.difference_m = parameters.number("render.difference_m");
     settings.hillshade_lights = parameters.choice("render.hillshade") == "sun" ? 1 : 4;

@@ -43,6 +43,7 @@ struct ViewSettings {
     View view = View::shaded;
     glm::dvec3 sun{0, 0, 1};  ///< unit vector towards the sun: east, north, up
     bool shadows = true;
+    bool occlusion = true;
     double band_m = 100;
     double difference_m = 20;
     int hillshade_lights = 1;

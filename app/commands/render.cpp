@@ -7,9 +7,8 @@
 #include "app/calibration.h"
 #include "app/commands/commands.h"
 #include "app/flight.h"
-#include "app/panels/legend.h"
 #include "app/report.h"
-#include "render/renderer.h"
+#include "app/still.h"
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/image_file.h"
@@ -26,8 +25,8 @@ std::string numbered(const std::string& path, std::size_t number) {
 }  // namespace
 
 void render(const RenderOptions& options) {
-    if (options.size.x < 1 || options.size.y < 1 || options.size.x > 16384 || options.size.y > 16384)
-        throw Error(fmt::format("--size {}x{} cannot be drawn, each side must be 1 to 16384 pixels",
+    if (options.size.x < 1 || options.size.y < 1 || options.size.x > 32768 || options.size.y > 32768)
+        throw Error(fmt::format("--size {}x{} cannot be drawn, each side must be 1 to 32768 pixels",
                                 options.size.x, options.size.y));
     if (options.image.empty() && options.depth.empty() && options.report.empty() && !options.json)
         throw Error("render writes nothing: give --image, --depth or --report");
@@ -55,31 +54,27 @@ void render(const RenderOptions& options) {
     const ViewSettings settings = view_settings(scene.view);
     Terrain terrain(scene.document.state);
     Renderer renderer(terrain, patch_pixels(context.device()));
+    drape(renderer, scene);
+    const std::vector<Legend> legends = legend_of(settings, *low, *high);
+    const int samples = scene.view.whole("render.samples");
     if (film) {
         const glm::dvec2 middle(grid.width_m() / 2, grid.height_m() / 2);
         const std::vector<Camera> way =
             options.keys.empty() ? turn_around(camera, middle, options.turntable)
                                  : fly_along(read_keys(options.keys, camera.fov_deg), options.frames);
         for (std::size_t i = 0; i < way.size(); ++i) {
-            renderer.draw(terrain, way[i], settings, options.size.x, options.size.y);
-            draw_legend_into(renderer.framebuffer(), options.size.x, options.size.y,
-                             legend_of(settings, *low, *high));
-            renderer.forget();
-            write_rgb(numbered(options.image, i), options.size.x, options.size.y,
-                      renderer.read_rgb(options.size.x, options.size.y));
+            const Still still =
+                draw_still(renderer, terrain, way[i], settings, legends, options.size, samples);
+            write_rgb(numbered(options.image, i), options.size.x, options.size.y, still.rgb);
         }
         return;
     }
     const double cpu_start = process_cpu_s();
-    renderer.draw(terrain, camera, settings, options.size.x, options.size.y);
-    const std::vector<float> depth = renderer.read_depth(options.size.x, options.size.y);
+    const Still still = draw_still(renderer, terrain, camera, settings, legends, options.size,
+                                   options.image.empty() ? 1 : samples);
     const double cpu_s = process_cpu_s() - cpu_start;
-    if (!options.image.empty()) {
-        draw_legend_into(renderer.framebuffer(), options.size.x, options.size.y,
-                         legend_of(settings, *low, *high));
-        write_rgb(options.image, options.size.x, options.size.y,
-                  renderer.read_rgb(options.size.x, options.size.y));
-    }
+    const std::vector<float>& depth = still.depth_m;
+    if (!options.image.empty()) write_rgb(options.image, options.size.x, options.size.y, still.rgb);
     if (!options.depth.empty()) write_depth(options.depth, options.size.x, options.size.y, depth);
     if (options.report.empty() && !options.json) return;
     nlohmann::ordered_json report;

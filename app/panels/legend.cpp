@@ -103,20 +103,23 @@ void draw_legend(const std::vector<Legend>& legends, int width, int height) {
     }
 }
 
-void draw_legend_into(const gpu::Framebuffer& framebuffer, int width, int height,
-                      const std::vector<Legend>& legends) {
+void draw_legend_into(const gpu::Framebuffer& framebuffer, glm::ivec2 size, glm::ivec2 corner,
+                      glm::ivec2 tile, const std::vector<Legend>& legends) {
     if (legends.empty()) return;
+    const auto pair = [](glm::ivec2 v) { return ImVec2(static_cast<float>(v.x), static_cast<float>(v.y)); };
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
-    ImGui::GetIO().DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+    ImGui::GetIO().DisplaySize = pair(size);
     ImGui::GetIO().DeltaTime = 1;
     load_font(15);
     ImGui_ImplOpenGL3_Init("#version 450 core");
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
-    draw_legend(legends, width, height);
+    draw_legend(legends, size.x, size.y);
     ImGui::Render();
-    framebuffer.bind({0, 0, width, height});
+    framebuffer.bind({0, 0, tile.x, tile.y});
+    ImGui::GetDrawData()->DisplayPos = pair(corner);
+    ImGui::GetDrawData()->DisplaySize = pair(tile);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext();

@@ -27,6 +27,8 @@ void draw_menu(Session& session, FileDialog& dialog, PanelRequests& requests) {
     }
     if (ImGui::BeginMenu("View")) {
         if (ImGui::MenuItem("Whole terrain", "F")) requests.framing = true;
+        if (ImGui::MenuItem("Save a picture", "F12")) requests.picture = true;
+        ImGui::Separator();
         for (const std::string& name : view_names())
             if (ImGui::MenuItem(name.c_str(), nullptr, session.view().choice("render.view") == name))
                 session.set("render.view", name);

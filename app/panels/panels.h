@@ -18,6 +18,7 @@ struct PanelRequests {
     bool redo = false;
     bool quit = false;
     bool framing = false;
+    bool picture = false;                             ///< saved as a file
     std::vector<std::function<void(Session&)>> acts;  ///< may throw; done after the panels
 };
 

@@ -70,9 +70,32 @@ void fly(Camera& camera, double ahead_m, double right_m, double up_m) {
     camera.target += move;
 }
 
+void walk(Camera& camera, double ahead_m, double right_m) {
+    const glm::dvec3 right = glm::normalize(camera_rays(camera, 1, 1).right);
+    const glm::dvec3 move = glm::cross(glm::dvec3(0, 0, 1), right) * ahead_m + right * right_m;
+    camera.eye += move;
+    camera.target += move;
+}
+
+void stand(Camera& camera, double height_m, double lowest_m, double passed_s) {
+    const double share = 1 - std::exp(-passed_s / 0.1);
+    double rise = (height_m - camera.eye.z) * share;
+    // What no eye could see is the way done, so that a camera at rest stays the same to the bit.
+    if (std::abs(height_m - camera.eye.z) < 1e-3) rise = height_m - camera.eye.z;
+    camera.eye.z += rise;
+    camera.target.z += rise;
+    keep_above(camera, lowest_m);
+}
+
+void keep_above(Camera& camera, double lowest_m) {
+    const double rise = std::max(0.0, lowest_m - camera.eye.z);
+    camera.eye.z += rise;
+    camera.target.z += rise;
+}
+
 glm::dvec3 pixel_direction(const Camera& camera, double x, double y, int width, int height) {
     const CameraRays rays = camera_rays(camera, width, height);
-    return glm::normalize(rays.forward + rays.right * (2 * x / width - 1) + rays.up * (1 - 2 * y / height));
+    return glm::normalize(rays.middle + rays.right * (2 * x / width - 1) + rays.up * (1 - 2 * y / height));
 }
 
 }  // namespace talus

@@ -14,6 +14,14 @@ void zoom(Camera& camera, glm::dvec3 towards, double steps);
 /// Flies: metres ahead, to the right and up.
 void fly(Camera& camera, double ahead_m, double right_m, double up_m);
 
+/// Walks over level metres ahead and to the right, wherever the camera looks up or down.
+void walk(Camera& camera, double ahead_m, double right_m);
+/// Brings the eye towards a height, as fast as a person's legs even out the ground: most of the way within
+/// 0.2 s, and never lower than `lowest_m`.
+void stand(Camera& camera, double height_m, double lowest_m, double passed_s);
+/// Lifts eye and target together so that the eye is no lower.
+void keep_above(Camera& camera, double lowest_m);
+
 /// The direction of the ray through a pixel (x right, y down from the upper left), unit length.
 glm::dvec3 pixel_direction(const Camera& camera, double x, double y, int width, int height);
 

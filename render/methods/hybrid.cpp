@@ -67,7 +67,7 @@ void choose_cells(Hybrid& hybrid, const CellRectangle& cells) {
 void draw(Hybrid& hybrid, const Frame& frame) {
     const Grid& grid = frame.terrain.grid();
     const int level = std::min(finest_cell_level, frame.pyramid.top_level());
-    const double pixel_m = 2 * std::tan(frame.camera.fov_deg * std::numbers::pi / 360) / frame.height;
+    const double pixel_m = pixel_at_one_metre(frame.camera, frame.height);
     // A patch seen straight on covers the pixels that the mesh must have at this distance; on slopes up to
     // twice as many.
     const bool meshed = frame.tolerance_px >= mesh_error_px;

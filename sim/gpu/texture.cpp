@@ -27,6 +27,8 @@ Layout layout_of(Format format) {
             return {GL_RG32F, GL_RG, GL_FLOAT, 8};
         case Format::rgba8:
             return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
+        case Format::srgb8:
+            return {GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
         case Format::rgba32f:
             return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
         case Format::depth32f:
@@ -34,6 +36,8 @@ Layout layout_of(Format format) {
     }
     throw Error("a texture has no such format");
 }
+
+constexpr float anisotropy = 8;
 
 // Offsets into a bound pixel buffer travel as pointers in OpenGL's interface.
 void* as_offset(std::size_t offset) {
@@ -64,6 +68,24 @@ Texture::Texture(const std::string& label, Format format, int width, int height,
     glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     raise_errors();
+}
+
+void Texture::filter(Wrap wrap) {
+    glGenerateTextureMipmap(handle_);
+    const GLint beyond = wrap == Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+    glTextureParameteri(handle_, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTextureParameteri(handle_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTextureParameteri(handle_, GL_TEXTURE_WRAP_S, beyond);
+    glTextureParameteri(handle_, GL_TEXTURE_WRAP_T, beyond);
+    if (filters_along()) glTextureParameterf(handle_, GL_TEXTURE_MAX_ANISOTROPY_EXT, anisotropy);
+    raise_errors();
+}
+
+bool filters_along() {
+    // llvmpipe has it, and takes seconds for a picture (docs/benchmarks.md).
+    const std::string_view renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    return epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") &&
+           renderer.find("llvmpipe") == std::string_view::npos;
 }
 
 void Texture::fill(float value) {

@@ -14,7 +14,10 @@ namespace talus::gpu {
 void delete_texture(unsigned name);
 void delete_framebuffer(unsigned name);
 
-enum class Format { r32f, rg32f, rgba8, rgba32f, depth32f };
+/// srgb8: three channels of a picture for screens and one unused; shaders read them linear.
+enum class Format { r32f, rg32f, rgba8, srgb8, rgba32f, depth32f };
+/// What a texture shows beyond its edge: the edge, or itself again.
+enum class Wrap { edge, repeat };
 enum class Access { read, write, read_write };
 
 /// Bytes of one texel.
@@ -63,6 +66,8 @@ class Texture {
         return texels;
     }
 
+    /// Makes the smaller levels from the first one, and reads smooth between texels and levels from then on.
+    void filter(Wrap wrap);
     void bind_sampled(unsigned unit) const;
     void bind_image(unsigned unit, Access access, int level = 0) const;
 
@@ -73,6 +78,9 @@ class Texture {
     int height_ = 0;
     int levels_ = 0;
 };
+
+/// Whether filtered textures are read finer across than along where a pixel is drawn out on the surface.
+bool filters_along();
 
 /// Textures of one size to draw into, in the order of the fragment shader's outputs; with a depth32f texture,
 /// draws of triangles keep the nearest.

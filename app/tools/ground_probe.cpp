@@ -1,0 +1,57 @@
+#include "app/tools/ground_probe.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace talus {
+namespace {
+
+constexpr int side = 48;    // samples that are read
+constexpr int margin = 12;  // of them, beyond which they are read anew
+
+}  // namespace
+
+void GroundProbe::forget() {
+    samples_.clear();
+}
+
+void GroundProbe::follow(const Terrain& terrain, glm::dvec2 place_m) {
+    if (auto samples = readback_.poll()) {
+        samples_ = std::move(*samples);
+        here_ = asked_;
+        changes_ = asked_changes_;
+    }
+    const Grid& grid = terrain.grid();
+    const int column = static_cast<int>(std::clamp(grid.column_of(place_m.x), 0.0, grid.nx - 1.0));
+    const int row = static_cast<int>(std::clamp(grid.row_of(place_m.y), 0.0, grid.ny - 1.0));
+    const int width = std::min(side, grid.nx);
+    const int height = std::min(side, grid.ny);
+    const gpu::Region wanted{std::clamp(column - width / 2, 0, grid.nx - width),
+                             std::clamp(row - height / 2, 0, grid.ny - height), width, height};
+    const bool near_edge = std::abs(wanted.x - here_.x) > width / 2 - margin ||
+                           std::abs(wanted.y - here_.y) > height / 2 - margin;
+    if (readback_.pending() || (!samples_.empty() && !near_edge && changes_ == terrain.tiles.changes()))
+        return;
+    readback_.start(terrain.ground, wanted);
+    asked_ = wanted;
+    asked_changes_ = terrain.tiles.changes();
+}
+
+std::optional<double> GroundProbe::height_m(const Grid& grid, glm::dvec2 place_m) const {
+    const double column = grid.column_of(place_m.x);
+    const double row = grid.row_of(place_m.y);
+    const bool beside = column < 0 || row < 0 || column > grid.nx - 1 || row > grid.ny - 1;
+    if (samples_.empty() || beside) return std::nullopt;
+    const double u = column - here_.x;
+    const double v = row - here_.y;
+    if (u < 0 || v < 0 || u > here_.width - 1 || v > here_.height - 1) return std::nullopt;
+    const int x = std::min(static_cast<int>(u), here_.width - 2);
+    const int y = std::min(static_cast<int>(v), here_.height - 2);
+    const auto at = [&](int i, int j) {
+        return static_cast<double>(samples_[static_cast<std::size_t>(y + j) * here_.width + x + i]);
+    };
+    return std::lerp(std::lerp(at(0, 0), at(1, 0), u - x), std::lerp(at(0, 1), at(1, 1), u - x), v - y);
+}
+
+}  // namespace talus

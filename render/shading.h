@@ -1,0 +1,36 @@
+#pragma once
+#include <map>
+#include <span>
+#include <string>
+
+#include "render/pyramid.h"
+#include "render/redraw.h"
+#include "render/sky_view.h"
+#include "render/view.h"
+#include "sim/gpu/texture.h"
+
+namespace talus {
+
+/// Colours the hits of a picture: one program for each view and what it looks at, made when first used.
+class Shading {
+  public:
+    Shading();
+
+    /// An image over the whole terrain instead of its materials: rows of RGBA bytes, north first, its edges
+    /// on the outer samples; alpha is not used. An empty image takes it away.
+    void drape(int width, int height, std::span<const std::byte> rgba);
+
+    /// Draws all of the picture, or the blocks of a redraw where one is given.
+    void draw(const Terrain& terrain, const Pyramid& pyramid, const SkyView& sky, const Camera& camera,
+              const ViewSettings& settings, int width, int height, const gpu::Texture& hits,
+              const gpu::Framebuffer& target, const Redraw* redraw);
+
+  private:
+    gpu::Program& program_of(const ViewSettings& settings, bool blocks);
+
+    std::map<std::string, gpu::Program> programs_;
+    gpu::Texture grain_;
+    gpu::Texture drape_;
+};
+
+}  // namespace talus

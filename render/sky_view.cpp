@@ -1,0 +1,26 @@
+#include "render/sky_view.h"
+
+namespace talus {
+
+SkyView::SkyView(const Terrain& terrain)
+    : program_("render/sky_view.comp"),
+      share_("sky share", gpu::Format::r32f, (terrain.grid().nx + 2) / 4, (terrain.grid().ny + 2) / 4),
+      dirty_(terrain.tiles.count()) {
+    share_.fill(1);
+}
+
+void SkyView::refresh(Terrain& terrain, const Pyramid& pyramid) {
+    // A square looks at cells that end less than a tile away.
+    terrain.tiles.take(Tiles::sky, -1, 1, 1, dirty_);
+    pyramid.bind(program_, terrain);
+    pyramid.lowest.bind_sampled(2);
+    share_.bind_image(0, gpu::Access::write);
+    dirty_.buffer.bind_storage(1);
+    program_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
+    program_.set("squares", glm::ivec2(share_.width(), share_.height()));
+    program_.set("patches", glm::ivec2(terrain.grid().nx - 1, terrain.grid().ny - 1));
+    program_.set("cell_m", glm::vec2(terrain.grid().dx, terrain.grid().dy));
+    program_.dispatch_indirect(dirty_.buffer);
+}
+
+}  // namespace talus

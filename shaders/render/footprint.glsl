@@ -1,0 +1,30 @@
+// How far a pixel reaches on the ground: where the rays of the pixels to its right and above meet the ground's tangent
+// plane (Dick, Krueger & Westermann 2009, section 3.4), for textures that are filtered along and across the view alike.
+struct Footprint {
+    vec2 right;  // in columns and rows
+    vec2 up;
+};
+
+// way: the pixel's ray before normalisation; normal: of the ground, east, north, up.
+Footprint footprint_of(vec3 way, vec3 normal, float distance_m) {
+    float length_m = length(way);
+    vec3 ray = way / length_m;
+    // What a flat angle draws out without end is faded anyway.
+    float facing = min(dot(ray, normal), -0.02);
+    vec3 step_right = ray_right * (2.0 / (picture_size.x * length_m));
+    vec3 step_up = ray_up * (2.0 / (picture_size.y * length_m));
+    step_right = distance_m * (step_right - ray * (dot(step_right, normal) / facing));
+    step_up = distance_m * (step_up - ray * (dot(step_up, normal) / facing));
+    Footprint footprint;
+    footprint.right = vec2(step_right.x, -step_right.y) * cells_per_m;
+    footprint.up = vec2(step_up.x, -step_up.y) * cells_per_m;
+#ifdef FILTERS_ROUND
+    // A device that filters as wide across as along does best with a width between both.
+    float right = length(footprint.right);
+    float up = length(footprint.up);
+    float most = 2.0 * min(right, up);
+    footprint.right *= min(1.0, most / max(right, 1e-20));
+    footprint.up *= min(1.0, most / max(up, 1e-20));
+#endif
+    return footprint;
+}

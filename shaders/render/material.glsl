@@ -1,0 +1,55 @@
+// What the ground is made of: meadow, forest, heath, rock, scree and snow by height, steepness, curvature and loose cover;
+// or an image draped over it. Albedo, linear. The including side has footprint.glsl.
+layout(binding = 6) uniform sampler2D grain;  // render/grain.h: broad, middle, fine, finest
+layout(binding = 7) uniform sampler2D drape;
+
+// The grain over absolute columns and rows: one texture at two scales, turned against each other, so that it does not repeat
+// before the eye.
+vec4 grain_at(vec2 place, Footprint footprint) {
+    const float near = 1.0 / 160.0;
+    const mat2 turned = mat2(0.8, 0.6, -0.6, 0.8) * (1.0 / 1130.0);
+    vec4 close = textureGrad(grain, place * near, footprint.right * near, footprint.up * near);
+    vec4 wide = textureGrad(grain, turned * place, turned * footprint.right, turned * footprint.up);
+    // For ground before the feet; far away it is even.
+    const float nearest = 1.0 / 11.0;
+    vec4 detail = textureGrad(grain, place * nearest, footprint.right * nearest, footprint.up * nearest);
+    return vec4(0.5 * (close.x + wide.y), 0.5 * (close.y + wide.w), 0.5 * (close.z + detail.y), 0.5 * (close.w + detail.z));
+}
+
+vec3 draped(vec2 place, Footprint footprint) {
+    // Its edges lie on the outer samples.
+    vec2 scale = 1.0 / vec2(patches);
+    return textureGrad(drape, place * scale, footprint.right * scale, footprint.up * scale).rgb;
+}
+
+float regolith_at(vec2 place) {
+    ivec2 cell = clamp(ivec2(floor(place)), ivec2(0), patches - 1);
+    vec2 w = clamp(place - vec2(cell), 0.0, 1.0);
+    float a = mix(texelFetch(solid, cell, 0).b, texelFetch(solid, cell + ivec2(1, 0), 0).b, w.x);
+    float b = mix(texelFetch(solid, cell + ivec2(0, 1), 0).b, texelFetch(solid, cell + 1, 0).b, w.x);
+    return mix(a, b, w.y);
+}
+
+// place: absolute columns and rows; share: of the terrain's relief that lies below.
+vec3 material(vec2 place, Footprint footprint, float share, float height_m, Relief relief) {
+    vec4 noise = grain_at(place, footprint);
+    float broad = noise.x;
+    float grain = 0.45 * noise.y + 0.55 * noise.z;
+    float steep = length(relief.gradient);
+    // Hollows gather soil and snow, ridges are blown bare.
+    float hollow = clamp(3.0 * relief.hollow, -1.0, 1.0);
+    float level = share + 0.10 * (broad - 0.5) + 0.04 * (grain - 0.5);
+    vec3 forest = mix(vec3(0.045, 0.068, 0.026), vec3(0.070, 0.092, 0.034), grain);
+    vec3 meadow = mix(vec3(0.082, 0.105, 0.038), vec3(0.120, 0.128, 0.055), grain);
+    vec3 heath = mix(vec3(0.155, 0.130, 0.075), vec3(0.190, 0.165, 0.105), grain);
+    vec3 rock = mix(vec3(0.120, 0.108, 0.098), vec3(0.235, 0.222, 0.208), 0.35 * broad + 0.65 * grain);
+    vec3 scree = mix(vec3(0.240, 0.215, 0.180), vec3(0.330, 0.300, 0.260), grain);
+    vec3 cover = mix(meadow, forest, 0.6 * smoothstep(0.35, 0.65, broad + 0.25 * (grain - 0.5) + 0.12 * hollow) * (1.0 - smoothstep(0.30, 0.42, level)));
+    cover = mix(cover, heath, smoothstep(0.34, 0.52, level - 0.05 * hollow));
+    vec3 colour = mix(cover, rock, smoothstep(0.46, 0.80, steep + 0.45 * (level - 0.45) + 0.12 * (grain - 0.5) - 0.14 * hollow));
+    colour = mix(colour, scree, 0.85 * (1.0 - exp(-max(regolith_at(place), 0.0) / 2.5)));
+    float facing_north = normalize(vec3(-relief.gradient, 1.0)).y;
+    float snow = smoothstep(1250.0, 1450.0, height_m) * smoothstep(0.58, 0.70, level + 0.06 * facing_north + 0.05 * hollow) *
+                 (1.0 - smoothstep(0.62, 1.05, steep - 0.12 * hollow));
+    return mix(colour, vec3(0.80, 0.83, 0.88), snow) * (0.55 + 0.9 * noise.w);
+}

@@ -1,0 +1,8 @@
+// The colour of the sky in a direction (east, north, up), linear; `sun` is the unit vector towards the sun.
+vec3 sky(vec3 direction) {
+    float up = max(direction.z, 0.0);
+    vec3 colour = mix(vec3(0.80, 0.87, 0.94), vec3(0.28, 0.49, 0.79), 1.0 - exp(-3.5 * up));
+    float near_sun = max(dot(direction, sun), 0.0);
+    colour += vec3(1.0, 0.85, 0.6) * (0.12 * pow(near_sun, 8.0) + 0.6 * pow(near_sun, 900.0));
+    return direction.z < 0.0 ? mix(colour, vec3(0.62, 0.69, 0.76), min(-direction.z * 6.0, 1.0)) : colour;
+}
