@@ -280,7 +280,7 @@ class Window {
         if (!ground_m) return;
         const double eye_m = session_.view().number("camera.eye_height_m");
         if (walking)
-            stand(camera, *ground_m + eye_m, *ground_m + 0.5 * eye_m, passed_s);
+            stand(camera, *ground_m + eye_m, *ground_m + 0.2 * eye_m, passed_s);
         else
             keep_above(camera, *ground_m + 0.02 * std::min(grid.dx, grid.dy));
     }

@@ -19,7 +19,8 @@ vec4 grain_at(vec2 place, Footprint footprint) {
 vec3 draped(vec2 place, Footprint footprint) {
     // Its edges lie on the outer samples.
     vec2 scale = 1.0 / vec2(patches);
-    return textureGrad(drape, place * scale, footprint.right * scale, footprint.up * scale).rgb;
+    // As bright under a middling sun as on paper.
+    return 0.45 * textureGrad(drape, place * scale, footprint.right * scale, footprint.up * scale).rgb;
 }
 
 float regolith_at(vec2 place) {

@@ -1,0 +1,180 @@
+// Walking over ground that is read a frame late, and pictures of parts of a view.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/still.h"
+#include "app/tools/camera_control.h"
+#include "app/tools/ground_probe.h"
+#include "sim/gpu/context.h"
+#include "sim/terrain/generate.h"
+
+namespace talus {
+namespace {
+
+const Grid grid{300, 260, 10, 10};
+
+double bilinear(const std::vector<float>& heights, glm::dvec2 place) {
+    const double column = grid.column_of(place.x);
+    const double row = grid.row_of(place.y);
+    const int x = static_cast<int>(column);
+    const int y = static_cast<int>(row);
+    const auto at = [&](int i, int j) {
+        return static_cast<double>(heights[static_cast<std::size_t>(y + j) * grid.nx + x + i]);
+    };
+    return std::lerp(std::lerp(at(0, 0), at(1, 0), column - x), std::lerp(at(0, 1), at(1, 1), column - x),
+                     row - y);
+}
+
+// A walk of 20 s over hills at 60 frames a second.
+TEST(Walking, FollowsTheGroundWithoutJitter) {
+    const gpu::Context context;
+    const std::vector<float> heights = generate_heights(grid, {"hills", 3, 300});
+    Terrain terrain(bedrock_terrain(grid, heights));
+    GroundProbe probe;
+    Camera camera{{700, 700, 0}, {900, 950, 40}, 60};
+    const glm::dvec3 way = camera.target - camera.eye;
+    probe.follow(terrain, camera.eye);
+    while (!probe.height_m(grid, camera.eye)) probe.follow(terrain, camera.eye);
+    constexpr double passed_s = 1.0 / 60;
+    constexpr double eye_m = 1.8;
+    constexpr double speed = 10;
+    camera.eye.z = *probe.height_m(grid, camera.eye) + eye_m;
+    camera.target = camera.eye + way;
+    double before = camera.eye.z;
+    double rise_before = 0;
+    double ground_before = 0;
+    double ground_rise_before = 0;
+    double ground_jerk = 0;
+    double largest_jerk = 0;
+    double largest_off = 0;
+    for (int frame = 0; frame < 1200; ++frame) {
+        walk(camera, speed * passed_s, 0);
+        probe.follow(terrain, camera.eye);
+        const std::optional<double> ground = probe.height_m(grid, camera.eye);
+        ASSERT_TRUE(ground) << "frame " << frame;
+        ASSERT_NEAR(*ground, bilinear(heights, camera.eye), 1e-6) << "frame " << frame;
+        stand(camera, *ground + eye_m, *ground + 0.2 * eye_m, passed_s);
+        largest_off = std::max(largest_off, std::abs(camera.eye.z - *ground - eye_m));
+        EXPECT_GE(camera.eye.z, *ground + 0.2 * eye_m - 1e-9);
+        const double rise = (camera.eye.z - before) / passed_s;
+        const double ground_rise = (*ground - ground_before) / passed_s;
+        if (frame > 1) {
+            largest_jerk = std::max(largest_jerk, std::abs(rise - rise_before));
+            ground_jerk = std::max(ground_jerk, std::abs(ground_rise - ground_rise_before));
+        }
+        rise_before = rise;
+        ground_rise_before = ground_rise;
+        ground_before = *ground;
+        before = camera.eye.z;
+    }
+    // Where the ground bends from patch to patch, the eye's rise may change by a sixth of the ground's in a
+    // frame.
+    std::printf(
+        "largest change of the rise between frames %.2f m/s, of the ground's %.2f; largest distance from eye "
+        "height %.2f m\n",
+        largest_jerk, ground_jerk, largest_off);
+    EXPECT_GT(ground_jerk, 1);
+    EXPECT_LT(largest_jerk, 0.17 * ground_jerk);
+    // It comes to rest, to the bit.
+    for (int frame = 0; frame < 200; ++frame) {
+        const std::optional<double> ground = probe.height_m(grid, camera.eye);
+        stand(camera, *ground + eye_m, *ground + 0.5 * eye_m, passed_s);
+    }
+    const Camera at_rest = camera;
+    stand(camera, *probe.height_m(grid, camera.eye) + eye_m, 0, passed_s);
+    EXPECT_EQ(camera, at_rest);
+}
+
+TEST(Walking, KeepsOutOfTheGroundAndOnItsTargetsSide) {
+    Camera camera{{0, 0, 10}, {100, 0, 10}, 50};
+    keep_above(camera, 25);
+    EXPECT_EQ(camera.eye.z, 25);
+    EXPECT_EQ(camera.target.z, 25);
+    keep_above(camera, 3);
+    EXPECT_EQ(camera.eye.z, 25);
+}
+
+TEST(GroundProbe, SeesChangesAndNothingBesideTheTerrain) {
+    const gpu::Context context;
+    Terrain terrain(bedrock_terrain(grid, std::vector<float>(grid.count(), 5.0F)));
+    GroundProbe probe;
+    const auto wait = [&](glm::dvec2 place, double wanted) {
+        for (int i = 0; i < 1000 && probe.height_m(grid, place) != wanted; ++i) probe.follow(terrain, place);
+        return probe.height_m(grid, place);
+    };
+    EXPECT_EQ(wait({800, 900}, 5.0), 5.0);
+    EXPECT_FALSE(probe.height_m(grid, {-1, 900}));
+    EXPECT_FALSE(probe.height_m(grid, {2500, 2000}));
+    EXPECT_EQ(wait({2990, 2590}, 5.0), 5.0);
+    const std::vector<glm::vec4> raised(grid.count(), glm::vec4(9, 0, 0, 0));
+    terrain.solid.back.write(terrain.solid.back.whole(), std::as_bytes(std::span(raised)));
+    terrain.solid.front.write(terrain.solid.front.whole(), std::as_bytes(std::span(raised)));
+    terrain.refresh({0, 0, grid.nx, grid.ny});
+    EXPECT_EQ(wait({2990, 2590}, 9.0), 9.0);
+}
+
+// Tiles of a picture larger than one are the picture.
+TEST(Still, IsTheSameInTiles) {
+    const gpu::Context context;
+    Terrain terrain(bedrock_terrain(grid, generate_heights(grid, {"mountains", 3, 800})));
+    Renderer renderer(terrain, 32);
+    const Camera camera = overview(grid, 0, 800);
+    const glm::ivec2 size(2500, 90);
+    for (const char* method : {"exact", "mesh", "hybrid"}) {
+        ViewSettings settings;
+        settings.method = method;
+        settings.view = View::slope;
+        renderer.forget();
+        renderer.draw(terrain, camera, settings, size.x, size.y);
+        const std::vector<std::uint8_t> whole = renderer.read_rgb(size.x, size.y);
+        const std::vector<float> depth = renderer.read_depth(size.x, size.y);
+        const Still still = draw_still(renderer, terrain, camera, settings, {}, size, 1);
+        ASSERT_EQ(still.rgb.size(), whole.size());
+        std::size_t far_off = 0;
+        std::size_t hits = 0;
+        for (std::size_t i = 0; i < depth.size(); ++i) {
+            hits += std::isfinite(depth[i]) ? 1 : 0;
+            // Rays of a tile are rounded otherwise: a crest may be missed by a hair.
+            far_off += std::isfinite(depth[i]) != std::isfinite(still.depth_m[i]) ||
+                               std::abs(depth[i] - still.depth_m[i]) > 1e-4F * depth[i]
+                           ? 1
+                           : 0;
+        }
+        std::printf("%s: %zu of %zu pixels differ\n", method, far_off, hits);
+        EXPECT_GT(hits, 5000U);
+        EXPECT_LT(far_off, hits / 1000);
+    }
+}
+
+// Straight down, each quarter of the terrain has its quarter of the image.
+TEST(Drape, LiesOverTheTerrainNorthUp) {
+    const gpu::Context context;
+    const Grid square{129, 129, 10, 10};
+    Terrain terrain(bedrock_terrain(square, std::vector<float>(square.count(), 0.0F)));
+    Renderer renderer(terrain, 32);
+    const std::vector<std::uint8_t> image = {255, 0, 0,   255, 0,   255, 0,   255,
+                                             0,   0, 255, 255, 255, 255, 255, 255};
+    renderer.drape(2, 2, std::as_bytes(std::span(image)));
+    const glm::dvec3 eye(640, 640, 1500);
+    renderer.draw(terrain, {eye, eye - glm::dvec3(0, 0, 1), 40}, {}, 100, 100);
+    const std::vector<std::uint8_t> rgb = renderer.read_rgb(100, 100);
+    const auto at = [&](int x, int y) {
+        const std::size_t i = 3 * (static_cast<std::size_t>(y) * 100 + x);
+        return glm::ivec3(rgb[i], rgb[i + 1], rgb[i + 2]);
+    };
+    const glm::ivec3 north_west = at(25, 25);
+    const glm::ivec3 north_east = at(75, 25);
+    const glm::ivec3 south_west = at(25, 75);
+    const glm::ivec3 south_east = at(75, 75);
+    EXPECT_GT(2 * north_west.r, 3 * north_west.g);
+    EXPECT_GT(2 * north_east.g, 3 * north_east.r);
+    EXPECT_GT(2 * south_west.b, 3 * south_west.r);
+    EXPECT_GT(std::min({south_east.r, south_east.g, south_east.b}), 120);
+    renderer.drape(0, 0, {});
+    renderer.draw(terrain, {eye, eye - glm::dvec3(0, 0, 1), 40}, {}, 100, 100);
+    EXPECT_NE(renderer.read_rgb(100, 100), rgb);
+}
+
+}  // namespace
+}  // namespace talus
