@@ -73,14 +73,25 @@ class Window {
         });
         glfwSetWindowUserPointer(window_, this);
         glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
-            if (count > 0) static_cast<Window*>(glfwGetWindowUserPointer(w))->requests_.open = paths[0];
+            if (count > 0) self(w)->requests_.open = paths[0];
+            self(w)->wake();
         });
         glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) {
-            static_cast<Window*>(glfwGetWindowUserPointer(w))->wheel_ += y;
+            self(w)->wheel_ += y;
+            self(w)->wake();
         });
         glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
-            if (action != GLFW_RELEASE) static_cast<Window*>(glfwGetWindowUserPointer(w))->key(key, mods);
+            self(w)->wake();
+            if (action != GLFW_RELEASE) self(w)->key(key, mods);
         });
+        // Whatever a person does wakes the window.
+        glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { self(w)->wake(); });
+        glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { self(w)->wake(); });
+        glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { self(w)->wake(); });
+        glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { self(w)->wake(); });
+        glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { self(w)->wake(); });
+        glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { self(w)->wake(); });
+        glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { self(w)->wake(); });
         ImGui::CreateContext();
         ImGui::GetIO().IniFilename = nullptr;
         ImGui::StyleColorsDark();
@@ -104,7 +115,6 @@ class Window {
     void loop() {
         last_s_ = glfwGetTime();
         while (!glfwWindowShouldClose(window_)) {
-            // At rest nothing is drawn and nothing presented: the window waits.
             if (busy())
                 glfwPollEvents();
             else
@@ -113,13 +123,19 @@ class Window {
                 session_.renderer().forget();
                 wake();
             }
-            frame();
+            if (!message_.empty() && glfwGetTime() >= message_until_s_) {
+                message_.clear();
+                wake();
+            }
+            // At rest nothing is drawn and nothing presented.
+            if (busy()) frame();
         }
         session_.pause();
         if (!journal_path_.empty()) session_.write_journal_to(journal_path_);
     }
 
   private:
+    static Window* self(GLFWwindow* window) { return static_cast<Window*>(glfwGetWindowUserPointer(window)); }
     bool busy() const {
         return session_.playing || session_.stroking() || frames_left_ > 0 || moving_s_ > 0 ||
                cursor_readback_.pending() || ground_.pending() || refining_;
@@ -273,8 +289,13 @@ class Window {
     // Walking stands on the ground; else the eye stays out of it, where collision is on.
     void meet_ground(Camera& camera, bool walking, double passed_s) {
         const bool collides = session_.view().toggle("camera.collision");
+        if (!walking) walking_ = false;
         if (!walking && !collides) return;
         const Grid& grid = session_.grid();
+        // Who begins to walk looks ahead.
+        if (walking && !walking_) look_level(camera);
+        walking_ = walking;
+        if (walking) keep_within(camera, grid);
         ground_.follow(session_.simulation().terrain(), camera.eye);
         const std::optional<double> ground_m = ground_.height_m(grid, camera.eye);
         if (!ground_m) return;
@@ -434,6 +455,7 @@ class Window {
 
     bool refining_ = false;
 
+    bool walking_ = false;
     GroundProbe ground_;
     gpu::Readback cursor_readback_;
     Camera cursor_camera_;

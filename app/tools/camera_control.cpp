@@ -46,6 +46,11 @@ void look(Camera& camera, double drag_x, double drag_y) {
                                         -drag_y * radians_per_pixel);
 }
 
+void look_level(Camera& camera) {
+    const glm::dvec3 way = camera.target - camera.eye;
+    camera.target = camera.eye + turned(way, 0, -std::asin(std::clamp(way.z / glm::length(way), -1.0, 1.0)));
+}
+
 void pan(Camera& camera, double drag_x, double drag_y, double distance_m, int picture_height) {
     const double per_pixel =
         2 * std::tan(camera.fov_deg * std::numbers::pi / 360) * distance_m / picture_height;
@@ -85,6 +90,14 @@ void stand(Camera& camera, double height_m, double lowest_m, double passed_s) {
     camera.eye.z += rise;
     camera.target.z += rise;
     keep_above(camera, lowest_m);
+}
+
+void keep_within(Camera& camera, const Grid& grid) {
+    const glm::dvec2 place(camera.eye);
+    const glm::dvec2 move =
+        glm::clamp(place, glm::dvec2(0), glm::dvec2(grid.width_m(), grid.height_m())) - place;
+    camera.eye += glm::dvec3(move, 0);
+    camera.target += glm::dvec3(move, 0);
 }
 
 void keep_above(Camera& camera, double lowest_m) {

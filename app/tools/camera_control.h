@@ -7,6 +7,8 @@ namespace talus {
 void orbit(Camera& camera, glm::dvec3 pivot, double drag_x, double drag_y);
 /// Turns the camera about its own eye.
 void look(Camera& camera, double drag_x, double drag_y);
+/// Turns the camera up or down until it looks level.
+void look_level(Camera& camera);
 /// Moves eye and target sideways with the ground under the mouse; distance: of that ground.
 void pan(Camera& camera, double drag_x, double drag_y, double distance_m, int picture_height);
 /// Towards or away from a point; steps of the wheel.
@@ -19,6 +21,8 @@ void walk(Camera& camera, double ahead_m, double right_m);
 /// Brings the eye towards a height, as fast as a person's legs even out the ground: most of the way within
 /// 0.2 s, and never lower than `lowest_m`.
 void stand(Camera& camera, double height_m, double lowest_m, double passed_s);
+/// Brings eye and target together over the terrain's rectangle.
+void keep_within(Camera& camera, const Grid& grid);
 /// Lifts eye and target together so that the eye is no lower.
 void keep_above(Camera& camera, double lowest_m);
 

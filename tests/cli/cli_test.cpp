@@ -146,6 +146,28 @@ TEST_F(Program, RendersWithDepthAndViews) {
     EXPECT_GT(fs::file_size(path("d.exr")), 1000U);
 }
 
+TEST_F(Program, RendersLargePicturesAndDrapedOnes) {
+    ASSERT_EQ(talus(small + "--ticks 0 --out a.exr").code, 0);
+    // Wider than a tile.
+    const Outcome wide =
+        talus("render a.exr --size 2100x40 --image w.png --depth w.exr --view slope --set render.samples=2");
+    ASSERT_EQ(wide.code, 0) << wide.output;
+    ASSERT_EQ(talus("render a.exr --size 320x180 --image plain.png").code, 0);
+    ASSERT_EQ(talus("render a.exr --size 320x180 --image again.png").code, 0);
+    ASSERT_EQ(talus("render a.exr --size 320x180 --image draped.png --texture plain.png").code, 0);
+    const auto bytes = [&](const char* name) {
+        std::ifstream file(path(name), std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    EXPECT_EQ(bytes("plain.png"), bytes("again.png"));
+    EXPECT_NE(bytes("plain.png"), bytes("draped.png"));
+    EXPECT_NE(refusal("render a.exr --image x.png --texture missing.jpg").find("missing.jpg"),
+              std::string::npos);
+    EXPECT_NE(refusal("render a.exr --image x.png --texture w.exr").find("w.exr"), std::string::npos);
+    EXPECT_NE(refusal("render a.exr --image x.png --size 40000x10").find("32768"), std::string::npos);
+    EXPECT_FALSE(fs::exists(path("x.png")));
+}
+
 TEST_F(Program, ListsPresetsAndParameters) {
     EXPECT_EQ(json::parse(talus("presets --json").output).size(), 3U);
     EXPECT_GT(json::parse(talus("parameters --json").output).size(), 20U);
