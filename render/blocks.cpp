@@ -13,13 +13,16 @@ glm::ivec2 blocks_of(int width, int height) {
     return (glm::ivec2(width, height) + block_pixels - 1) / block_pixels;
 }
 
+glm::ivec2 large_blocks_of(glm::ivec2 blocks) {
+    return (blocks + large_block - 1) / large_block;
+}
+
 void draw_blocks(gpu::Program& program, const gpu::Framebuffer& target, glm::ivec2 blocks,
                  const BlockList& list, gpu::Depth depth) {
     // A point whose middle lies beside the viewport is not drawn, so the blocks that are cut off are in it
     // whole.
-    const glm::ivec2 large_blocks = (blocks + large_block - 1) / large_block;
-    target.bind(
-        {0, 0, large_blocks.x * large_block * block_pixels, large_blocks.y * large_block * block_pixels});
+    const glm::ivec2 size = large_blocks_of(blocks) * (large_block * block_pixels);
+    target.bind({0, 0, size.x, size.y});
     program.set("blocks", blocks);
     program.set("first_word", static_cast<int>(list.numbers));
     list.words.bind_storage(6);

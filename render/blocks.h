@@ -9,6 +9,9 @@ namespace talus {
 /// Blocks of a picture in a row and in a column: squares of 32 x 32 pixels, the last ones cut off.
 glm::ivec2 blocks_of(int width, int height);
 
+/// Squares of 4 x 4 blocks, which a list may name at once.
+glm::ivec2 large_blocks_of(glm::ivec2 blocks);
+
 /// A list on the device of blocks to draw: the four words of an indirect draw, the first of them how many,
 /// and their numbers; shaders/render/block_pixels.glsl says how squares of 4 x 4 blocks count as one.
 struct BlockList {

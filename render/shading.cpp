@@ -1,13 +1,21 @@
 #include "render/shading.h"
 
 #include <algorithm>
-#include <numbers>
+#include <array>
 
+#include "render/blocks.h"
 #include "render/grain.h"
 
 namespace talus {
 
-Shading::Shading() : grain_(grain_texture()) {}
+namespace {
+
+// As in shaders/render/shade_list.comp: two indirect draws.
+constexpr std::size_t head_words = 8;
+
+}  // namespace
+
+Shading::Shading() : list_("render/shade_list.comp"), grain_(grain_texture()) {}
 
 void Shading::drape(int width, int height, std::span<const std::byte> rgba) {
     drape_ = gpu::Texture();
@@ -19,21 +27,23 @@ void Shading::drape(int width, int height, std::span<const std::byte> rgba) {
     drape_.filter(gpu::Wrap::edge);
 }
 
-gpu::Program& Shading::program_of(const ViewSettings& settings, bool blocks) {
+gpu::Program& Shading::program_of(const ViewSettings& settings, bool sky) {
     std::vector<std::string> defines = {"VIEW " + std::to_string(static_cast<int>(settings.view))};
-    if (settings.view == View::shaded) {
+    if (sky) {
+        defines.emplace_back("SKY");
+    } else if (settings.view == View::shaded) {
         if (!gpu::filters_along()) defines.emplace_back("FILTERS_ROUND");
         if (settings.shadows) defines.emplace_back("SHADOWS");
         if (settings.occlusion) defines.emplace_back("OCCLUSION");
         if (drape_.width() > 0) defines.emplace_back("DRAPED");
     }
-    std::string key = blocks ? "blocks" : "picture";
-    for (const std::string& define : defines) key += " " + define;
+    std::string key;
+    for (const std::string& define : defines) key += define + " ";
     const auto found = programs_.find(key);
     if (found != programs_.end()) return found->second;
-    const char* vertex = blocks ? "render/block.vert" : "render/fullscreen.vert";
     return programs_
-        .emplace(key, gpu::Program(std::vector<std::string>{vertex, "render/shade.frag"}, defines))
+        .emplace(key,
+                 gpu::Program(std::vector<std::string>{"render/block.vert", "render/shade.frag"}, defines))
         .first->second;
 }
 
@@ -41,9 +51,34 @@ void Shading::draw(const Terrain& terrain, const Pyramid& pyramid, const SkyView
                    const ViewSettings& settings, int width, int height, const gpu::Texture& hits,
                    const gpu::Framebuffer& target, const Redraw* redraw) {
     const Grid& grid = terrain.grid();
-    gpu::Program& program = program_of(settings, redraw != nullptr);
-    set_camera(program, grid, camera, width, height);
-    pyramid.bind(program, terrain);
+    const auto prepare = [&](gpu::Program& program) {
+        set_camera(program, grid, camera, width, height);
+        pyramid.bind(program, terrain);
+        program.set("sun", glm::vec3(settings.sun));
+        program.set("extent_m", static_cast<float>(std::max(grid.width_m(), grid.height_m())));
+        program.set("pixel_angle", static_cast<float>(pixel_at_one_metre(camera, height)));
+        program.set("band_m", static_cast<float>(settings.band_m));
+        program.set("difference_m", static_cast<float>(settings.difference_m));
+        program.set("hillshade_lights", settings.hillshade_lights);
+        program.set("slope_scale_deg", static_cast<float>(slope_scale_deg));
+        program.set("steps_scale", static_cast<float>(steps_scale));
+    };
+    // Steps are counted for the sky too.
+    const bool skips_sky = !redraw && settings.view != View::steps;
+    const glm::ivec2 blocks = blocks_of(width, height);
+    const std::size_t count = static_cast<std::size_t>(blocks.x) * blocks.y;
+    const std::size_t bytes = (head_words + 2 * count) * sizeof(std::uint32_t);
+    if (lists_.bytes() != bytes) lists_ = gpu::Buffer("shading blocks", bytes);
+    if (!redraw) {
+        const std::array<std::uint32_t, head_words> none = {0, 1, 0, 0, 0, 1, 0, 0};
+        lists_.write(0, std::as_bytes(std::span(none)));
+        hits.bind_sampled(0);
+        lists_.bind_storage(6);
+        list_.set("blocks", blocks);
+        list_.set("size", glm::ivec2(width, height));
+        const glm::ivec2 groups = large_blocks_of(blocks);
+        list_.dispatch(groups.x, groups.y);
+    }
     pyramid.lowest.bind_sampled(2);
     terrain.solid.front.bind_sampled(3);
     hits.bind_sampled(4);
@@ -51,20 +86,16 @@ void Shading::draw(const Terrain& terrain, const Pyramid& pyramid, const SkyView
     grain_.bind_sampled(6);
     if (drape_.width() > 0) drape_.bind_sampled(7);
     sky.share().bind_sampled(8);
-    program.set("sun", glm::vec3(settings.sun));
-    program.set("extent_m", static_cast<float>(std::max(grid.width_m(), grid.height_m())));
-    program.set("pixel_angle", static_cast<float>(pixel_at_one_metre(camera, height)));
-    program.set("band_m", static_cast<float>(settings.band_m));
-    program.set("difference_m", static_cast<float>(settings.difference_m));
-    program.set("hillshade_lights", settings.hillshade_lights);
-    program.set("slope_scale_deg", static_cast<float>(slope_scale_deg));
-    program.set("steps_scale", static_cast<float>(steps_scale));
+    gpu::Program& ground = program_of(settings, false);
+    prepare(ground);
     if (redraw) {
-        redraw->draw(program, target, gpu::Depth::none);
-    } else {
-        target.bind({0, 0, width, height});
-        program.draw_fullscreen();
+        redraw->draw(ground, target, gpu::Depth::none);
+        return;
     }
+    gpu::Program& nothing = skips_sky ? program_of(settings, true) : ground;
+    if (skips_sky) prepare(nothing);
+    draw_blocks(nothing, target, blocks, {lists_, 0, head_words}, gpu::Depth::none);
+    draw_blocks(ground, target, blocks, {lists_, 4, head_words + count}, gpu::Depth::none);
 }
 
 }  // namespace talus

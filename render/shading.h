@@ -26,9 +26,12 @@ class Shading {
               const gpu::Framebuffer& target, const Redraw* redraw);
 
   private:
-    gpu::Program& program_of(const ViewSettings& settings, bool blocks);
+    // `sky`: for blocks where nothing was hit.
+    gpu::Program& program_of(const ViewSettings& settings, bool sky);
 
     std::map<std::string, gpu::Program> programs_;
+    gpu::Program list_;
+    gpu::Buffer lists_;
     gpu::Texture grain_;
     gpu::Texture drape_;
 };

@@ -79,7 +79,7 @@ float sunlight_at(vec2 place, vec3 ray, float above_eye, float distance_m) {
     vec2 from = place - ray.xy * lift;
     ivec2 from_cell = ivec2(floor(from));
     vec3 to_sun = vec3(sun.x / cell_m.x, -sun.y / cell_m.y, sun.z);
-    CastHit shade = cast_ray(origin_cell + from_cell, from - vec2(from_cell), to_sun, 0.0, 5, above_eye + 2.0 * lift);
+    CastHit shade = cast_ray(origin_cell + from_cell, from - vec2(from_cell), to_sun, 0.0, 2, above_eye + 2.0 * lift);
     return shade.distance_m > lift ? 0.0 : 1.0;
 #else
     return 1.0;
@@ -97,6 +97,10 @@ void main() {
         return;
     }
     vec3 backdrop = VIEW == view_shaded ? sqrt(sky(world_ray)) : vec3(0.16, 0.17, 0.19);
+#ifdef SKY
+    colour_out = vec4(backdrop, 1.0);
+    return;
+#endif
     float distance_m = missed ? 0.0 : hit.x;
     vec2 place = origin_fraction + distance_m * ray.xy;
     vec2 absolute = place + vec2(origin_cell);

@@ -21,7 +21,8 @@ void bench_frame(double patch_pixels) {
     const std::vector<std::pair<std::string, Camera>> cameras = {
         {"fly", {{0.15 * e, 0.1 * e, 3600}, {0.55 * e, 0.6 * e, 800}, 55}},
         {"overview", overview(grid, 0, 2500)}};
-    for (const auto& [name, camera] : cameras) {
+    for (const auto& named : cameras) {
+        const Camera& camera = named.second;
         std::vector<Contestant> contestants;
         for (const std::string& view : view_names()) {
             ViewSettings settings;
@@ -41,7 +42,7 @@ void bench_frame(double patch_pixels) {
                                }});
         const std::vector<double> seconds = interleave(contestants, 7);
         for (std::size_t i = 0; i < contestants.size(); ++i)
-            fmt::print("{:<10} {:<18} {:>8.1f} ms\n", name, contestants[i].name, 1e3 * seconds[i]);
+            fmt::print("{:<10} {:<18} {:>8.1f} ms\n", named.first, contestants[i].name, 1e3 * seconds[i]);
     }
 }
 

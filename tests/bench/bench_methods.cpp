@@ -14,6 +14,7 @@
 #include "render/survey.h"
 #include "sim/terrain/generate.h"
 #include "tests/bench/measure.h"
+#include "tests/scenes/scenes.h"
 
 namespace talus::bench {
 namespace {
@@ -24,8 +25,8 @@ constexpr int height = 720;
 // A generated terrain and every method, drawn and timed.
 class Stage {
   public:
-    Stage(const Grid& grid, double patch_pixels)
-        : heights(generate_heights(grid, {"mountains", 4, 2500})),
+    Stage(const Grid& grid, std::vector<float> of, double patch_pixels)
+        : heights(std::move(of)),
           terrain_(bedrock_terrain(grid, heights)),
           pyramid_(terrain_),
           patch_pixels_(patch_pixels) {
@@ -101,18 +102,24 @@ std::vector<NamedCamera> mixed_views(const Grid& grid, const std::vector<float>&
 
 void bench_methods(double patch_pixels) {
     const Grid grid{2049, 2049, 10, 10};
-    Stage stage(grid, patch_pixels);
+    Stage stage(grid, generate_heights(grid, {"mountains", 4, 2500}), patch_pixels);
     std::vector<NamedCamera> views = survey(grid, stage.heights);
     const std::size_t surveyed = views.size();
     for (NamedCamera& view : mixed_views(grid, stage.heights)) views.push_back(std::move(view));
+    const std::size_t on_mountains = views.size();
+    scenes::Scene shore = scenes::shore();
+    Stage flat(shore.grid, std::move(shore.heights), patch_pixels);
+    for (const Camera& camera : scenes::shore_views())
+        views.push_back({fmt::format("shore {}", views.size() - on_mountains + 1), camera});
     fmt::print("{:<22} {:>8} {:>8} {:>8} {:>8} {:>12} {:>7} {:>7} {:>7}\n", "view, CPU ms", "exact", "boxes",
                "mesh", "hybrid", "hybrid/best", "mesh %", "rays %", "early %");
     std::vector<double> ratios;
     for (std::size_t i = 0; i < views.size(); ++i) {
-        const std::vector<double> s = stage.time(views[i].camera, {"exact", "boxes", "mesh", "hybrid"}, 9);
+        Stage& here = i < on_mountains ? stage : flat;
+        const std::vector<double> s = here.time(views[i].camera, {"exact", "boxes", "mesh", "hybrid"}, 9);
         const double ratio = s[3] / std::min(s[0], s[2]);
         if (i < surveyed) ratios.push_back(ratio);
-        const std::array<double, 3> kinds = stage.kinds(views[i].camera);
+        const std::array<double, 3> kinds = here.kinds(views[i].camera);
         fmt::print("{:<22} {:>8.1f} {:>8.1f} {:>8.1f} {:>8.1f} {:>12.2f} {:>7.1f} {:>7.1f} {:>7.1f}\n",
                    views[i].name, 1e3 * s[0], 1e3 * s[1], 1e3 * s[2], 1e3 * s[3], ratio, 100 * kinds[0],
                    100 * kinds[1], 100 * kinds[2]);
@@ -122,7 +129,7 @@ void bench_methods(double patch_pixels) {
                ratios[ratios.size() / 2], ratios.back());
 
     const Grid large{4096, 4096, 10, 10};
-    Stage wide(large, patch_pixels);
+    Stage wide(large, generate_heights(large, {"mountains", 4, 2500}), patch_pixels);
     std::vector<Camera> keys;
     const double e = large.width_m();
     for (const glm::dvec2 at : {glm::dvec2(0.15, 0.1), {0.4, 0.35}, {0.7, 0.4}, {0.8, 0.75}, {0.5, 0.85}}) {

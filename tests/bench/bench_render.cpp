@@ -9,6 +9,7 @@
 
 #include "render/hits_target.h"
 #include "render/methods/method.h"
+#include "render/shading.h"
 #include "sim/terrain/generate.h"
 #include "tests/bench/measure.h"
 
@@ -50,18 +51,68 @@ class EmbreeGrid {
 
     int cast(const Camera& camera) const {
         const CameraRays rays = camera_rays(camera, width, height);
+        return for_packets([&](int x, int y) { return packet(camera, rays, x, y); });
+    }
+
+    /// From where the pixels' rays hit, row 0 at the bottom, towards the sun: how many hit something.
+    int cast_shadows(const Camera& camera, const std::vector<float>& distances, glm::dvec3 sun) const {
+        const CameraRays rays = camera_rays(camera, width, height);
+        return for_packets([&](int x, int y) { return shadow_packet(camera, rays, distances, sun, x, y); });
+    }
+
+  private:
+    template <typename Packet>
+    static int for_packets(const Packet& packet) {
         std::array<int, 2> hits{};
         std::array<std::thread, 2> threads;
         for (int t = 0; t < 2; ++t)
             threads[t] = std::thread([&, t] {
                 for (int y = t; y < height / 2; y += 2)
-                    for (int x = 0; x < width; x += 4) hits[t] += packet(camera, rays, x, 2 * y);
+                    for (int x = 0; x < width; x += 4) hits[t] += packet(x, 2 * y);
             });
         for (std::thread& thread : threads) thread.join();
         return hits[0] + hits[1];
     }
 
-  private:
+    static glm::vec3 pixel_way(const CameraRays& rays, int x, int y) {
+        const float sx = 2.0F * (static_cast<float>(x) + 0.5F) / width - 1;
+        const float sy = 2.0F * (static_cast<float>(y) + 0.5F) / height - 1;
+        return glm::normalize(glm::vec3(rays.forward) + sx * glm::vec3(rays.right) + sy * glm::vec3(rays.up));
+    }
+
+    int shadow_packet(const Camera& camera, const CameraRays& rays, const std::vector<float>& distances,
+                      glm::dvec3 sun, int x0, int y0) const {
+        alignas(32) std::array<int, 8> valid{};
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+        RTCRay8 r;
+        for (int i = 0; i < 8; ++i) {
+            const int x = x0 + i % 4;
+            const int y = y0 + i / 4;
+            const float distance = distances[static_cast<std::size_t>(y) * width + x];
+            valid[i] = std::isfinite(distance) ? -1 : 0;
+            const glm::vec3 at =
+                glm::vec3(camera.eye) + (std::isfinite(distance) ? distance : 0) * pixel_way(rays, x, y);
+            r.org_x[i] = at.x;
+            r.org_y[i] = at.y;
+            r.org_z[i] = at.z;
+            r.dir_x[i] = static_cast<float>(sun.x);
+            r.dir_y[i] = static_cast<float>(sun.y);
+            r.dir_z[i] = static_cast<float>(sun.z);
+            r.tnear[i] = 0.5F;
+            r.tfar[i] = HUGE_VALF;
+            r.mask[i] = ~0U;
+            r.flags[i] = 0;
+            r.time[i] = 0;
+            r.id[i] = 0;
+        }
+        rtcOccluded8(valid.data(), scene_, &context, &r);
+        int hits = 0;
+        for (int i = 0; i < 8; ++i) hits += valid[i] != 0 && r.tfar[i] < 0 ? 1 : 0;
+        return hits;
+    }
+
     // 4 x 2 pixels.
     int packet(const Camera& camera, const CameraRays& rays, int x0, int y0) const {
         alignas(32) const std::array<int, 8> valid = {-1, -1, -1, -1, -1, -1, -1, -1};
@@ -70,11 +121,7 @@ class EmbreeGrid {
         context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
         RTCRayHit8 r;
         for (int i = 0; i < 8; ++i) {
-            const float sx = 2.0F * (static_cast<float>(x0 + i % 4) + 0.5F) / width - 1;
-            const int y = y0 + i / 4;
-            const float sy = 2.0F * (static_cast<float>(y) + 0.5F) / height - 1;
-            const glm::vec3 d = glm::normalize(glm::vec3(rays.forward) + sx * glm::vec3(rays.right) +
-                                               sy * glm::vec3(rays.up));
+            const glm::vec3 d = pixel_way(rays, x0 + i % 4, y0 + i / 4);
             r.ray.org_x[i] = static_cast<float>(camera.eye.x);
             r.ray.org_y[i] = static_cast<float>(camera.eye.y);
             r.ray.org_z[i] = static_cast<float>(camera.eye.z);
@@ -112,6 +159,11 @@ void bench_render() {
     const HitsTarget target(width, height);
     const Method exact = make_exact(Detail::none);
     const Method counting = make_exact(Detail::steps);
+    const SkyView sky(terrain);
+    Shading shading;
+    const gpu::Texture colour("colour", gpu::Format::rgba8, width, height);
+    const std::array<const gpu::Texture*, 1> colours = {&colour};
+    const gpu::Framebuffer colour_buffer("colour", colours);
 
     const double extent = grid.width_m();
     const double middle = heights[grid.count() / 2];
@@ -149,6 +201,29 @@ void bench_render() {
         fmt::print("{:<14} {:>14.2f} {:>14.2f} {:>8.2f} {:>12} {:>12} {:>10.1f} {:>6}\n", name,
                    rays / seconds[0], rays / seconds[1], seconds[1] / seconds[0], talus_hits, embree_hits,
                    sum / static_cast<double>(steps.size()), steps[steps.size() * 99 / 100]);
+
+        // Shadows: what the shading of the same hits takes longer with them.
+        exact({terrain, pyramid, camera, width, height, 0, 0, target.framebuffer()});
+        ViewSettings lit;
+        lit.occlusion = false;
+        lit.sun = glm::normalize(glm::dvec3(-0.56, 0.56, 0.61));
+        ViewSettings unlit = lit;
+        unlit.shadows = false;
+        const auto shade = [&](const ViewSettings& settings) {
+            shading.draw(terrain, pyramid, sky, camera, settings, width, height, target.hits(), colour_buffer,
+                         nullptr);
+            std::array<std::byte, 4> wait{};
+            colour.read({0, 0, 1, 1}, wait);
+        };
+        const std::vector<double> shadows =
+            interleave({{"shadows", [&] { shade(lit); }},
+                        {"none", [&] { shade(unlit); }},
+                        {"embree", [&] { embree_hits = embree.cast_shadows(camera, distances, lit.sun); }}},
+                       9);
+        const double shadow_rays = static_cast<double>(talus_hits) * 1e-6;
+        fmt::print("{:<14} {:>14.2f} {:>14.2f} {:>8.2f} {:>12} {:>12}\n", "  its shadows",
+                   shadow_rays / (shadows[0] - shadows[1]), shadow_rays / shadows[2],
+                   shadows[2] / (shadows[0] - shadows[1]), "", embree_hits);
     }
 }
 

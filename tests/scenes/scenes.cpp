@@ -1,5 +1,6 @@
 #include "tests/scenes/scenes.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <random>
 #include <stdexcept>
@@ -42,6 +43,27 @@ Scene make(const std::string& name) {
     if (name == "bigtujunga") return real_file("bigtujunga_30m_1197x643.tif");
     if (name == "coast") return real_file("santa_ynez_coast_30m_1537.tif");
     throw std::invalid_argument("no scene " + name);
+}
+
+Scene shore() {
+    const Grid grid{1025, 1025, 30, 30};
+    Scene scene{grid, generate_heights(grid, {"hills", 6, 700})};
+    for (int row = 0; row < grid.ny; ++row)
+        for (int column = 0; column < grid.nx; ++column) {
+            const double inland = std::clamp(4 * (0.5 - static_cast<double>(row) / grid.ny), 0.0, 1.0);
+            scene.heights[static_cast<std::size_t>(row) * grid.nx + column] *= static_cast<float>(inland);
+        }
+    return scene;
+}
+
+std::vector<Camera> shore_views() {
+    constexpr double width_m = 1024 * 30;
+    std::vector<Camera> cameras;
+    for (const double share : {0.3, 0.5, 0.7}) {
+        const glm::dvec3 eye(share * width_m, 0.3 * width_m, 110);
+        cameras.push_back({eye, eye + glm::dvec3(1500, 6000, -450), 50});
+    }
+    return cameras;
 }
 
 }  // namespace talus::scenes

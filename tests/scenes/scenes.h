@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "render/camera.h"
 #include "sim/terrain/grid.h"
 
 namespace talus::scenes {
@@ -16,5 +17,11 @@ struct Scene {
 /// and hills of the same sizes without it.
 std::vector<std::string> names();
 Scene make(const std::string& name);
+
+/// Hills that end in a plain and the sea: from over its shore the near ground is best drawn by mesh, the
+/// hills by rays, and the far plain by rays that end early.
+Scene shore();
+/// Eyes along it.
+std::vector<Camera> shore_views();
 
 }  // namespace talus::scenes
