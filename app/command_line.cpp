@@ -162,7 +162,7 @@ int parse_and_do(int argc, char** argv) {
                                "how many frames along the keys, 120 unless given");
     render_command->add_option("--turntable", render_options.turntable,
                                "so many frames once around the terrain");
-    render_command->add_option("--size", t.size, "WxH pixels, 1280x720 unless given");
+    render_command->add_option("--size", t.size, "WxH pixels, 1280x720 unless given; to 32768 a side");
     render_command->add_option("--eye", t.eye, "x,y,z in metres: east, north, up from the south-west sample");
     render_command->add_option("--target", t.target, "x,y,z in metres");
     render_command->add_option("--fov", t.fov, "vertical field of view in degrees");

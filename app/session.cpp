@@ -38,6 +38,7 @@ void Session::start(Scene scene) {
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
     bounds_ = {*low, *high};
     scene_ = std::move(scene);
+    ++terrain_number_;
     simulation_ = std::move(simulation);
     renderer_ = std::move(renderer);
     saved_operations_.clear();
@@ -57,6 +58,8 @@ void Session::open(const std::string& path, const ImportSettings& import) {
     // settings.
     if (request_.input.empty()) request.preset.clear();
     request.import = import;
+    // An image over one terrain is not one over another.
+    if (path != request_.input) request.texture.clear();
     start(make_scene(request));
     request_ = request;
     path_ = document_path();

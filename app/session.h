@@ -26,6 +26,8 @@ class Session {
     const Scene& scene() const { return scene_; }
     const SceneRequest& request() const { return request_; }
     Camera& camera() { return camera_; }
+    /// Another number for every terrain that was opened or reset.
+    int terrain_number() const { return terrain_number_; }
     const Grid& grid() const { return simulation_->terrain().grid(); }
     /// Heights at the last open or reset, for the camera and for legends.
     glm::dvec2 bounds() const { return bounds_; }
@@ -75,6 +77,7 @@ class Session {
     std::unique_ptr<Simulation> simulation_;
     std::unique_ptr<Renderer> renderer_;
     Camera camera_;
+    int terrain_number_ = 0;
     glm::dvec2 bounds_{0};
     std::string path_;
     std::vector<Operation> saved_operations_;

@@ -234,8 +234,12 @@ class Window {
     }
 
     void start_cursor_readback(glm::dvec2 mouse, int width, int height, int drawn_width, int drawn_height) {
-        if (cursor_readback_.pending() || mouse.x < 0 || mouse.y < 0 || mouse.x >= width || mouse.y >= height)
+        if (cursor_readback_.pending()) {
+            // The picture has changed since: again, when it has come.
+            cursor_mouse_ = glm::dvec2(-1);
             return;
+        }
+        if (mouse.x < 0 || mouse.y < 0 || mouse.x >= width || mouse.y >= height) return;
         const int x = std::clamp(static_cast<int>(mouse.x * drawn_width / width), 0, drawn_width - 1);
         const int y = std::clamp(static_cast<int>(mouse.y * drawn_height / height), 0, drawn_height - 1);
         cursor_mouse_ = mouse;
@@ -286,11 +290,24 @@ class Window {
         if (camera_moved_) moving_s_ = 0.25;
     }
 
+    // What was read of another terrain is not of this one.
+    void follow_terrain() {
+        if (terrain_number_ == session_.terrain_number()) return;
+        terrain_number_ = session_.terrain_number();
+        ground_.forget();
+        cursor_readback_.cancel();
+        cursor_.reset();
+        cursor_mouse_ = glm::dvec2(-1);
+    }
+
     // Walking stands on the ground; else the eye stays out of it, where collision is on.
     void meet_ground(Camera& camera, bool walking, double passed_s) {
         const bool collides = session_.view().toggle("camera.collision");
         if (!walking) walking_ = false;
-        if (!walking && !collides) return;
+        if (!walking && !collides) {
+            ground_.forget();
+            return;
+        }
         const Grid& grid = session_.grid();
         // Who begins to walk looks ahead.
         if (walking && !walking_) look_level(camera);
@@ -348,7 +365,6 @@ class Window {
                 session_.open(*asked.open);
                 for (const std::string& note : session_.scene().document.notes) say("note: " + note);
                 import_panel_.follow(session_);
-                cursor_.reset();
             });
         if (asked.save)
             attempt([&] {
@@ -358,7 +374,7 @@ class Window {
             });
         for (const auto& act : asked.acts) attempt([&] { act(session_); });
         if (asked.reset) attempt([&] { session_.reset(); });
-        if (asked.open || asked.reset) ground_.forget();
+
         if (asked.undo) attempt([&] { session_.undo(); });
         if (asked.redo) attempt([&] { session_.redo(); });
         if (asked.framing) session_.frame_terrain();
@@ -382,6 +398,7 @@ class Window {
         glm::dvec2 mouse;
         glfwGetCursorPos(window_, &mouse.x, &mouse.y);
 
+        follow_terrain();
         read_cursor();
         move_camera(mouse, passed_s, height);
         sculpt(passed_s);
@@ -408,15 +425,24 @@ class Window {
         ViewSettings settings = view_settings(session_.view());
         if (cursor_ && !ImGui::GetIO().WantCaptureMouse)
             settings.ring_m = {cursor_->x, cursor_->y, session_.view().number("brush.radius_m")};
-        const Drawn drawn = session_.renderer().draw(session_.simulation().terrain(), session_.camera(),
-                                                     settings, drawn_width, drawn_height);
-        // Over a picture at rest the cursor is read where it came to, once.
-        if (drawn != Drawn::nothing || mouse != cursor_mouse_)
-            start_cursor_readback(mouse, width, height, drawn_width, drawn_height);
-
-        // At rest the picture gathers samples, one a frame.
-        refining_ = !moving && session_.renderer().refine(session_.simulation().terrain(),
-                                                          session_.view().whole("render.samples"));
+        // A shader that does not compile is told, and the last picture stays.
+        refining_ = false;
+        try {
+            Terrain& terrain = session_.simulation().terrain();
+            const Drawn drawn =
+                session_.renderer().draw(terrain, session_.camera(), settings, drawn_width, drawn_height);
+            // Over a picture at rest the cursor is read where it came to, once.
+            if (drawn != Drawn::nothing || mouse != cursor_mouse_)
+                start_cursor_readback(mouse, width, height, drawn_width, drawn_height);
+            // At rest the picture gathers samples, one a frame.
+            refining_ =
+                !moving && session_.renderer().refine(terrain, session_.view().whole("render.samples"));
+        } catch (const std::exception& error) {
+            if (message_ != error.what()) {
+                say(fmt::format("talus: {}", error.what()));
+                tell(error.what());
+            }
+        }
 
         gpu::bind_window(width, height);
         session_.renderer().framebuffer().blit_to_window({0, 0, drawn_width, drawn_height},
@@ -456,6 +482,7 @@ class Window {
     bool refining_ = false;
 
     bool walking_ = false;
+    int terrain_number_ = 0;
     GroundProbe ground_;
     gpu::Readback cursor_readback_;
     Camera cursor_camera_;

@@ -17,16 +17,18 @@ glm::ivec2 large_blocks_of(glm::ivec2 blocks) {
     return (blocks + large_block - 1) / large_block;
 }
 
-void draw_blocks(gpu::Program& program, const gpu::Framebuffer& target, glm::ivec2 blocks,
+void draw_blocks(gpu::Program& program, const gpu::Framebuffer& target, glm::ivec2 size,
                  const BlockList& list, gpu::Depth depth) {
+    const glm::ivec2 blocks = blocks_of(size.x, size.y);
     // A point whose middle lies beside the viewport is not drawn, so the blocks that are cut off are in it
     // whole.
-    const glm::ivec2 size = large_blocks_of(blocks) * (large_block * block_pixels);
-    target.bind({0, 0, size.x, size.y});
+    const glm::ivec2 whole = large_blocks_of(blocks) * (large_block * block_pixels);
+    target.bind({0, 0, whole.x, whole.y}, {0, 0, size.x, size.y});
     program.set("blocks", blocks);
     program.set("first_word", static_cast<int>(list.numbers));
     list.words.bind_storage(6);
     program.draw_points_indirect(list.words, list.arguments * sizeof(std::uint32_t), depth);
+    target.bind({0, 0, size.x, size.y});
 }
 
 }  // namespace talus

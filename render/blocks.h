@@ -20,8 +20,9 @@ struct BlockList {
     std::size_t numbers;    ///< word where the numbers begin
 };
 
-/// Draws listed blocks into the target with a program of shaders/render/block.vert.
-void draw_blocks(gpu::Program& program, const gpu::Framebuffer& target, glm::ivec2 blocks,
+/// Draws listed blocks of a picture of this size into the target, with a program of
+/// shaders/render/block.vert.
+void draw_blocks(gpu::Program& program, const gpu::Framebuffer& target, glm::ivec2 size,
                  const BlockList& list, gpu::Depth depth);
 
 }  // namespace talus

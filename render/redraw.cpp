@@ -32,7 +32,8 @@ void Redraw::bind(gpu::Program& program) const {
 }
 
 void Redraw::mark(bool after, const TileList& tiles, const Terrain& terrain, const Pyramid& pyramid,
-                  const Camera& camera, glm::dvec3 sun) {
+                  const Camera& camera, glm::dvec3 sun, int reach) {
+    mark_.set("shading_reach", reach);
     mark_.set("after", after ? 1 : 0);
     pyramid.bind(mark_, terrain);
     pyramid.lowest.bind_sampled(2);
@@ -53,7 +54,7 @@ void Redraw::list() {
 }
 
 void Redraw::draw(gpu::Program& program, const gpu::Framebuffer& target, gpu::Depth depth) const {
-    draw_blocks(program, target, blocks_, {listed_, 0, head_words}, depth);
+    draw_blocks(program, target, {width_, height_}, {listed_, 0, head_words}, depth);
 }
 
 }  // namespace talus

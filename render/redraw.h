@@ -17,9 +17,9 @@ class Redraw {
     /// Marks what listed tiles cover, with the ground around that shading looks at and the shadows that they
     /// cast, by the pyramid's present bounds: once before it is rebuilt and once after. Marks everything
     /// where the terrain's lowest or highest sample changes between the two. sun: unit vector towards it; 0:
-    /// no shadows.
+    /// no shadows. reach: samples around a place that its colours look at.
     void mark(bool after, const TileList& tiles, const Terrain& terrain, const Pyramid& pyramid,
-              const Camera& camera, glm::dvec3 sun);
+              const Camera& camera, glm::dvec3 sun, int reach);
     /// For shaders that find more to draw: shaders/render/redraw_marks.glsl.
     void bind(gpu::Program& program) const;
     /// Lists the marked blocks; draws before the next list() use it.

@@ -12,6 +12,10 @@ namespace talus {
 
 namespace {
 
+// How many samples around a place its colours look at: filtered normals, and what stands before the sky.
+constexpr int normals_reach = 14;
+constexpr int sky_reach = 64;
+
 Detail detail_of(View view) {
     return view == View::steps ? Detail::steps : view == View::cells ? Detail::kind : Detail::none;
 }
@@ -75,7 +79,12 @@ Drawn Renderer::draw(Terrain& terrain, const Camera& camera, const ViewSettings&
 }
 
 bool Renderer::refine(const Terrain& terrain, int samples) {
-    if (!drawn_ || refinement_.samples() >= samples || samples < 2) return false;
+    if (!drawn_) return false;
+    // Fewer than there are: the mean is made anew.
+    const bool fewer = refinement_.samples() > std::max(samples, 1);
+    if (fewer) refinement_.restart();
+    if (fewer && ringed_) draw_ring(terrain.grid());
+    if (refinement_.samples() >= samples || samples < 2) return fewer;
     Picture picture = *drawn_;
     const HitsTarget& target = refinement_.target(picture.width, picture.height);
     if (refinement_.samples() == 0) refinement_.add(colour_, picture.width, picture.height);
@@ -114,12 +123,14 @@ Drawn Renderer::redraw(Terrain& terrain, const Picture& picture, const std::opti
     const bool blocks = redraws_blocks && same_view && before->settings == picture.settings;
     const bool shadows = picture.settings.shadows && picture.settings.view == View::shaded;
     const glm::dvec3 sun = shadows ? picture.settings.sun : glm::dvec3(0);
+    const bool looks_far = picture.settings.occlusion && picture.settings.view == View::shaded;
+    const int reach = looks_far ? sky_reach : normals_reach;
     if (blocks) redraw_.begin(picture.width, picture.height);
     if (refreshed_changes_ != picture.changes) {
         const TileList& changed = pyramid_.list_changes(terrain);
-        if (blocks) redraw_.mark(false, changed, terrain, pyramid_, picture.camera, sun);
+        if (blocks) redraw_.mark(false, changed, terrain, pyramid_, picture.camera, sun, reach);
         pyramid_.rebuild(terrain);
-        if (blocks) redraw_.mark(true, changed, terrain, pyramid_, picture.camera, sun);
+        if (blocks) redraw_.mark(true, changed, terrain, pyramid_, picture.camera, sun, reach);
         refreshed_changes_ = picture.changes;
     }
     follow_sky(terrain, picture.settings);

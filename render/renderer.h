@@ -31,8 +31,8 @@ class Renderer {
     /// bit as a fresh one.
     Drawn draw(Terrain& terrain, const Camera& camera, const ViewSettings& settings, int width, int height);
     /// Adds one sample a pixel to the picture drawn last, until it has as many: smoother silhouettes and
-    /// detail. False where nothing was left to add. The mean is the same bit for bit in whatever steps it was
-    /// made.
+    /// detail. False where the picture stays as it is. The mean is the same bit for bit in whatever steps it
+    /// was made.
     bool refine(const Terrain& terrain, int samples);
     /// The next draw() draws everything.
     void forget() { drawn_.reset(); }

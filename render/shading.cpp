@@ -94,8 +94,8 @@ void Shading::draw(const Terrain& terrain, const Pyramid& pyramid, const SkyView
     }
     gpu::Program& nothing = skips_sky ? program_of(settings, true) : ground;
     if (skips_sky) prepare(nothing);
-    draw_blocks(nothing, target, blocks, {lists_, 0, head_words}, gpu::Depth::none);
-    draw_blocks(ground, target, blocks, {lists_, 4, head_words + count}, gpu::Depth::none);
+    draw_blocks(nothing, target, {width, height}, {lists_, 0, head_words}, gpu::Depth::none);
+    draw_blocks(ground, target, {width, height}, {lists_, 4, head_words + count}, gpu::Depth::none);
 }
 
 }  // namespace talus

@@ -28,6 +28,9 @@ void render(const RenderOptions& options) {
     if (options.size.x < 1 || options.size.y < 1 || options.size.x > 32768 || options.size.y > 32768)
         throw Error(fmt::format("--size {}x{} cannot be drawn, each side must be 1 to 32768 pixels",
                                 options.size.x, options.size.y));
+    if (static_cast<std::int64_t>(options.size.x) * options.size.y > std::int64_t{1} << 28)
+        throw Error(fmt::format("--size {}x{} cannot be drawn, a picture holds at most 268435456 pixels",
+                                options.size.x, options.size.y));
     if (options.image.empty() && options.depth.empty() && options.report.empty() && !options.json)
         throw Error("render writes nothing: give --image, --depth or --report");
     const bool film = !options.keys.empty() || options.turntable > 0;
@@ -87,6 +90,7 @@ void render(const RenderOptions& options) {
     report["fov_deg"] = camera.fov_deg;
     report["pixels_hit"] =
         std::count_if(depth.begin(), depth.end(), [](float d) { return std::isfinite(d); });
+    report["samples"] = options.image.empty() ? 1 : samples;
     report["cpu_s"] = cpu_s;
     if (!options.report.empty()) write_atomically(options.report, report.dump(2) + "\n");
     if (options.json) fmt::print("{}\n", report.dump(2));

@@ -107,7 +107,10 @@ void draw_legend_into(const gpu::Framebuffer& framebuffer, glm::ivec2 size, glm:
                       glm::ivec2 tile, const std::vector<Legend>& legends) {
     if (legends.empty()) return;
     const auto pair = [](glm::ivec2 v) { return ImVec2(static_cast<float>(v.x), static_cast<float>(v.y)); };
-    ImGui::CreateContext();
+    // The window's panels may have a context of their own.
+    ImGuiContext* const before = ImGui::GetCurrentContext();
+    ImGuiContext* const here = ImGui::CreateContext();
+    ImGui::SetCurrentContext(here);
     ImGui::GetIO().IniFilename = nullptr;
     ImGui::GetIO().DisplaySize = pair(size);
     ImGui::GetIO().DeltaTime = 1;
@@ -122,7 +125,8 @@ void draw_legend_into(const gpu::Framebuffer& framebuffer, glm::ivec2 size, glm:
     ImGui::GetDrawData()->DisplaySize = pair(tile);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     ImGui_ImplOpenGL3_Shutdown();
-    ImGui::DestroyContext();
+    ImGui::DestroyContext(here);
+    ImGui::SetCurrentContext(before);
 }
 
 }  // namespace talus

@@ -13,6 +13,7 @@ constexpr int margin = 12;  // of them, beyond which they are read anew
 }  // namespace
 
 void GroundProbe::forget() {
+    readback_.cancel();
     samples_.clear();
 }
 
@@ -29,8 +30,8 @@ void GroundProbe::follow(const Terrain& terrain, glm::dvec2 place_m) {
     const int height = std::min(side, grid.ny);
     const gpu::Region wanted{std::clamp(column - width / 2, 0, grid.nx - width),
                              std::clamp(row - height / 2, 0, grid.ny - height), width, height};
-    const bool near_edge = std::abs(wanted.x - here_.x) > width / 2 - margin ||
-                           std::abs(wanted.y - here_.y) > height / 2 - margin;
+    const bool near_edge = std::abs(wanted.x - here_.x) > std::max(width / 2 - margin, 0) ||
+                           std::abs(wanted.y - here_.y) > std::max(height / 2 - margin, 0);
     if (readback_.pending() || (!samples_.empty() && !near_edge && changes_ == terrain.tiles.changes()))
         return;
     readback_.start(terrain.ground, wanted);
@@ -39,9 +40,12 @@ void GroundProbe::follow(const Terrain& terrain, glm::dvec2 place_m) {
 }
 
 std::optional<double> GroundProbe::height_m(const Grid& grid, glm::dvec2 place_m) const {
-    const double column = grid.column_of(place_m.x);
-    const double row = grid.row_of(place_m.y);
-    const bool beside = column < 0 || row < 0 || column > grid.nx - 1 || row > grid.ny - 1;
+    // Who stands on the outermost samples is not beside the terrain by rounding.
+    constexpr double rounding = 1e-9;
+    const glm::dvec2 asked(grid.column_of(place_m.x), grid.row_of(place_m.y));
+    const double column = std::clamp(asked.x, 0.0, grid.nx - 1.0);
+    const double row = std::clamp(asked.y, 0.0, grid.ny - 1.0);
+    const bool beside = std::abs(asked.x - column) > rounding || std::abs(asked.y - row) > rounding;
     if (samples_.empty() || beside) return std::nullopt;
     const double u = column - here_.x;
     const double v = row - here_.y;

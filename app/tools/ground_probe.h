@@ -18,6 +18,7 @@ class GroundProbe {
     std::optional<double> height_m(const Grid& grid, glm::dvec2 place_m) const;
     /// True while samples are on their way.
     bool pending() const { return readback_.pending(); }
+    /// For another terrain, or when nobody asks any more.
     void forget();
 
   private:

@@ -1,6 +1,4 @@
-#include <bit>
 #include <cmath>
-#include <numbers>
 
 #include "render/methods/ray_casting.h"
 
@@ -17,6 +15,8 @@ constexpr double mesh_error_px = 1.0 / 32;
 constexpr double largest_flatness = 0.9e-4;
 // Drawing any mesh at all costs as much as rays for this share of the picture (docs/benchmarks.md).
 constexpr double least_gain = 1.0 / 16;
+// So many that one group chooses them in well under a millisecond.
+constexpr int most_cells = 4096;
 
 struct Hybrid {
     explicit Hybrid(Detail detail) : rays({detail_defines(detail), true, true}) {}
@@ -66,13 +66,17 @@ void choose_cells(Hybrid& hybrid, const CellRectangle& cells) {
 
 void draw(Hybrid& hybrid, const Frame& frame) {
     const Grid& grid = frame.terrain.grid();
-    const int level = std::min(finest_cell_level, frame.pyramid.top_level());
     const double pixel_m = pixel_at_one_metre(frame.camera, frame.height);
     // A patch seen straight on covers the pixels that the mesh must have at this distance; on slopes up to
     // twice as many.
     const bool meshed = frame.tolerance_px >= mesh_error_px;
     const double patch_pixels = meshed ? frame.patch_pixels : HUGE_VAL;
     const double mesh_end_m = std::sqrt(2 * grid.dx * grid.dy / std::max(patch_pixels, 1e-9)) / pixel_m;
+    // Coarser cells where the mesh reaches far, so that choosing them stays cheap.
+    int level = std::min(finest_cell_level, frame.pyramid.top_level());
+    CellRectangle cells = cells_within(frame, level, mesh_end_m);
+    while (level < frame.pyramid.top_level() && cells.count.x * cells.count.y > most_cells)
+        cells = cells_within(frame, ++level, mesh_end_m);
     for (gpu::Program* program : {&hybrid.choose, &hybrid.patches, &hybrid.patches_behind_rays}) {
         frame.pyramid.bind(*program, frame.terrain);
         set_camera(*program, grid, frame.camera, frame.width, frame.height);
@@ -85,7 +89,7 @@ void draw(Hybrid& hybrid, const Frame& frame) {
     hybrid.choose.set("least_gain", static_cast<float>(least_gain));
     frame.pyramid.lowest.bind_sampled(2);
     if (frame.redraw) hybrid.sectors_before.copy_from(hybrid.sectors);
-    choose_cells(hybrid, cells_within(frame, level, mesh_end_m));
+    choose_cells(hybrid, cells);
     hybrid.rays.cast_beams(frame, std::min(largest_flatness, frame.tolerance_px * pixel_m));
 
     const gpu::Region picture{0, 0, frame.width, frame.height};

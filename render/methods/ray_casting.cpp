@@ -64,10 +64,11 @@ void RayCasting::draw(const Frame& frame) {
         if (!flat_ends_ && (kind == kind_flat || kind == kind_walk_or_flat)) continue;
         prepare(*programs[kind]);
         const std::size_t numbers = head_words + kind * static_cast<std::size_t>(blocks.x) * blocks.y;
-        draw_blocks(*programs[kind], frame.hits, blocks, {lists_, 4 * kind, numbers}, gpu::Depth::none);
+        draw_blocks(*programs[kind], frame.hits, {frame.width, frame.height}, {lists_, 4 * kind, numbers},
+                    gpu::Depth::none);
         if (behind_mesh_)
-            draw_blocks(*programs[kind], frame.hits, blocks, {lists_, 4 * (kind_count + kind), numbers},
-                        gpu::Depth::behind);
+            draw_blocks(*programs[kind], frame.hits, {frame.width, frame.height},
+                        {lists_, 4 * (kind_count + kind), numbers}, gpu::Depth::behind);
     }
 }
 

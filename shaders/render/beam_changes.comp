@@ -16,7 +16,10 @@ void main() {
     real2 before = texelFetch(beams_before, at, 0).rg;
     // A negative level says flat.
     if ((now.y < 0.0 || before.y < 0.0) && now != before) {
-        int2 block = at * beam_pixels / block_pixels;
-        redraw_marks[block.y * blocks.x + block.x] = 1u;
+        // With the pixels around it, whose contour lines look at these.
+        int2 first = max(at * beam_pixels - 1, int2(0)) / block_pixels;
+        int2 last = min(((at + 1) * beam_pixels) / block_pixels, blocks - 1);
+        for (int y = first.y; y <= last.y; ++y)
+            for (int x = first.x; x <= last.x; ++x) redraw_marks[y * blocks.x + x] = 1u;
     }
 }

@@ -1,5 +1,5 @@
 // How far a pixel reaches on the ground: where the rays of the pixels to its right and above meet the ground's tangent
-// plane (Dick, Krueger & Westermann 2009, section 3.4), for textures that are filtered along and across the view alike.
+// plane (Dick, Krueger & Westermann 2009, section 3.3), for textures that are filtered along and across the view alike.
 struct Footprint {
     vec2 right;  // in columns and rows
     vec2 up;

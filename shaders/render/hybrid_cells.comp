@@ -12,7 +12,7 @@ uniform int2 first_cell;  // of the rectangle that the mesh may reach
 uniform int2 cell_count;
 uniform real least_gain;  // share of the picture; without so much the mesh is not worth its draws
 
-shared int gain;  // of the mesh, in 1/4096 of the picture
+shared int gain;  // of the mesh, in 1/65536 of the picture
 
 int2 cell_at(int index) { return first_cell + int2(index % cell_count.x, index / cell_count.x); }
 
@@ -31,15 +31,16 @@ void main() {
         uint vertices = 6u << (2 * cell_level);
         for (int i = 0; i < 8; ++i) draw_arguments[i] = (i & 3) == 0 ? vertices : 0u;
     }
+    memoryBarrierBuffer();
     barrier();
     for (int i = me; i < count; i += 256) {
         int2 cell = cell_at(i);
         if (!has_patches(cell) || beyond_mesh(cell)) continue;
         CellBox box = cell_box(cell, cell_level);
-        if (cell_choice(cell, box) == cell_mesh) atomicAdd(gain, int(4096.0 * gain_of_mesh(box) / (picture_size.x * picture_size.y)));
+        if (cell_choice(cell, box) == cell_mesh) atomicAdd(gain, int(65536.0 * gain_of_mesh(box) / (picture_size.x * picture_size.y)));
     }
     barrier();
-    bool meshed = real(gain) > 4096.0 * least_gain;
+    bool meshed = real(gain) > 65536.0 * least_gain;
     for (int i = me; i < count; i += 256) {
         int2 cell = cell_at(i);
         if (!has_patches(cell) || beyond_mesh(cell)) continue;

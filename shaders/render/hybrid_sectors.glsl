@@ -2,7 +2,7 @@
 // rays draw. A pixel whose patch lies nearer than that can have no such cell in front of it.
 const int sector_count = 1024;
 
-layout(binding = 4, std430) buffer Reach { uint reach_m[]; };  // bits of floats above 0 order as they do
+layout(binding = 4, std430) coherent buffer Reach { uint reach_m[]; };  // bits of floats above 0 order as they do
 
 // From 0 to sector_count around the circle, growing with the angle from west over south: the diamond's angle, which
 // takes one division.

@@ -1,4 +1,4 @@
-// Lists the marked blocks: instances of an indirect draw.
+// Lists the marked blocks: points of an indirect draw.
 layout(local_size_x = 64) in;
 #include "maths/glsl_types.glsl"
 #include "render/redraw_marks.glsl"

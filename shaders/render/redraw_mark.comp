@@ -12,7 +12,7 @@ uniform int2 tiles;
 uniform int after;   // 0 before the pyramid is rebuilt, 1 after
 uniform real3 sun;  // towards it; 0: nothing casts shadows
 
-const int shading_reach = 64;  // samples; shade.frag looks no further, by render/sky_view.h
+uniform int shading_reach;  // samples; at most a tile
 
 void main() {
     int tile = int(listed_tiles[gl_WorkGroupID.y]);

@@ -80,6 +80,13 @@ std::string describe(const Device& device) {
                        device.route, device.software ? " (software)" : "");
 }
 
+namespace {
+
+// Squares of the picture are drawn as points (render/blocks.h).
+constexpr float largest_point = 128;
+
+}  // namespace
+
 Device adopt_current_context(const std::string& route) {
     const int version = epoxy_gl_version();
     Device device;
@@ -96,6 +103,11 @@ Device adopt_current_context(const std::string& route) {
     if (version < 45)
         throw Error(
             fmt::format("{} offers OpenGL {} where Talus needs 4.5", device.renderer, device.version));
+    std::array<float, 2> point_sizes{};
+    glGetFloatv(GL_POINT_SIZE_RANGE, point_sizes.data());
+    if (point_sizes[1] < largest_point)
+        throw Error(fmt::format("{} draws points of {} pixels at most where Talus needs {}", device.renderer,
+                                point_sizes[1], largest_point));
     watch_errors();
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);

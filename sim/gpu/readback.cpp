@@ -7,7 +7,12 @@
 namespace talus::gpu {
 
 Readback::~Readback() {
+    cancel();
+}
+
+void Readback::cancel() {
     if (fence_) glDeleteSync(static_cast<GLsync>(fence_));
+    fence_ = nullptr;
 }
 
 void Readback::start(const Texture& texture, const Region& region) {

@@ -24,6 +24,9 @@ class Readback {
     /// was started.
     std::optional<std::vector<float>> poll();
 
+    /// Forgets what was started.
+    void cancel();
+
   private:
     Buffer buffer_;
     void* fence_ = nullptr;

@@ -181,6 +181,13 @@ void Framebuffer::clear_depth() const {
 void Framebuffer::bind(const Region& viewport) const {
     glBindFramebuffer(GL_FRAMEBUFFER, handle_);
     glViewport(viewport.x, viewport.y, viewport.width, viewport.height);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+void Framebuffer::bind(const Region& viewport, const Region& clip) const {
+    bind(viewport);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(clip.x, clip.y, clip.width, clip.height);
 }
 
 void Framebuffer::blit_to_window(const Region& source, const Region& target) const {

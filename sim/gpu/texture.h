@@ -96,6 +96,8 @@ class Framebuffer {
 
     /// Makes it the target of the next draws, with the viewport on the region given.
     void bind(const Region& viewport) const;
+    /// The same, and no pixel beside `clip` is drawn, until the next bind().
+    void bind(const Region& viewport, const Region& clip) const;
     /// Copies the source region onto the window's target region, scaling smoothly where sizes differ.
     void blit_to_window(const Region& source, const Region& target) const;
 

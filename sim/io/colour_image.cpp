@@ -6,6 +6,12 @@
 #include "sim/io/picture.h"
 
 namespace talus {
+namespace {
+
+// As OpenGL 4.5 promises for a texture.
+constexpr int largest_side = 16384;
+
+}  // namespace
 
 ColourImage read_colour_image(const std::filesystem::path& path) {
     const auto input = open_picture(path);
@@ -13,15 +19,17 @@ ColourImage read_colour_image(const std::filesystem::path& path) {
     if (spec.nchannels == 2 || spec.nchannels > 4)
         throw Error(fmt::format("'{}' has {} channels, a picture in colours has 1, 3 or 4", path.string(),
                                 spec.nchannels));
-    if (spec.format.is_floating_point())
-        throw Error(fmt::format("'{}' holds floats, a picture in colours holds 8 or 16 bits a channel",
+    if (spec.width < 1 || spec.height < 1 || spec.width > largest_side || spec.height > largest_side)
+        throw Error(fmt::format("'{}' has {} x {} pixels, each side must have 1 to {}", path.string(),
+                                spec.width, spec.height, largest_side));
+    if (spec.format.is_floating_point() || spec.format.size() > 2)
+        throw Error(fmt::format("'{}' holds no picture in colours: these have 8 or 16 bits a channel",
                                 path.string()));
     ColourImage image{spec.width, spec.height, {}};
     const std::size_t pixels = static_cast<std::size_t>(spec.width) * spec.height;
     const auto channels = static_cast<std::size_t>(spec.nchannels);
     std::vector<std::uint8_t> read(pixels * channels);
-    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, read.data()))
-        throw Error(fmt::format("'{}' cannot be read: {}", path.string(), input->geterror()));
+    read_bytes(path, *input, spec.nchannels, read.data());
     image.rgba.resize(4 * pixels);
     for (std::size_t i = 0; i < pixels; ++i) {
         for (std::size_t c = 0; c < 3; ++c)

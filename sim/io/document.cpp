@@ -26,6 +26,7 @@ bool is_document(const fs::path& path) {
 
 Document read_document(const fs::path& path, const ImportSettings& settings) {
     const auto input = open_picture(path);
+    check_file_size(path, input->spec().width, input->spec().height);
     const OIIO::ImageSpec spec = input->spec();
     Document document;
     document.kind = "Talus document";

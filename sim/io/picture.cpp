@@ -56,7 +56,6 @@ std::unique_ptr<OIIO::ImageInput> open_picture(const fs::path& path) {
     if (!input)
         throw Error(fmt::format("'{}' cannot be read: {}", path.string(), one_line(OIIO::geterror())));
     const OIIO::ImageSpec& spec = input->spec();
-    check_file_size(path, spec.width, spec.height);
     if (spec.nchannels < 1 || spec.nchannels > 64)
         throw Error(fmt::format("'{}' has {} channels, 1 to 64 can be read", path.string(), spec.nchannels));
     // Deflate packs at most 1032 to 1: a PNG that claims more than that holds less than it says.
@@ -64,6 +63,12 @@ std::unique_ptr<OIIO::ImageInput> open_picture(const fs::path& path) {
         throw Error(fmt::format("'{}' claims {} x {} samples but its {} bytes cannot hold them",
                                 path.string(), spec.width, spec.height, fs::file_size(path)));
     return input;
+}
+
+void read_bytes(const fs::path& path, OIIO::ImageInput& input, int channels, std::uint8_t* bytes) {
+    const QuietStderr quiet;
+    if (!input.read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, bytes))
+        throw Error(fmt::format("'{}' cannot be read: {}", path.string(), one_line(input.geterror())));
 }
 
 double number_attribute(const fs::path& path, const OIIO::ImageSpec& spec, const char* name,
@@ -93,6 +98,7 @@ void write_encoded(const fs::path& path, const OIIO::ImageSpec& spec, const void
 Heightmap read_picture(const fs::path& path, const ImportSettings& settings) {
     const auto input = open_picture(path);
     const OIIO::ImageSpec spec = input->spec();
+    check_file_size(path, spec.width, spec.height);
     Heightmap heightmap;
     heightmap.grid = {spec.width, spec.height, 1, 1};
     heightmap.heights.resize(heightmap.grid.count());

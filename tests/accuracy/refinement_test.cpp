@@ -52,6 +52,16 @@ TEST(Refinement, IsTheSameInWhateverSteps) {
         EXPECT_NE(once.read_rgb(width, height), plain);
         // Depth and picking stay those of the pixels' middles.
         EXPECT_EQ(once.read_depth(width, height), depth);
+        // Fewer samples than there were are those of a fresh picture.
+        EXPECT_TRUE(once.refine(terrain, 3));
+        refine(once, terrain, 3);
+        slowly.forget();
+        slowly.draw(same, over_crests(), settings, width, height);
+        refine(slowly, same, 3);
+        EXPECT_EQ(once.read_rgb(width, height), slowly.read_rgb(width, height));
+        EXPECT_TRUE(once.refine(terrain, 1));
+        EXPECT_FALSE(once.refine(terrain, 1));
+        EXPECT_EQ(once.read_rgb(width, height), plain);
         // Another picture starts anew.
         Camera other = over_crests();
         other.eye.x += 10;

@@ -19,7 +19,7 @@ wait_for() {
     fail "F12 did not save $1"
 }
 
-"$talus" --preset alpine --set camera.mode=walk --set camera.walk_m_per_s=100 --set render.samples=3 >window.log 2>&1 &
+"$talus" --preset alpine --set camera.mode=walk --set camera.walk_m_per_s=100 --set render.samples=3 --set render.view=slope >window.log 2>&1 &
 pid=$!
 trap 'kill "$pid" 2>/dev/null || true' EXIT
 for _ in $(seq 100); do

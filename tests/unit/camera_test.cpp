@@ -95,6 +95,31 @@ TEST(Walking, KeepsOutOfTheGroundAndOnItsTargetsSide) {
     EXPECT_EQ(camera.eye.z, 25);
 }
 
+// On small terrain, and on its outermost samples.
+TEST(GroundProbe, ComesToRestOnSmallTerrain) {
+    const gpu::Context context;
+    const Grid small{7, 5, 0.1, 0.1};
+    Terrain terrain(bedrock_terrain(small, std::vector<float>(small.count(), 5.0F)));
+    GroundProbe probe;
+    for (const glm::dvec2 place :
+         {glm::dvec2(0, 0), glm::dvec2(small.width_m(), small.height_m()), glm::dvec2(0.3, 0.2)}) {
+        for (int i = 0; i < 1000 && (!probe.height_m(small, place) || probe.pending()); ++i)
+            probe.follow(terrain, place);
+        EXPECT_EQ(probe.height_m(small, place), 5.0);
+        EXPECT_FALSE(probe.pending());
+    }
+    probe.follow(terrain, {0.1, 0.1});
+    EXPECT_FALSE(probe.pending());
+    // What was asked of another terrain does not come.
+    Terrain other(bedrock_terrain(small, std::vector<float>(small.count(), 9.0F)));
+    probe.forget();
+    probe.follow(terrain, {0.1, 0.1});
+    probe.forget();
+    EXPECT_FALSE(probe.pending());
+    for (int i = 0; i < 1000 && !probe.height_m(small, {0.1, 0.1}); ++i) probe.follow(other, {0.1, 0.1});
+    EXPECT_EQ(probe.height_m(small, {0.1, 0.1}), 9.0);
+}
+
 TEST(GroundProbe, SeesChangesAndNothingBesideTheTerrain) {
     const gpu::Context context;
     Terrain terrain(bedrock_terrain(grid, std::vector<float>(grid.count(), 5.0F)));
