@@ -43,7 +43,7 @@ double patch_pixels(const gpu::Device& device) {
         value && *value >= 4 && *value <= 1024) {
         return known[name] = *value;
     }
-    const double measured = measure_patch_pixels();
+    const double measured = measure_patch_pixels(device.software);
     cache.insert_or_assign(name, toml::table{{"patch_pixels", measured}});
     try {
         fs::create_directories(file.parent_path());
