@@ -100,7 +100,7 @@ void draw(Hybrid& hybrid, const Frame& frame) {
         hybrid.rays.beams().mark_changes(frame);
         frame.redraw->list();
         frame.redraw->draw(hybrid.reset_blocks, frame.hits, gpu::Depth::reset);
-    } else {
+    } else if (cells.count.x > 0) {
         frame.hits.clear_depth();
     }
     frame.hits.bind(picture);
