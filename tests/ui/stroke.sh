@@ -2,17 +2,8 @@
 # A window on a virtual display: a stroke of the mouse changes the ground under the cursor, undo takes it back to the
 # bit, play runs, replaying the window's journal gives the window's terrain. Screenshots stay in the folder.
 set -euo pipefail
-talus=$1
-folder=$2
-if [ -z "${TALUS_UNDER_XVFB:-}" ]; then
-    TALUS_UNDER_XVFB=1 exec xvfb-run -a -s "-screen 0 1280x720x24" bash "$0" "$@"
-fi
-rm -rf "$folder"
-mkdir -p "$folder"
-cd "$folder"
-export LIBGL_ALWAYS_SOFTWARE=1
+source "$(dirname "${BASH_SOURCE[0]}")/window.sh"
 
-fail() { echo "FAILED: $1"; cat window.log; exit 1; }
 hash_of() { "$talus" info --json "$1" | sed -n 's/.*"hash": "\(.*\)".*/\1/p'; }
 # Saves with Ctrl+S and waits until the file is a new one.
 save() {
@@ -28,14 +19,7 @@ save() {
 
 "$talus" run --preset alpine --size 257x257 --spacing 40 --ticks 0 --out ground.exr 2>/dev/null
 cp ground.exr start.exr
-"$talus" ground.exr --journal window.journal >window.log 2>&1 &
-pid=$!
-for _ in $(seq 100); do
-    window=$(xdotool search --name 'Talus$' 2>/dev/null | head -n 1) && [ -n "$window" ] && break
-    kill -0 "$pid" 2>/dev/null || fail "the window did not open"
-    sleep 0.1
-done
-[ -n "${window:-}" ] || fail "no window appeared"
+open_window ground.exr --journal window.journal
 sleep 2
 import -window root 1_open.png
 
@@ -72,10 +56,7 @@ save
 [ "$(hash_of ground.exr)" != "$(hash_of stroke.exr)" ] || fail "play changed nothing"
 cp ground.exr played.exr
 
-xdotool key ctrl+q
-for _ in $(seq 100); do kill -0 "$pid" 2>/dev/null || break; sleep 0.1; done
-kill -0 "$pid" 2>/dev/null && fail "Ctrl+Q did not close the window"
-wait "$pid" || fail "the window ended with an error"
+close_window
 
 # The journal starts from the file as it was opened.
 cp start.exr ground.exr
