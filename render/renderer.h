@@ -46,7 +46,6 @@ class Renderer {
     /// Distance in metres along each pixel's normalised ray (infinity: nothing hit) and steps.
     const gpu::Texture& hits() const { return target_.hits(); }
     const Pyramid& pyramid() const { return pyramid_; }
-    const SkyView& sky_view() const { return sky_view_; }
 
     /// Top row first; waits for the device.
     std::vector<std::uint8_t> read_rgb(int width, int height) const;

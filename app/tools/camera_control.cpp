@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace talus {
 namespace {
@@ -52,8 +51,7 @@ void look_level(Camera& camera) {
 }
 
 void pan(Camera& camera, double drag_x, double drag_y, double distance_m, int picture_height) {
-    const double per_pixel =
-        2 * std::tan(camera.fov_deg * std::numbers::pi / 360) * distance_m / picture_height;
+    const double per_pixel = pixel_at_one_metre(camera, picture_height) * distance_m;
     const CameraRays rays = camera_rays(camera, 1, 1);
     const glm::dvec3 move =
         glm::normalize(rays.right) * (-drag_x * per_pixel) + glm::normalize(rays.up) * (drag_y * per_pixel);
