@@ -173,8 +173,9 @@ void bench_render() {
         {"fly", {{0.15 * extent, 0.1 * extent, 3600}, {0.55 * extent, 0.6 * extent, 800}, 55}},
         {"straight down", {{0.5 * extent, 0.5 * extent, 12000}, {0.5 * extent, 0.5 * extent, 0}, 60}},
     };
-    fmt::print("pyramid: {:.2f} bytes a sample\n",
-               static_cast<double>(pyramid.bytes()) / static_cast<double>(grid.count()));
+    const auto samples = static_cast<double>(grid.count());
+    fmt::print("bytes a sample: pyramid {:.2f}, sky share {:.2f}\n",
+               static_cast<double>(pyramid.bytes()) / samples, static_cast<double>(sky.bytes()) / samples);
     fmt::print("{:<14} {:>14} {:>14} {:>8} {:>12} {:>12} {:>10} {:>6}\n", "view", "Talus Mrays/s",
                "Embree Mrays/s", "ratio", "Talus hits", "Embree hits", "steps", "p99");
     for (const auto& view : views) {
