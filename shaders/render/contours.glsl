@@ -16,6 +16,9 @@ float contour_ink(float distance_m, vec3 ray) {
     vec2 north = vec2(height_beside(pixel + ivec2(0, 1)) - height_m, height_m - height_beside(pixel - ivec2(0, 1)));
     // The smaller of both sides: a crest before something far is no slope.
     float change = length(vec2(min(abs(east.x), abs(east.y)), min(abs(north.x), abs(north.y))));
+    // On level ground at just a line's height there is no line, only rounding of the heights.
+    float rounding = 4e-7 * max(distance_m, abs(height_m));
+    float sloping = smoothstep(rounding, 4.0 * rounding, change);
     float ink = 0.0;
     for (int i = 0; i < 2; ++i) {
         float interval = i == 0 ? band_m : 5.0 * band_m;
@@ -26,5 +29,5 @@ float contour_ink(float distance_m, vec3 ray) {
         float width = i == 0 ? 0.5 : 1.0;
         ink = max(ink, (i == 0 ? 0.7 : 0.9) * (1.0 - smoothstep(width, width + 1.0, pixels)) * smoothstep(2.0, 6.0, apart));
     }
-    return ink;
+    return ink * sloping;
 }
