@@ -6,12 +6,32 @@
 namespace talus {
 namespace {
 
+std::size_t layer_bytes(const gpu::Region& region) {
+    return static_cast<std::size_t>(region.width) * region.height * sizeof(glm::vec4);
+}
+
+// The tile's solid, and behind it its water where there is a layer of it.
 gpu::Buffer copy_tile(const Terrain& terrain, int tile) {
     const gpu::Region region = terrain.tiles.region(tile);
-    gpu::Buffer buffer("undo tile",
-                       static_cast<std::size_t>(region.width) * region.height * sizeof(glm::vec4));
+    gpu::Buffer buffer("undo tile", layer_bytes(region) * (terrain.water ? 2 : 1));
     terrain.solid.front.copy_to(buffer, 0, region);
+    if (terrain.water)
+        terrain.water->front.copy_to(buffer, layer_bytes(region), WaterLayer::texels(region));
     return buffer;
+}
+
+// Water that was not there yet when the tile was kept was none.
+void put_back(const gpu::Buffer& kept, Terrain& terrain, int tile) {
+    const gpu::Region region = terrain.tiles.region(tile);
+    terrain.solid.front.copy_from(kept, 0, region);
+    if (terrain.water && kept.bytes() > layer_bytes(region)) {
+        terrain.water->front.copy_from(kept, layer_bytes(region), WaterLayer::texels(region));
+    } else if (terrain.water) {
+        const std::vector<glm::vec4> dry(static_cast<std::size_t>(region.width) * region.height,
+                                         glm::vec4(0));
+        terrain.water->front.write(WaterLayer::texels(region), std::as_bytes(std::span(dry)));
+    }
+    terrain.refresh(region);
 }
 
 gpu::Buffer copy_books(const Brush& brush) {
@@ -95,10 +115,8 @@ std::size_t Undo::bytes() const {
 
 void Undo::swap(Entry& entry, Terrain& terrain, Brush& brush, Moment& now) {
     for (auto& [tile, kept] : entry.tiles) {
-        const gpu::Region region = terrain.tiles.region(tile);
         gpu::Buffer present = copy_tile(terrain, tile);
-        terrain.solid.front.copy_from(kept, 0, region);
-        terrain.refresh(region);
+        put_back(kept, terrain, tile);
         std::swap(kept, present);
     }
     gpu::Buffer books = copy_books(brush);

@@ -44,6 +44,21 @@ Terrain::Terrain(const TerrainState& state)
     }
     start.write(all, std::as_bytes(std::span(words)));
     refresh(all);
+    if (!state.water.empty()) {
+        add_water();
+        write_water(all, state.water);
+    }
+}
+
+void Terrain::add_water() {
+    if (water) return;
+    water.emplace(grid_);
+    tiles.mark_all();
+}
+
+void Terrain::write_water(const gpu::Region& samples, std::span<const glm::vec4> values) {
+    water->front.write(WaterLayer::texels(samples), std::as_bytes(values));
+    tiles.mark_all();
 }
 
 void Terrain::bind(gpu::Program& program) {
@@ -76,6 +91,11 @@ TerrainState Terrain::read() const {
     for (const glm::vec4& texel : solid.front.read_all<glm::vec4>()) {
         state.bedrock.emplace_back(texel.x, texel.y);
         state.regolith.emplace_back(texel.z, texel.w);
+    }
+    if (water) {
+        state.water.resize(grid_.count());
+        water->front.read(WaterLayer::texels({0, 0, grid_.nx, grid_.ny}),
+                          std::as_writable_bytes(std::span(state.water)));
     }
     return state;
 }

@@ -1,12 +1,15 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "sim/gpu/program.h"
 #include "sim/gpu/texture.h"
 #include "sim/terrain/grid.h"
 #include "sim/terrain/tiles.h"
+#include "sim/terrain/water_layer.h"
 
 namespace talus {
 
@@ -23,6 +26,8 @@ struct TerrainState {
     Grid grid;
     std::vector<glm::vec2> bedrock;
     std::vector<glm::vec2> regolith;
+    /// Depth, m, two words, and discharge east and north, m²/s; empty: no water was ever here.
+    std::vector<glm::vec4> water;
     Clock clock;
 
     /// Ground = bedrock + regolith, rounded to one float a sample.
@@ -48,6 +53,7 @@ class Terrain {
     gpu::Texture ground;  ///< m, one float: what the eye sees; every pass that writes layers writes it too
     gpu::Texture start;   ///< m, two words: the ground when the terrain was made, for the ledger
     Tiles tiles;
+    std::optional<WaterLayer> water;  ///< none: no water was ever here
 
     /// Binds layers, ground and flags as shaders/sim/samples.glsl expects them, and sets its uniforms.
     void bind(gpu::Program& program);
@@ -57,6 +63,11 @@ class Terrain {
     void settle(const gpu::Region& samples);
     /// After layers were written from outside in these samples: front and back hold them, ground follows.
     void refresh(const gpu::Region& samples);
+
+    /// From now on there is a water layer, dry where it was none.
+    void add_water();
+    /// Puts these samples, rows of depth (two words) and discharge, in place of the water there.
+    void write_water(const gpu::Region& samples, std::span<const glm::vec4> water);
 
     /// Reads the layers back. Waits for the device. The clock is left at 0.
     TerrainState read() const;

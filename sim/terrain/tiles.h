@@ -19,7 +19,15 @@ struct TileList {
 /// reader lists and clears its own mark, so that work follows what changed and nothing is read back.
 class Tiles {
   public:
-    enum Mark : std::uint32_t { surface = 1, activity = 2, undo = 4, sky = 8 };
+    enum Mark : std::uint32_t {
+        surface = 1,
+        activity = 2,
+        undo = 4,
+        sky = 8,
+        bed = 16,           ///< ground or water was changed by others than the water's own sub-steps
+        wet = 32,           ///< its water is active
+        water_surface = 64  ///< its water changed since it was last drawn
+    };
 
     explicit Tiles(const Grid& grid);
 
@@ -40,7 +48,7 @@ class Tiles {
     std::uint64_t changes() const { return changes_; }
     void mark_all() {
         ++changes_;
-        flags_.fill(surface | activity | undo | sky);
+        flags_.fill(surface | activity | undo | sky | bed | wet | water_surface);
     }
     /// Lists the tiles that carry the mark, or have a neighbour at an offset from reach_low to reach_high
     /// that does, then clears the mark everywhere. The list's dispatch is groups_per_tile x tiles x 1.

@@ -1,0 +1,96 @@
+// What lies beyond the edges of the map: two ghost samples a row, made from the two samples inside and the kind of
+// the edge (docs/numerics.md, "Edges of the water"). Needs maths/water.glsl, and
+//   edge_level_m     real, level held at level edges; still level at wave edges
+//   edge_inflow      real, m²/s into the map at inflow edges
+//   edge_wave_m      real, the wave's height above the still level at wave edges
+
+const int edge_wall = 0;
+const int edge_open = 1;
+const int edge_level = 2;
+const int edge_inflow_kind = 3;
+const int edge_wave = 4;
+const int edge_periodic = 5;
+
+// A sample as an edge sees it: depth, discharge out of the map, discharge along the edge, bed.
+struct EdgeSample {
+    real depth;
+    real outward;
+    real beside;
+    real bed;
+};
+
+// A sample of this depth and outward velocity on the same bed.
+EdgeSample edge_sample(EdgeSample like, real depth, real velocity) {
+    precise real discharge = depth * velocity;
+    EdgeSample ghost = like;
+    ghost.depth = depth;
+    ghost.outward = discharge;
+    ghost.beside = real(0);
+    return ghost;
+}
+
+real edge_celerity(real depth) {
+    precise real square = water_gravity * depth;
+    precise real celerity = sqrt(square);
+    return celerity;
+}
+
+// A depth that is held: the wave that leaves brings its own velocity, u + 2c; none enters faster than critical.
+EdgeSample edge_at_level(EdgeSample inner, real velocity) {
+    precise real held = edge_level_m - inner.bed;
+    real depth = max(held, real(0));
+    real c = edge_celerity(depth);
+    real c_inner = edge_celerity(inner.depth);
+    if (velocity >= c_inner && inner.depth > real(0)) return inner;
+    precise real reached = velocity + real(2) * (c_inner - c);
+    return edge_sample(inner, depth, min(max(reached, -c), c));
+}
+
+// A discharge that is given: c solves -q g / c² + 2c = u + 2c of the wave that leaves, by Newton from below.
+EdgeSample edge_with_inflow(EdgeSample inner, real velocity) {
+    if (edge_inflow <= real(0)) return edge_sample(inner, inner.depth, real(0));
+    precise real outgoing = velocity + real(2) * edge_celerity(inner.depth);
+    precise real weight = edge_inflow * water_gravity;
+    precise real half_weight = real(0.5) * weight;
+    precise real start = real(1) / inverse_cube_root(half_weight);
+    precise real c = max(start, real(0.5) * outgoing);
+    if (outgoing > real(0)) {
+        for (int i = 0; i < 8; ++i) {
+            precise real square = c * c;
+            precise real part = weight / square;
+            precise real miss = (real(2) * c - part) - outgoing;
+            precise real steepness = real(2) + (part + part) / c;
+            c = c - miss / steepness;
+        }
+    }
+    precise real depth = (c * c) / water_gravity;
+    precise real inward = edge_inflow / depth;
+    return edge_sample(inner, depth, -inward);
+}
+
+// A simple wave enters, u = 2 (c - c0), and what comes from inside leaves: u = (in + out) / 2, c = (out - in) / 4.
+EdgeSample edge_with_wave(EdgeSample inner, real velocity) {
+    precise real still = edge_level_m - inner.bed;
+    precise real wave = still + edge_wave_m;
+    real c_still = edge_celerity(max(still, real(0)));
+    real c_wave = edge_celerity(max(wave, real(0)));
+    precise real entering = real(2) * c_still - real(4) * c_wave;
+    precise real leaving = velocity + real(2) * edge_celerity(inner.depth);
+    precise real u = real(0.5) * (leaving + entering);
+    precise real c = max(real(0.25) * (leaving - entering), real(0));
+    precise real depth = (c * c) / water_gravity;
+    // A wall, where there is no water to move.
+    if (still <= real(0)) return edge_sample(inner, inner.depth, -velocity);
+    return edge_sample(inner, depth, u);
+}
+
+// The nearer ghost; for a wall or a periodic edge, `first` is the sample that it shows.
+EdgeSample edge_ghost(int kind, EdgeSample first) {
+    real velocity = water_velocity(first.depth, real2(first.outward, first.beside)).x;
+    if (kind == edge_level) return edge_at_level(first, velocity);
+    if (kind == edge_inflow_kind) return edge_with_inflow(first, velocity);
+    if (kind == edge_wave) return edge_with_wave(first, velocity);
+    EdgeSample ghost = first;
+    if (kind == edge_wall) ghost.outward = -first.outward;
+    return ghost;
+}

@@ -1,0 +1,142 @@
+// One stage of a sub-step of shallow water on the listed tiles: 4 groups a tile, 16 rows each. An invocation marches
+// southwards down its column, so that each face between rows is solved once. ORDER 1: an Euler step. ORDER 2: STAGE 1
+// writes the Euler step to `back`; STAGE 2 reads it there and completes `front` in place (each texel by its owner).
+layout(local_size_x = 64) in;
+#include "sim/water_images.glsl"
+
+layout(binding = 0, rgba32f) uniform readonly image2D water_in;
+#if ORDER == 2 && STAGE == 2
+layout(binding = 1, rgba32f) uniform image2D water_out;
+#else
+layout(binding = 1, rgba32f) uniform writeonly image2D water_out;
+#endif
+layout(binding = 2, r32f) uniform readonly image2D bed_in;
+layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
+layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
+layout(binding = 3, std430) buffer TileSpeeds { uint tile_speeds[]; };
+#ifdef SOURCES
+layout(binding = 4, std430) buffer TileLosses { double tile_losses[]; };  // metres, per tile and strip
+shared double column_losses[64];
+#endif
+
+uniform int2 samples;
+uniform int2 tiles;
+uniform real gravity;
+uniform real rain_m_per_s;
+uniform real loss_m_per_s;
+
+const int water_order = ORDER;
+real water_gravity = gravity;
+real2 water_share = real2(clock_share_x, clock_share_y);
+real water_drain = clock_drain;
+#ifdef FRICTION
+real water_friction = clock_friction;
+#else
+const real water_friction = real(0);
+#endif
+#include "sim/cube_root_seed.glsl"
+#include "maths/water.glsl"
+#include "maths/water_sources.glsl"
+
+// Bits of a tile's flags: undo must keep it, its water is active, its picture is old.
+const uint water_moved = 4u | 32u | 64u;
+
+// A sample seen along y: `along` is north.
+WaterCell load_cell(int2 at, out real4 water) {
+    water = imageLoad(water_in, at + water_ghosts);
+    real bed = imageLoad(bed_in, at + water_ghosts).x;
+    return water_cell(water, bed, water_velocity(water.x, real2(water.w, water.z)));
+}
+
+WaterCell load_turned(int2 at) {
+    real4 water;
+    return water_turned(load_cell(at, water));
+}
+
+WaterFace face_between(WaterCell before, WaterCell a, WaterSlope slope_a, WaterCell b, WaterSlope slope_b, WaterCell behind) {
+    return water_face(a, slope_a, b, slope_b, water_face_rests(before, a, b, behind));
+}
+
+void main() {
+    int tile = int(listed_tiles[gl_WorkGroupID.y]);
+    int2 first = int2(tile % tiles.x, tile / tiles.x) * 64 + int2(int(gl_LocalInvocationIndex), int(gl_WorkGroupID.x) * 16);
+    int rows = min(16, samples.y - first.y);
+    real dt = clock_dt_s;
+    bool moved = false;
+    real fastest = real(0);
+#ifdef SOURCES
+    double lost = 0.0lf;
+#endif
+
+    if (first.x < samples.x && rows > 0) {
+        real4 here;
+        real4 below;
+        real4 ignored;
+        WaterCell north_2 = load_cell(first + int2(0, -2), ignored);
+        WaterCell north = load_cell(first + int2(0, -1), ignored);
+        WaterCell cell = load_cell(first, here);
+        WaterCell south = load_cell(first + int2(0, 1), below);
+        WaterSlope slope = water_slope(south, cell, north);
+        WaterFace face_north = face_between(south, cell, slope, north, water_slope(cell, north, north_2), north_2);
+        int row = 0;
+        do {
+            int2 at = first + int2(0, row);
+            real4 next;
+            WaterCell south_2 = load_cell(at + int2(0, 2), next);
+            WaterSlope slope_south = water_slope(south_2, south, cell);
+            WaterFace face_south = face_between(south_2, south, slope_south, cell, slope, north);
+
+            WaterCell west_2 = load_turned(at + int2(-2, 0));
+            WaterCell west = load_turned(at + int2(-1, 0));
+            WaterCell turned = water_turned(cell);
+            WaterCell east = load_turned(at + int2(1, 0));
+            WaterCell east_2 = load_turned(at + int2(2, 0));
+            WaterSlope slope_x = water_slope(west, turned, east);
+            WaterFace face_west = face_between(west_2, west, water_slope(west_2, west, turned), turned, slope_x, east);
+            WaterFace face_east = face_between(west, turned, slope_x, east, water_slope(turned, east, east_2), east_2);
+
+            WaterChange change = water_change(here.x, slope_x.level, slope.level, face_west, face_east, face_south, face_north);
+#if ORDER == 2 && STAGE == 1
+            real4 after = water_first_stage(here, change);
+#else
+#if ORDER == 2
+            real4 start = imageLoad(water_out, at + water_ghosts);
+            real4 after = water_second_stage(start, here, change);
+#else
+            real4 after = water_euler(here, change);
+#endif
+#ifdef SOURCES
+            real loss = water_loss(after, dt);
+            after = water_with_sources(after, dt, loss);
+            lost += double(loss);
+            moved = moved || after.x > real(0);
+#endif
+            fastest = max(fastest, water_speed(after));
+#endif
+            moved = moved || !change.rests || here.z != real(0) || here.w != real(0);
+            imageStore(water_out, at + water_ghosts, after);
+
+            north = cell;
+            cell = south;
+            south = south_2;
+            here = below;
+            below = next;
+            slope = slope_south;
+            face_north = face_south;
+            ++row;
+        } while (row < rows);
+    }
+    if (moved && (tile_flags[tile] & water_moved) != water_moved) atomicOr(tile_flags[tile], water_moved);
+#if ORDER == 1 || STAGE == 2
+    if (fastest > real(0)) atomicMax(tile_speeds[tile], floatBitsToUint(fastest));
+#endif
+#ifdef SOURCES
+    column_losses[gl_LocalInvocationIndex] = lost;
+    barrier();
+    if (gl_LocalInvocationIndex == 0u) {
+        double sum = 0.0lf;
+        for (int i = 0; i < 64; ++i) sum += column_losses[i];
+        tile_losses[tile * 4 + int(gl_WorkGroupID.x)] += sum;
+    }
+#endif
+}

@@ -1,0 +1,49 @@
+// Where the ground or the water was changed by others: the bed follows the ground, both images of the water agree, the
+// tile's fastest wave is found anew, and its water wakes. A group per listed tile.
+layout(local_size_x = 64) in;
+#include "sim/water_images.glsl"
+
+layout(binding = 0, rgba32f) uniform readonly image2D water_in;
+layout(binding = 1, rgba32f) uniform writeonly image2D water_out;
+layout(binding = 2, r32f) uniform writeonly image2D bed_out;
+layout(binding = 3, r32f) uniform readonly image2D ground_in;
+layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
+layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
+layout(binding = 3, std430) buffer TileSpeeds { uint tile_speeds[]; };
+
+uniform int2 samples;
+uniform int2 tiles;
+uniform real gravity;
+
+const int water_order = 1;
+real water_gravity = gravity;
+const real2 water_share = real2(0.0);
+const real water_drain = real(0);
+const real water_friction = real(0);
+#include "sim/cube_root_seed.glsl"
+#include "maths/water.glsl"
+
+shared uint fastest;
+
+void main() {
+    int tile = int(listed_tiles[gl_WorkGroupID.y]);
+    int2 first = int2(tile % tiles.x, tile / tiles.x) * 64 + int2(int(gl_LocalInvocationIndex), 0);
+    if (gl_LocalInvocationIndex == 0u) fastest = 0u;
+    barrier();
+    real mine = real(0);
+    if (first.x < samples.x) {
+        for (int row = 0; row < min(64, samples.y - first.y); ++row) {
+            int2 at = first + int2(0, row);
+            real4 water = imageLoad(water_in, at + water_ghosts);
+            imageStore(water_out, at + water_ghosts, water);
+            imageStore(bed_out, at + water_ghosts, imageLoad(ground_in, at));
+            mine = max(mine, water_speed(water));
+        }
+    }
+    atomicMax(fastest, floatBitsToUint(mine));
+    barrier();
+    if (gl_LocalInvocationIndex == 0u) {
+        tile_speeds[tile] = fastest;
+        atomicOr(tile_flags[tile], 32u | 64u);
+    }
+}

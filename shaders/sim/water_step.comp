@@ -1,0 +1,109 @@
+// Begins a sub-step of water: its length from the fastest wave, and the list of the tiles that have work. One group,
+// because a dispatch costs more than this work. After the tick's time is over it lists none and leaves the marks.
+layout(local_size_x = 256) in;
+#include "sim/water_images.glsl"
+
+layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
+layout(binding = 1, std430) buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
+layout(binding = 3, std430) buffer TileSpeeds { uint tile_speeds[]; };
+layout(binding = 5, std430) readonly buffer Springs { vec4 springs[]; };  // column, row, m/s
+
+uniform int2 tiles;
+uniform int2 samples;
+uniform real2 cell_m;
+uniform real tick_s;
+uniform real friction;       // gravity * Manning's n²
+uniform real rain_m_per_s;
+uniform int eulers;          // equal Euler steps that follow each other in a sub-step: 1 at order 2, 2 at order 1
+uniform int driven_north;    // 1: the edge wakes its tiles
+uniform int driven_south;
+uniform int driven_west;
+uniform int driven_east;
+uniform int every_tile;      // 1: all tiles have work
+uniform int spring_count;
+#include "maths/water_step.glsl"
+
+shared uint fastest;
+shared uint listed;
+shared bool running;
+
+const uint wet = 32u;
+
+bool is_wet(int2 tile) {
+    if (any(lessThan(tile, int2(0))) || any(greaterThanEqual(tile, tiles))) return false;
+    return (tile_flags[tile.y * tiles.x + tile.x] & wet) != 0u;
+}
+
+bool is_driven(int2 tile) {
+    return (driven_north != 0 && tile.y == 0) || (driven_south != 0 && tile.y == tiles.y - 1) ||
+           (driven_west != 0 && tile.x == 0) || (driven_east != 0 && tile.x == tiles.x - 1);
+}
+
+void main() {
+    int me = int(gl_LocalInvocationIndex);
+    int count = tiles.x * tiles.y;
+    if (me == 0) {
+        fastest = 0u;
+        listed = 0u;
+        running = clock_left_s > real(0);
+    }
+    barrier();
+    if (running) {
+        uint mine = 0u;
+        for (int index = me; index < count; index += 256) {
+            mine = max(mine, tile_speeds[index]);
+            if (is_driven(int2(index % tiles.x, index / tiles.x))) tile_flags[index] |= wet;
+        }
+        atomicMax(fastest, mine);
+        for (int i = me; i < spring_count; i += 256) {
+            int2 tile = int2(springs[i].xy) / 64;
+            atomicOr(tile_flags[tile.y * tiles.x + tile.x], wet);
+        }
+    }
+    memoryBarrierBuffer();
+    barrier();
+    if (running) {
+        for (int index = me; index < count; index += 256) {
+            int2 tile = int2(index % tiles.x, index / tiles.x);
+            bool work = every_tile != 0;
+            for (int dy = -1; dy <= 1; ++dy)
+                for (int dx = -1; dx <= 1; ++dx) work = work || is_wet(tile + int2(dx, dy));
+            if (work) {
+                listed_tiles[atomicAdd(listed, 1u)] = uint(index);
+                tile_speeds[index] = 0u;
+            }
+        }
+    }
+    barrier();
+    if (running)
+        for (int index = me; index < count; index += 256) tile_flags[index] &= ~wet;
+    if (me == 0) {
+        list_arguments[0] = 4u;
+        list_arguments[1] = listed;
+        list_arguments[2] = 1u;
+        clock_dt_s = real(0);
+        if (running) {
+            real speed = uintBitsToFloat(fastest);
+            real2 step = water_substep(clock_left_s, speed, water_courant * real(eulers));
+            precise real dt = step.x / real(eulers);
+            precise real share_x = dt / cell_m.x;
+            precise real share_y = dt / cell_m.y;
+            precise real dt_friction = dt * friction;
+            precise real at = real(1) - clock_left_s / tick_s;
+            precise real share = dt / tick_s;
+            clock_dt_s = dt;
+            clock_left_s = step.y;
+            clock_share_x = share_x;
+            clock_share_y = share_y;
+            clock_drain = water_draining(dt);
+            clock_friction = dt_friction;
+            clock_at = at;
+            clock_share = share;
+            clock_fastest = speed;
+            total_substeps += 1.0lf;
+            total_listed += double(listed);
+            precise real rain = rain_m_per_s * dt;
+            book_rain_m += double(eulers) * double(rain);
+        }
+    }
+}

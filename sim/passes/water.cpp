@@ -1,0 +1,281 @@
+#include "sim/passes/water.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include "sim/gpu/error.h"
+
+namespace talus {
+namespace {
+
+// Points of the edges' time series in a tick, less one.
+constexpr int series_steps = 256;
+
+// The buffer that shaders/sim/water_images.glsl calls WaterClock.
+struct DeviceClock {
+    float left_s;
+    float unread[11];
+    double rain_m;
+    double springs_m;
+    double substeps;
+    double listed;
+};
+
+DeviceClock read_clock(const gpu::Buffer& buffer) {
+    DeviceClock clock{};
+    buffer.read(0, std::as_writable_bytes(std::span(&clock, 1)));
+    return clock;
+}
+
+bool has_sources(const WaterSettings& settings) {
+    return settings.rain_m_per_s > 0 || settings.infiltration_m_per_s > 0 || settings.evaporation_m_per_s > 0;
+}
+
+// Samples along the inflow edges, as metres.
+double inflow_length_m(const WaterSettings& settings, const Grid& grid) {
+    const std::array<double, 4> lengths = {grid.nx * grid.dx, grid.nx * grid.dx, grid.ny * grid.dy,
+                                           grid.ny * grid.dy};
+    double length_m = 0;
+    for (std::size_t edge = 0; edge < 4; ++edge)
+        if (settings.edges[edge] == EdgeKind::inflow) length_m += lengths[edge];
+    return length_m;
+}
+
+}  // namespace
+
+void check_water(const WaterSettings& settings) {
+    constexpr std::array<const char*, 4> names = {"north", "south", "west", "east"};
+    for (std::size_t edge = 0; edge < 4; ++edge)
+        if (settings.edges[edge] == EdgeKind::periodic && settings.edges[edge ^ 1U] != EdgeKind::periodic)
+            throw Error(std::string("water.boundary.") + names[edge] +
+                        " is periodic: the opposite edge, water.boundary." + names[edge ^ 1U] +
+                        ", must be periodic too");
+}
+
+double inflow_at(const WaterSettings& settings, double time_s) {
+    double share = 1;
+    if (time_s < settings.inflow_rise_s)
+        share = time_s / settings.inflow_rise_s;
+    else if (settings.inflow_fall_s > 0)
+        share = std::max(0.0, 1 - (time_s - settings.inflow_rise_s) / settings.inflow_fall_s);
+    return settings.inflow_m3_per_s * share;
+}
+
+double wave_at(const WaterSettings& settings, double time_s) {
+    if (settings.wave_form == WaveForm::sine) {
+        // Grows over the first period: a wave that begins at once sends a step ahead.
+        const double grown = std::min(1.0, time_s / settings.wave_period_s);
+        return settings.wave_height_m * grown *
+               std::sin(2 * std::numbers::pi * time_s / settings.wave_period_s);
+    }
+    // Begins where the wave is a thousandth of its height, Synolakis 1987 (2.4).
+    const double d = settings.wave_depth_m;
+    const double height = settings.wave_height_m;
+    if (height <= 0) return 0;
+    const double gamma = std::sqrt(3 * height / (4 * d)) / d;
+    const double celerity = std::sqrt(settings.gravity_m_per_s2 * (d + height));
+    const double start = std::acosh(std::sqrt(1000.0)) / gamma;
+    const double crest = std::cosh(gamma * (start - celerity * time_s));
+    return height / (crest * crest);
+}
+
+double WaterBooks::in_m3() const {
+    return rain_m3 + springs_m3 + edges_in_m3 + std::max(placed_m3, 0.0);
+}
+
+double WaterBooks::out_m3() const {
+    return edges_out_m3 + losses_m3 + std::max(-placed_m3, 0.0);
+}
+
+Water::Water(const Terrain& terrain)
+    : step_program_("sim/water_step.comp"),
+      bed_program_("sim/water_bed.comp"),
+      active_(terrain.tiles.count()),
+      clock_("water clock", sizeof(DeviceClock)),
+      speeds_("water speeds", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(std::uint32_t)),
+      losses_("water losses", static_cast<std::size_t>(terrain.tiles.count()) * 4 * sizeof(double)),
+      springs_("water springs", sizeof(glm::vec4)),
+      series_("water edge series", 2 * (series_steps + 1) * sizeof(float)),
+      edge_books_("water edge books",
+                  2 * static_cast<std::size_t>(terrain.grid().nx + terrain.grid().ny) * sizeof(glm::dvec2)) {
+    clock_.fill(0);
+    speeds_.fill(0);
+    losses_.fill(0);
+    edge_books_.fill(0);
+}
+
+gpu::Program& Water::stage_program(int stage) {
+    const bool friction = settings_.manning_s_per_m13 > 0;
+    const bool sources = has_sources(settings_);
+    // At order 1 both halves of a sub-step are the same.
+    const int shown_stage = settings_.order == 1 ? 1 : stage;
+    const int key = settings_.order + 4 * shown_stage + (friction ? 16 : 0) + (sources ? 32 : 0);
+    auto found = stage_programs_.find(key);
+    if (found == stage_programs_.end()) {
+        std::vector<std::string> defines = {"ORDER " + std::to_string(settings_.order),
+                                            "STAGE " + std::to_string(shown_stage)};
+        if (friction) defines.emplace_back("FRICTION 1");
+        if (sources && (settings_.order == 1 || stage == 2)) defines.emplace_back("SOURCES 1");
+        found = stage_programs_.emplace(key, gpu::Program({"sim/water.comp"}, defines)).first;
+    }
+    return found->second;
+}
+
+void Water::begin_tick(Terrain& terrain, const WaterSettings& settings, const std::vector<Spring>& springs,
+                       double tick_s, double start_s) {
+    settings_ = settings;
+    tick_s_ = tick_s;
+    const Grid& grid = terrain.grid();
+    const auto time = static_cast<float>(tick_s);
+    clock_.write(0, std::as_bytes(std::span(&time, 1)));
+
+    std::vector<float> series;
+    series.reserve(2 * (series_steps + 1));
+    const double length_m = inflow_length_m(settings, grid);
+    for (int i = 0; i <= series_steps; ++i) {
+        const double at_s = start_s + tick_s * i / series_steps;
+        series.push_back(length_m > 0 ? static_cast<float>(inflow_at(settings, at_s) / length_m) : 0.0F);
+    }
+    for (int i = 0; i <= series_steps; ++i)
+        series.push_back(static_cast<float>(wave_at(settings, start_s + tick_s * i / series_steps)));
+    series_.write_all(series);
+
+    std::vector<glm::vec4> placed;
+    placed.reserve(springs.size());
+    for (const Spring& spring : springs) {
+        const double column = std::clamp(std::round(grid.column_of(spring.x_m)), 0.0, grid.nx - 1.0);
+        const double row = std::clamp(std::round(grid.row_of(spring.y_m)), 0.0, grid.ny - 1.0);
+        placed.emplace_back(column, row, spring.rate_m3_per_s / (grid.dx * grid.dy), 0);
+    }
+    spring_count_ = static_cast<int>(placed.size());
+    if (!placed.empty()) {
+        if (springs_.bytes() != placed.size() * sizeof(glm::vec4))
+            springs_ = gpu::Buffer("water springs", placed.size() * sizeof(glm::vec4));
+        springs_.write_all(placed);
+    }
+
+    terrain.tiles.take(Tiles::bed, 0, 0, 1, active_);
+    WaterLayer& water = *terrain.water;
+    water.front.bind_image(0, gpu::Access::read);
+    water.back.bind_image(1, gpu::Access::write);
+    water.bed.bind_image(2, gpu::Access::write);
+    terrain.ground.bind_image(3, gpu::Access::read);
+    terrain.tiles.bind_for_marking();
+    active_.buffer.bind_storage(1);
+    clock_.bind_storage(2);
+    speeds_.bind_storage(3);
+    bed_program_.set("samples", glm::ivec2(grid.nx, grid.ny));
+    bed_program_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
+    bed_program_.set("gravity", static_cast<float>(settings.gravity_m_per_s2));
+    bed_program_.dispatch_indirect(active_.buffer);
+}
+
+void Water::substep(Terrain& terrain) {
+    const Grid& grid = terrain.grid();
+    const glm::ivec2 samples(grid.nx, grid.ny);
+    const glm::ivec2 tiles(terrain.tiles.columns(), terrain.tiles.rows());
+    const int eulers = settings_.order == 1 ? 2 : 1;
+    const auto gravity = static_cast<float>(settings_.gravity_m_per_s2);
+    const auto rain = static_cast<float>(settings_.rain_m_per_s);
+    const bool periodic = std::any_of(settings_.edges.begin(), settings_.edges.end(),
+                                      [](EdgeKind kind) { return kind == EdgeKind::periodic; });
+    const auto driven = [&](Edge edge) {
+        const EdgeKind kind = settings_.edges[static_cast<std::size_t>(edge)];
+        return kind == EdgeKind::inflow || kind == EdgeKind::wave ? 1 : 0;
+    };
+
+    terrain.tiles.bind_for_marking();
+    active_.buffer.bind_storage(1);
+    clock_.bind_storage(2);
+    speeds_.bind_storage(3);
+    losses_.bind_storage(4);
+    springs_.bind_storage(5);
+    series_.bind_storage(6);
+    edge_books_.bind_storage(7);
+
+    step_program_.set("tiles", tiles);
+    step_program_.set("samples", samples);
+    step_program_.set("cell_m", glm::vec2(grid.dx, grid.dy));
+    step_program_.set("tick_s", static_cast<float>(tick_s_));
+    step_program_.set("friction", static_cast<float>(settings_.gravity_m_per_s2 *
+                                                     settings_.manning_s_per_m13 * settings_.manning_s_per_m13));
+    step_program_.set("rain_m_per_s", rain);
+    step_program_.set("eulers", eulers);
+    step_program_.set("driven_north", driven(Edge::north));
+    step_program_.set("driven_south", driven(Edge::south));
+    step_program_.set("driven_west", driven(Edge::west));
+    step_program_.set("driven_east", driven(Edge::east));
+    step_program_.set("every_tile", !settings_.skips_rest || periodic || rain > 0 ? 1 : 0);
+    step_program_.set("spring_count", spring_count_);
+    step_program_.dispatch(1);
+
+    auto edges = edge_programs_.find(settings_.order);
+    if (edges == edge_programs_.end())
+        edges = edge_programs_
+                    .emplace(settings_.order, gpu::Program({"sim/water_edges.comp"},
+                                                           {"ORDER " + std::to_string(settings_.order)}))
+                    .first;
+    const double loss = settings_.infiltration_m_per_s + settings_.evaporation_m_per_s;
+    WaterLayer& water = *terrain.water;
+    for (int stage = 1; stage <= 2; ++stage) {
+        const gpu::Texture& from = stage == 1 ? water.front : water.back;
+        const gpu::Texture& to = stage == 1 ? water.back : water.front;
+        gpu::Program& ghosts = edges->second;
+        from.bind_image(0, gpu::Access::read_write);
+        water.bed.bind_image(2, gpu::Access::read_write);
+        ghosts.set("samples", samples);
+        ghosts.set("tiles", tiles);
+        ghosts.set("stage", stage - 1);
+        ghosts.set("kind_north", static_cast<int>(settings_.edges[0]));
+        ghosts.set("kind_south", static_cast<int>(settings_.edges[1]));
+        ghosts.set("kind_west", static_cast<int>(settings_.edges[2]));
+        ghosts.set("kind_east", static_cast<int>(settings_.edges[3]));
+        ghosts.set("series_steps", series_steps);
+        ghosts.set("edge_level_m", static_cast<float>(settings_.level_m));
+        ghosts.set("gravity", gravity);
+        ghosts.set("spring_count", spring_count_);
+        ghosts.set("eulers", eulers);
+        ghosts.dispatch(1);
+
+        gpu::Program& program = stage_program(stage);
+        from.bind_image(0, gpu::Access::read);
+        to.bind_image(1, gpu::Access::read_write);
+        water.bed.bind_image(2, gpu::Access::read);
+        program.set("samples", samples);
+        program.set("tiles", tiles);
+        program.set("gravity", gravity);
+        program.set("rain_m_per_s", rain);
+        program.set("loss_m_per_s", static_cast<float>(loss));
+        program.dispatch_indirect(active_.buffer);
+    }
+}
+
+double Water::time_left_s() const {
+    float left_s = 0;
+    clock_.read(0, std::as_writable_bytes(std::span(&left_s, 1)));
+    return left_s;
+}
+
+WaterBooks Water::books(const Grid& grid) const {
+    const double area = grid.dx * grid.dy;
+    const DeviceClock clock = read_clock(clock_);
+    WaterBooks books;
+    books.rain_m3 = clock.rain_m * area * static_cast<double>(grid.count());
+    books.springs_m3 = clock.springs_m * area;
+    for (const glm::dvec2& sample : edge_books_.read_all<glm::dvec2>()) {
+        books.edges_in_m3 += sample.x * area;
+        books.edges_out_m3 += sample.y * area;
+    }
+    for (const double strip : losses_.read_all<double>()) books.losses_m3 += strip * area;
+    books.placed_m3 = placed_m3;
+    return books;
+}
+
+Water::Work Water::work() const {
+    const DeviceClock clock = read_clock(clock_);
+    return {static_cast<std::uint64_t>(clock.substeps), static_cast<std::uint64_t>(clock.listed)};
+}
+
+}  // namespace talus

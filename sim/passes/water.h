@@ -1,0 +1,123 @@
+#pragma once
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/gpu/buffer.h"
+#include "sim/gpu/program.h"
+#include "sim/terrain/terrain.h"
+
+namespace talus {
+
+/// What is beyond an edge of the map. The numbers are those of shaders/maths/water_edge.glsl.
+enum class EdgeKind { wall = 0, open = 1, level = 2, inflow = 3, wave = 4, periodic = 5 };
+
+/// The edges in the order of settings and books.
+enum class Edge { north = 0, south = 1, west = 2, east = 3 };
+
+enum class WaveForm { sine, solitary };
+
+/// Settings of the water with units.
+struct WaterSettings {
+    int order = 2;  ///< of space and time: 1 is cheaper, 2 more exact
+    double gravity_m_per_s2 = 9.81;
+    double manning_s_per_m13 = 0;  ///< Manning's n; 0: no friction
+    double rain_m_per_s = 0;
+    double infiltration_m_per_s = 0;
+    double evaporation_m_per_s = 0;
+    std::array<EdgeKind, 4> edges{};
+    double level_m = 0;              ///< held at level edges, still level at wave edges
+    double inflow_m3_per_s = 0;      ///< over all inflow edges together, at its peak
+    double inflow_rise_s = 0;        ///< from nothing to the peak; 0: at once
+    double inflow_fall_s = 0;        ///< from the peak back to nothing; 0: it stays
+    WaveForm wave_form = WaveForm::sine;
+    double wave_height_m = 0;        ///< sine: amplitude; solitary: crest above the still level
+    double wave_period_s = 10;       ///< sine
+    double wave_depth_m = 10;        ///< solitary: still depth that gives the wave its length
+    bool skips_rest = true;          ///< false: every tile every sub-step, to compare with (law 2)
+};
+
+/// Throws talus::Error when settings contradict each other: a periodic edge needs its opposite to be.
+void check_water(const WaterSettings& settings);
+
+/// Water that comes out of the ground at a place.
+struct Spring {
+    double x_m = 0;
+    double y_m = 0;
+    double rate_m3_per_s = 0;
+    bool operator==(const Spring&) const = default;
+};
+
+/// Inflow over all inflow edges at a time since the start, m³/s.
+double inflow_at(const WaterSettings& settings, double time_s);
+
+/// The wave maker's height above the still level at a time since the start, m.
+double wave_at(const WaterSettings& settings, double time_s);
+
+/// Where the water came from and went, m³ since the start.
+struct WaterBooks {
+    double rain_m3 = 0;
+    double springs_m3 = 0;
+    double edges_in_m3 = 0;
+    double edges_out_m3 = 0;
+    double losses_m3 = 0;  ///< by infiltration and evaporation
+    double placed_m3 = 0;  ///< by the sea and by brushes; negative: taken
+    double in_m3() const;
+    double out_m3() const;
+};
+
+/// Moves the water: conservative shallow-water equations in second order (docs/numerics.md, "Water"), by
+/// sub-steps whose length is found on the device from the fastest wave. Only tiles whose water moves, and
+/// their neighbours, are computed; the others would keep their bits (law 2).
+///
+///     water.begin_tick(terrain, settings, tick_s, clock.simulated_s);
+///     while (water.time_left_s() > 0) water.substep(terrain);
+class Water {
+  public:
+    /// The terrain must have a water layer.
+    explicit Water(const Terrain& terrain);
+
+    /// Takes over what others changed of ground and water, and sets the time that sub-steps have to go. The
+    /// settings hold for the whole tick.
+    void begin_tick(Terrain& terrain, const WaterSettings& settings, const std::vector<Spring>& springs,
+                    double tick_s, double start_s);
+    /// The next sub-step; nothing after the tick's time is over.
+    void substep(Terrain& terrain);
+    /// Of the present tick. Waits for the device.
+    double time_left_s() const;
+
+    /// Waits for the device.
+    WaterBooks books(const Grid& grid) const;
+    /// Sub-steps so far, and tiles computed in them together. Waits for the device.
+    struct Work {
+        std::uint64_t substeps = 0;
+        std::uint64_t tiles = 0;
+    };
+    Work work() const;
+
+    /// What undo keeps of the books.
+    std::vector<gpu::Buffer*> kept() { return {&clock_, &edge_books_, &losses_}; }
+    double placed_m3 = 0;
+
+  private:
+    gpu::Program& stage_program(int stage);
+
+    gpu::Program step_program_;
+    gpu::Program bed_program_;
+    std::map<int, gpu::Program> edge_programs_;   // by order
+    std::map<int, gpu::Program> stage_programs_;  // by order, stage, friction, sources
+    TileList active_;
+    gpu::Buffer clock_;
+    gpu::Buffer speeds_;
+    gpu::Buffer losses_;
+    gpu::Buffer springs_;
+    gpu::Buffer series_;
+    gpu::Buffer edge_books_;
+
+    WaterSettings settings_;
+    double tick_s_ = 0;
+    int spring_count_ = 0;
+};
+
+}  // namespace talus

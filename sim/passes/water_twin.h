@@ -1,0 +1,207 @@
+#pragma once
+#include <bit>
+#include <vector>
+
+#include "shaders/maths/twin.h"
+#include "sim/passes/water.h"
+#include "sim/terrain/grid.h"
+
+namespace talus::maths {
+
+/// The CPU twin of the water's sub-step (shaders/sim/water_step.comp, water_edges.comp, water.comp), over every
+/// sample. In float it agrees with llvmpipe bit for bit; in double it says what float costs. Without springs
+/// and books.
+template <typename Real>
+class WaterTwin {
+  public:
+    TALUS_TWIN_NAMES(Real)
+
+    /// Rows of samples, as in TerrainState.
+    WaterTwin(const Grid& grid, const std::vector<real>& beds, const std::vector<real4>& water,
+              const WaterSettings& settings)
+        : nx(grid.nx),
+          ny(grid.ny),
+          cell_m(static_cast<Real>(grid.dx), static_cast<Real>(grid.dy)),
+          water_order(settings.order),
+          water_gravity(static_cast<Real>(settings.gravity_m_per_s2)),
+          edge_level_m(static_cast<Real>(settings.level_m)),
+          rain_m_per_s(static_cast<Real>(settings.rain_m_per_s)),
+          loss_m_per_s(static_cast<Real>(settings.infiltration_m_per_s + settings.evaporation_m_per_s)),
+          settings_(settings),
+          front_(static_cast<std::size_t>(nx + 4) * (ny + 4), real4(0)),
+          back_(front_),
+          bed_(front_.size(), 0) {
+        for (int y = 0; y < ny; ++y)
+            for (int x = 0; x < nx; ++x) {
+                const auto i = static_cast<std::size_t>(y) * nx + x;
+                front_[texel(int2(x, y))] = water[i];
+                bed_[texel(int2(x, y))] = beds[i];
+            }
+        friction_ = static_cast<Real>(settings.gravity_m_per_s2 * settings.manning_s_per_m13 *
+                                      settings.manning_s_per_m13);
+    }
+
+    /// One tick; its edges' inflow and wave are those of its start.
+    void tick(double tick_s, double start_s) {
+        edge_wave_m = static_cast<Real>(wave_at(settings_, start_s));
+        edge_inflow = 0;
+        real left = static_cast<Real>(tick_s);
+        while (left > 0) left = substep(left);
+    }
+
+    std::vector<real4> read() const {
+        std::vector<real4> water;
+        water.reserve(static_cast<std::size_t>(nx) * ny);
+        for (int y = 0; y < ny; ++y)
+            for (int x = 0; x < nx; ++x) water.push_back(front_[texel(int2(x, y))]);
+        return water;
+    }
+
+  private:
+    int nx;
+    int ny;
+    real2 cell_m;
+    int water_order;
+    real water_gravity;
+    real2 water_share{0};
+    real water_drain = 0;
+    real water_friction = 0;
+    real edge_level_m;
+    real edge_inflow = 0;
+    real edge_wave_m = 0;
+    real rain_m_per_s;
+    real loss_m_per_s;
+
+    static real inverse_cube_root_seed(real x) {
+        const auto bits = static_cast<float>(std::bit_cast<std::int32_t>(static_cast<float>(x)));
+        const float seed = bits * -0.33333333333333333F + 1419967116.0F;
+        return static_cast<real>(std::bit_cast<float>(static_cast<std::int32_t>(seed)));
+    }
+
+#include "maths/water.glsl"
+#include "maths/water_edge.glsl"
+#include "maths/water_sources.glsl"
+#include "maths/water_step.glsl"
+
+    std::size_t texel(int2 at) const {
+        return static_cast<std::size_t>(at.y + 2) * (nx + 4) + static_cast<std::size_t>(at.x + 2);
+    }
+
+    real substep(real left) {
+        real speed = 0;
+        for (int y = 0; y < ny; ++y)
+            for (int x = 0; x < nx; ++x) speed = max(speed, water_speed(front_[texel(int2(x, y))]));
+        speed = max(speed, edge_speed_);
+        edge_speed_ = 0;
+        const int eulers = water_order == 1 ? 2 : 1;
+        const real2 step = water_substep(left, speed, water_courant * real(eulers));
+        const real dt = step.x / real(eulers);
+        water_share = real2(dt / cell_m.x, dt / cell_m.y);
+        water_drain = water_draining(dt);
+        water_friction = dt * friction_;
+        fill_ghosts(front_);
+        stage(front_, back_, 1, dt);
+        fill_ghosts(back_);
+        stage(back_, front_, 2, dt);
+        return step.y;
+    }
+
+    void stage(const std::vector<real4>& from, std::vector<real4>& to, int number, real dt) {
+        for (int y = 0; y < ny; ++y)
+            for (int x = 0; x < nx; ++x) {
+                const int2 at(x, y);
+                const real4 here = from[texel(at)];
+                real slope_x = 0;
+                real slope_y = 0;
+                const WaterFace west = face(from, at + int2(-1, 0), int2(1, 0), slope_x);
+                const WaterFace east = face(from, at, int2(1, 0), slope_x);
+                const WaterFace south = face(from, at + int2(0, 1), int2(0, -1), slope_y);
+                const WaterFace north = face(from, at, int2(0, -1), slope_y);
+                const WaterChange change =
+                    water_change(here.x, slope_x, slope_y, west, east, south, north);
+                real4 after;
+                if (water_order == 1)
+                    after = water_euler(here, change);
+                else if (number == 1)
+                    after = water_first_stage(here, change);
+                else
+                    after = water_second_stage(to[texel(at)], here, change);
+                if ((rain_m_per_s > 0 || loss_m_per_s > 0) && (water_order == 1 || number == 2))
+                    after = water_with_sources(after, dt, water_loss(after, dt));
+                to[texel(at)] = after;
+            }
+    }
+
+    WaterCell cell_at(const std::vector<real4>& from, int2 at, bool turned) {
+        const real4 water = from[texel(at)];
+        const WaterCell cell =
+            water_cell(water, bed_[texel(at)], water_velocity(water.x, real2(water.z, water.w)));
+        return turned ? water_turned(cell) : cell;
+    }
+
+    // The face behind a sample along (1, 0) or (0, -1), and the slope of the level in it.
+    WaterFace face(const std::vector<real4>& from, int2 at, int2 step, real& level_slope) {
+        const bool turned = step.x == 0;
+        const WaterCell before = cell_at(from, at - step, turned);
+        const WaterCell a = cell_at(from, at, turned);
+        const WaterCell b = cell_at(from, at + step, turned);
+        const WaterCell behind = cell_at(from, at + 2 * step, turned);
+        const WaterSlope slope_a = water_slope(before, a, b);
+        level_slope = slope_a.level;
+        return water_face(a, slope_a, b, water_slope(a, b, behind),
+                          water_face_rests(before, a, b, behind));
+    }
+
+    EdgeSample edge_sample_at(const std::vector<real4>& state, int2 at, int2 outward) {
+        const real4 water = state[texel(at)];
+        const real along = outward.x != 0 ? water.z : -water.w;
+        EdgeSample sample;
+        sample.depth = water.x;
+        sample.outward = outward.x + outward.y > 0 ? along : -along;
+        sample.beside = outward.x != 0 ? water.w : water.z;
+        sample.bed = bed_[texel(at)];
+        return sample;
+    }
+
+    void store_ghost(std::vector<real4>& state, int2 at, int2 outward, const EdgeSample& ghost) {
+        const real along = outward.x + outward.y > 0 ? ghost.outward : -ghost.outward;
+        state[texel(at)] = outward.x != 0 ? real4(ghost.depth, 0, along, ghost.beside)
+                                          : real4(ghost.depth, 0, ghost.beside, -along);
+        bed_[texel(at)] = ghost.bed;
+    }
+
+    void fill_ghosts(std::vector<real4>& state) {
+        for (int index = 0; index < 2 * (nx + ny); ++index) {
+            const bool row_edge = index < 2 * nx;
+            const int along = row_edge ? index % nx : (index - 2 * nx) % ny;
+            const bool first = row_edge ? index < nx : index - 2 * nx < ny;
+            const int2 at =
+                row_edge ? int2(along, first ? 0 : ny - 1) : int2(first ? 0 : nx - 1, along);
+            const int2 outward = row_edge ? int2(0, first ? -1 : 1) : int2(first ? -1 : 1, 0);
+            const int kind = static_cast<int>(settings_.edges[(row_edge ? 0U : 2U) + (first ? 0U : 1U)]);
+            EdgeSample shown = edge_sample_at(state, at, outward);
+            EdgeSample shown_2 = edge_sample_at(state, at - outward, outward);
+            if (kind == edge_periodic) {
+                const int2 far = row_edge ? int2(at.x, ny - 1 - at.y) : int2(nx - 1 - at.x, at.y);
+                shown = edge_sample_at(state, far, outward);
+                shown_2 = edge_sample_at(state, far + outward, outward);
+            }
+            const EdgeSample ghost = edge_ghost(kind, shown);
+            const bool mirrors = kind == edge_wall || kind == edge_periodic;
+            store_ghost(state, at + outward, outward, ghost);
+            store_ghost(state, at + 2 * outward, outward, mirrors ? edge_ghost(kind, shown_2) : ghost);
+            if (!mirrors)
+                edge_speed_ = max(edge_speed_,
+                                  water_speed(real4(ghost.depth, 0, ghost.outward, ghost.beside)));
+        }
+    }
+
+    WaterSettings settings_;
+    real friction_ = 0;
+    real edge_speed_ = 0;
+    std::vector<real4> front_;
+    std::vector<real4> back_;
+    std::vector<real> bed_;
+};
+
+}  // namespace talus::maths

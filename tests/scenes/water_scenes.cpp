@@ -1,0 +1,182 @@
+#include "tests/scenes/water_scenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace talus::scenes {
+namespace {
+
+constexpr double g = 9.81;
+
+// A strip of n samples, four rows wide, between walls.
+WaterScene strip(const std::string& name, int n, double length_m) {
+    WaterScene scene;
+    scene.name = name;
+    scene.grid = {n, 4, length_m / n, length_m / n};
+    scene.bed = [](double, double) { return 0.0; };
+    return scene;
+}
+
+// A bowl z = -h0 (1 - r²/a²), a = 1, h0 = 0.1, in the middle of a square of 4 m.
+WaterScene bowl(const std::string& name, int n) {
+    WaterScene scene;
+    scene.name = name;
+    scene.grid = {n, n, 4.0 / n, 4.0 / n};
+    scene.bed = [](double x, double y) {
+        const double X = x - 2;
+        const double Y = y - 2;
+        return -0.1 * (1 - (X * X + Y * Y));
+    };
+    return scene;
+}
+
+}  // namespace
+
+TerrainState WaterScene::state() const {
+    std::vector<float> beds;
+    std::vector<glm::vec4> start;
+    beds.reserve(grid.count());
+    start.reserve(grid.count());
+    for (int row = 0; row < grid.ny; ++row)
+        for (int column = 0; column < grid.nx; ++column) {
+            const double x = (column + 0.5) * grid.dx;
+            const double y = (grid.ny - 1 - row + 0.5) * grid.dy;
+            const glm::dvec3 w = water(x, y, 0);
+            beds.push_back(static_cast<float>(bed(x, y)));
+            start.emplace_back(w.x, 0, w.y, w.z);
+        }
+    TerrainState result = bedrock_terrain(grid, beds);
+    result.water = start;
+    return result;
+}
+
+// Ritter 1892 (Delestre et al. 2013, 4.1.2).
+WaterScene ritter(int n) {
+    WaterScene scene = strip("Ritter", n, 10);
+    scene.tick_s = scene.end_s = 6;
+    scene.water = [](double x, double, double t) {
+        const double h_l = 0.005;
+        const double c = std::sqrt(g * h_l);
+        const double s = x - 5;
+        if (t <= 0 ? s < 0 : s <= -t * c) return glm::dvec3(h_l, 0, 0);
+        if (t <= 0 || s >= 2 * t * c) return glm::dvec3(0);
+        const double root = c - s / (2 * t);
+        const double h = 4 / (9 * g) * root * root;
+        return glm::dvec3(h, h * 2 / 3 * (s / t + c), 0);
+    };
+    return scene;
+}
+
+// Stoker 1957 (Delestre et al. 2013, 4.1.1).
+WaterScene stoker(int n) {
+    WaterScene scene = strip("Stoker", n, 10);
+    scene.tick_s = scene.end_s = 6;
+    const double h_l = 0.005;
+    const double h_r = 0.001;
+    const double c_l = std::sqrt(g * h_l);
+    double low = std::sqrt(g * h_r);
+    double high = c_l;
+    const auto miss = [&](double c) {
+        const double s = c * c - g * h_r;
+        return -8 * g * h_r * c * c * (c_l - c) * (c_l - c) + s * s * (c * c + g * h_r);
+    };
+    for (int i = 0; i < 200; ++i) {
+        const double middle = (low + high) / 2;
+        (miss(middle) < 0 ? low : high) = middle;
+    }
+    const double c_m = low;
+    scene.water = [=](double x, double, double t) {
+        const double s = x - 5;
+        if (t <= 0) return glm::dvec3(s < 0 ? h_l : h_r, 0, 0);
+        const double shock = 2 * c_m * c_m * (c_l - c_m) / (c_m * c_m - g * h_r);
+        if (s <= -t * c_l) return glm::dvec3(h_l, 0, 0);
+        if (s <= t * (2 * c_l - 3 * c_m)) {
+            const double root = c_l - s / (2 * t);
+            const double h = 4 / (9 * g) * root * root;
+            return glm::dvec3(h, h * 2 / 3 * (s / t + c_l), 0);
+        }
+        if (s <= t * shock) {
+            const double h = c_m * c_m / g;
+            return glm::dvec3(h, h * 2 * (c_l - c_m), 0);
+        }
+        return glm::dvec3(h_r, 0, 0);
+    };
+    return scene;
+}
+
+// Thacker 1981 (Delestre et al. 2013, 4.2.2).
+WaterScene thacker_radial(int n) {
+    WaterScene scene = bowl("Thacker, radial", n);
+    const double h_0 = 0.1;
+    const double omega = std::sqrt(8 * g * h_0);
+    scene.end_s = 3 * 2 * std::numbers::pi / omega;
+    scene.tick_s = scene.end_s / 36;
+    scene.water = [=](double x, double y, double t) {
+        const double r_0 = 0.8;
+        const double A = (1 - r_0 * r_0) / (1 + r_0 * r_0);
+        const double D = 1 - A * std::cos(omega * t);
+        const double X = x - 2;
+        const double Y = y - 2;
+        const double h =
+            h_0 * (std::sqrt(1 - A * A) / D - (X * X + Y * Y) * (1 - A * A) / (D * D));
+        if (h <= 0) return glm::dvec3(0);
+        const double u = 0.5 * omega * A * std::sin(omega * t) / D;
+        return glm::dvec3(h, h * u * X, h * u * Y);
+    };
+    return scene;
+}
+
+WaterScene thacker_planar(int n) {
+    WaterScene scene = bowl("Thacker, planar", n);
+    const double h_0 = 0.1;
+    const double eta = 0.5;
+    const double omega = std::sqrt(2 * g * h_0);
+    scene.end_s = 3 * 2 * std::numbers::pi / omega;
+    scene.tick_s = scene.end_s / 36;
+    const auto bed = scene.bed;
+    scene.water = [=](double x, double y, double t) {
+        const double X = x - 2;
+        const double Y = y - 2;
+        const double level =
+            eta * h_0 * (2 * X * std::cos(omega * t) + 2 * Y * std::sin(omega * t) - eta);
+        const double h = level - bed(x, y);
+        if (h <= 0) return glm::dvec3(0);
+        return glm::dvec3(h, -h * eta * omega * std::sin(omega * t), h * eta * omega * std::cos(omega * t));
+    };
+    return scene;
+}
+
+WaterRun::WaterRun(const TerrainState& state, const WaterSettings& s)
+    : terrain(state), settings(s), water((terrain.add_water(), terrain)) {}
+
+void WaterRun::tick(double tick_s) {
+    water.begin_tick(terrain, settings, springs, tick_s, time_s_);
+    while (water.time_left_s() > 0)
+        for (int i = 0; i < 8; ++i) water.substep(terrain);
+    time_s_ += tick_s;
+}
+
+void WaterRun::run(double tick_s, double end_s) {
+    const double ticks = std::ceil((end_s - time_s_) / tick_s - 1e-9);
+    const double each = (end_s - time_s_) / ticks;
+    for (int i = 0; i < ticks; ++i) tick(each);
+}
+
+double depth_error(const WaterScene& scene, const TerrainState& state, double time_s) {
+    double missed = 0;
+    double all = 0;
+    const Grid& grid = scene.grid;
+    for (int row = 0; row < grid.ny; ++row)
+        for (int column = 0; column < grid.nx; ++column) {
+            const double exact = scene.water((column + 0.5) * grid.dx,
+                                             (grid.ny - 1 - row + 0.5) * grid.dy, time_s)
+                                     .x;
+            const glm::vec4& texel = state.water[static_cast<std::size_t>(row) * grid.nx + column];
+            missed += std::abs(static_cast<double>(texel.x) + texel.y - exact);
+            all += exact;
+        }
+    return missed / all;
+}
+
+}  // namespace talus::scenes

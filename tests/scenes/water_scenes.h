@@ -1,0 +1,54 @@
+#pragma once
+#include <functional>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "sim/passes/water.h"
+#include "sim/terrain/terrain.h"
+
+namespace talus::scenes {
+
+/// Water to start from, and where there is an exact answer, the water at any time. Functions of x east and y
+/// north, metres, and the time, seconds: (depth m, discharge east m²/s, discharge north m²/s). A sample is the
+/// middle of a control volume, at the borders too, so the first sample is at half a spacing.
+struct WaterScene {
+    std::string name;
+    Grid grid;
+    WaterSettings settings;
+    double tick_s = 1;
+    double end_s = 1;
+    std::function<double(double, double)> bed;
+    std::function<glm::dvec3(double, double, double)> water;
+
+    TerrainState state() const;
+};
+
+WaterScene ritter(int n);
+WaterScene stoker(int n);
+WaterScene thacker_radial(int n);
+WaterScene thacker_planar(int n);
+
+/// A terrain and its water, run by ticks.
+class WaterRun {
+  public:
+    WaterRun(const TerrainState& state, const WaterSettings& settings);
+    void tick(double tick_s);
+    /// Whole ticks of at most tick_s that end at end_s.
+    void run(double tick_s, double end_s);
+    TerrainState read() const { return terrain.read(); }
+    double time_s() const { return time_s_; }
+
+    Terrain terrain;
+    WaterSettings settings;
+    std::vector<Spring> springs;
+    Water water;
+
+  private:
+    double time_s_ = 0;
+};
+
+/// Σ|h - exact| / Σ exact over the samples.
+double depth_error(const WaterScene& scene, const TerrainState& state, double time_s);
+
+}  // namespace talus::scenes
