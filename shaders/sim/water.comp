@@ -38,8 +38,15 @@ const real water_friction = real(0);
 #include "maths/water.glsl"
 #include "maths/water_sources.glsl"
 
-// Bits of a tile's flags: undo must keep it, its water is active, its picture is old.
+// Bits of a tile's flags: undo must keep it, its water is active, its picture is old; and its water is active within
+// reach of the tile to its north, south, west, east.
 const uint water_moved = 4u | 32u | 64u;
+const uint moved_north = 128u;
+const uint moved_south = 256u;
+const uint moved_west = 512u;
+const uint moved_east = 1024u;
+// Two stages of two samples each.
+const int water_reach = 4;
 
 // A sample seen along y: `along` is north.
 WaterCell load_cell(int2 at, out real4 water) {
@@ -63,6 +70,8 @@ void main() {
     int rows = min(16, samples.y - first.y);
     real dt = clock_dt_s;
     bool moved = false;
+    bool moved_high = false;  // within reach of the tile's first row
+    bool moved_low = false;
     real fastest = real(0);
 #ifdef SOURCES
     double lost = 0.0lf;
@@ -109,11 +118,17 @@ void main() {
             real loss = water_loss(after, dt);
             after = water_with_sources(after, dt, loss);
             lost += double(loss);
-            moved = moved || after.x > real(0);
 #endif
             fastest = max(fastest, water_speed(after));
 #endif
-            moved = moved || !change.rests || here.z != real(0) || here.w != real(0);
+            bool moves = !change.rests || here.z != real(0) || here.w != real(0);
+#ifdef SOURCES
+            moves = moves || after.x > real(0);
+#endif
+            moved = moved || moves;
+            int row_in_tile = int(gl_WorkGroupID.x) * 16 + row;
+            moved_high = moved_high || (moves && row_in_tile < water_reach);
+            moved_low = moved_low || (moves && row_in_tile >= 64 - water_reach);
             imageStore(water_out, at + water_ghosts, after);
 
             north = cell;
@@ -126,7 +141,12 @@ void main() {
             ++row;
         } while (row < rows);
     }
-    if (moved && (tile_flags[tile] & water_moved) != water_moved) atomicOr(tile_flags[tile], water_moved);
+    if (moved) {
+        int column = int(gl_LocalInvocationIndex);
+        uint marks = water_moved | (moved_high ? moved_north : 0u) | (moved_low ? moved_south : 0u) |
+                     (column < water_reach ? moved_west : 0u) | (column >= 64 - water_reach ? moved_east : 0u);
+        if ((tile_flags[tile] & marks) != marks) atomicOr(tile_flags[tile], marks);
+    }
 #if ORDER == 1 || STAGE == 2
     if (fastest > real(0)) atomicMax(tile_speeds[tile], floatBitsToUint(fastest));
 #endif

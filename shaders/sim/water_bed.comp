@@ -44,6 +44,6 @@ void main() {
     barrier();
     if (gl_LocalInvocationIndex == 0u) {
         tile_speeds[tile] = fastest;
-        atomicOr(tile_flags[tile], 32u | 64u);
+        atomicOr(tile_flags[tile], 32u | 64u | 128u | 256u | 512u | 1024u);
     }
 }

@@ -27,11 +27,23 @@ shared uint fastest;
 shared uint listed;
 shared bool running;
 
-const uint wet = 32u;
+// In itself, and within reach of its north, south, west and east neighbours (sim/water.comp).
+const uint wet = 32u | 128u | 256u | 512u | 1024u;
 
-bool is_wet(int2 tile) {
+// Whether the tile's water is active within reach of what lies to these sides of it.
+bool is_wet(int2 tile, uint sides) {
     if (any(lessThan(tile, int2(0))) || any(greaterThanEqual(tile, tiles))) return false;
-    return (tile_flags[tile.y * tiles.x + tile.x] & wet) != 0u;
+    return (tile_flags[tile.y * tiles.x + tile.x] & sides) == sides;
+}
+
+bool has_work(int2 tile) {
+    const uint n = 128u;
+    const uint s = 256u;
+    const uint w = 512u;
+    const uint e = 1024u;
+    return is_wet(tile, 32u) || is_wet(tile + int2(0, -1), s) || is_wet(tile + int2(0, 1), n) ||
+           is_wet(tile + int2(-1, 0), e) || is_wet(tile + int2(1, 0), w) || is_wet(tile + int2(-1, -1), s | e) ||
+           is_wet(tile + int2(1, -1), s | w) || is_wet(tile + int2(-1, 1), n | e) || is_wet(tile + int2(1, 1), n | w);
 }
 
 bool is_driven(int2 tile) {
@@ -65,10 +77,7 @@ void main() {
     if (running) {
         for (int index = me; index < count; index += 256) {
             int2 tile = int2(index % tiles.x, index / tiles.x);
-            bool work = every_tile != 0;
-            for (int dy = -1; dy <= 1; ++dy)
-                for (int dx = -1; dx <= 1; ++dx) work = work || is_wet(tile + int2(dx, dy));
-            if (work) {
+            if (every_tile != 0 || has_work(tile)) {
                 listed_tiles[atomicAdd(listed, 1u)] = uint(index);
                 tile_speeds[index] = 0u;
             }

@@ -25,8 +25,9 @@ class Tiles {
         undo = 4,
         sky = 8,
         bed = 16,           ///< ground or water was changed by others than the water's own sub-steps
-        wet = 32,           ///< its water is active
-        water_surface = 64  ///< its water changed since it was last drawn
+        wet = 32,            ///< its water is active; 128 to 1024 say beside which neighbours (water.comp)
+        water_surface = 64,  ///< its water changed since it was last drawn
+        wet_sides = 128 | 256 | 512 | 1024
     };
 
     explicit Tiles(const Grid& grid);
@@ -48,7 +49,7 @@ class Tiles {
     std::uint64_t changes() const { return changes_; }
     void mark_all() {
         ++changes_;
-        flags_.fill(surface | activity | undo | sky | bed | wet | water_surface);
+        flags_.fill(surface | activity | undo | sky | bed | wet | water_surface | wet_sides);
     }
     /// Lists the tiles that carry the mark, or have a neighbour at an offset from reach_low to reach_high
     /// that does, then clears the mark everywhere. The list's dispatch is groups_per_tile x tiles x 1.

@@ -1,4 +1,4 @@
-// Benchmarks: talus_bench render | methods | update | frame [SHADER_DIR]. Figures are process CPU time,
+// Benchmarks: talus_bench render | methods | update | frame | waves [SHADER_DIR]. Figures are process CPU time,
 // interleaved, medians (docs/benchmarks.md).
 #include <fmt/format.h>
 
@@ -12,8 +12,8 @@
 
 int main(int argc, char** argv) {
     const std::string_view which = argc > 1 ? argv[1] : "";
-    if (which != "render" && which != "methods" && which != "update" && which != "frame") {
-        fmt::print(stderr, "usage: talus_bench render|methods|update|frame [SHADER_DIR]\n");
+    if (which != "render" && which != "methods" && which != "update" && which != "frame" && which != "waves") {
+        fmt::print(stderr, "usage: talus_bench render|methods|update|frame|waves [SHADER_DIR]\n");
         return 2;
     }
     try {
@@ -26,6 +26,8 @@ int main(int argc, char** argv) {
             talus::bench::bench_methods(talus::patch_pixels(context.device()));
         else if (which == "frame")
             talus::bench::bench_frame(talus::patch_pixels(context.device()));
+        else if (which == "waves")
+            talus::bench::bench_waves();
         else
             talus::bench::bench_update();
     } catch (const std::exception& error) {

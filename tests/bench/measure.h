@@ -18,6 +18,7 @@ void bench_render();
 /// patch_pixels: the hybrid's choice on this device.
 void bench_methods(double patch_pixels);
 void bench_update();
+void bench_waves();
 /// patch_pixels: the hybrid's choice on this device.
 void bench_frame(double patch_pixels);
 

@@ -147,6 +147,62 @@ WaterScene thacker_planar(int n) {
     return scene;
 }
 
+WaterScene lake(int n, double datum_m) {
+    WaterScene scene;
+    scene.name = "lake at rest";
+    scene.grid = {n, n, 10, 10};
+    scene.bed = [=](double x, double y) {
+        const double extent = n * 10;
+        const double bump = 14 * std::exp(-(std::pow(x / extent - 0.35, 2) + std::pow(y / extent - 0.6, 2)) / 0.01);
+        const double other = 11 * std::exp(-(std::pow(x / extent - 0.7, 2) + std::pow(y / extent - 0.3, 2)) / 0.02);
+        return datum_m + bump + other + 0.7 * std::sin(x / 7) * std::cos(y / 9) + 0.05 * std::sin(x) * std::sin(1.3 * y);
+    };
+    // What is there above the bed as it is stored, or the start is not at rest.
+    const auto bed = scene.bed;
+    scene.water = [=](double x, double y, double) {
+        const double level = datum_m + 8;
+        return glm::dvec3(std::max(0.0, level - static_cast<double>(static_cast<float>(bed(x, y)))), 0, 0);
+    };
+    return scene;
+}
+
+WaterScene basin(int n, int seed) {
+    WaterScene scene;
+    scene.name = "closed basin";
+    scene.grid = {n, n, 5, 5};
+    scene.bed = [=](double x, double y) {
+        const double p = 0.031 * (1 + 0.1 * seed);
+        return 3 * std::sin(p * x) * std::cos(0.027 * y) + 0.02 * x + 1.2 * std::sin(0.11 * x + 0.07 * y + seed);
+    };
+    const auto bed = scene.bed;
+    scene.water = [=](double x, double y, double) {
+        const double level = x < 2.0 * n ? 9.0 : 1.0;
+        return glm::dvec3(std::max(0.0, level - bed(x, y)), 0, 0);
+    };
+    return scene;
+}
+
+WaterScene radial_dam(int n, bool rough) {
+    WaterScene scene;
+    scene.name = "radial dam break";
+    scene.grid = {n, n, 1, 1};
+    const double middle = n / 2.0;
+    scene.bed = [=](double x, double y) {
+        if (!rough) return 0.0;
+        const double X = x - middle;
+        const double Y = y - middle;
+        // Squares and their product: the same bits for (X, Y), (-X, Y) and (Y, X).
+        const double a = X * X + Y * Y;
+        const double b = X * X * (Y * Y);
+        return 0.5 * std::sin(0.01 * a) + 0.4 * std::sin(0.0005 * b) + 0.002 * a;
+    };
+    scene.water = [=](double x, double y, double) {
+        const double r2 = (x - middle) * (x - middle) + (y - middle) * (y - middle);
+        return glm::dvec3(r2 < n * n / 25.0 ? 4 : (rough ? 0 : 0.5), 0, 0);
+    };
+    return scene;
+}
+
 WaterRun::WaterRun(const TerrainState& state, const WaterSettings& s)
     : terrain(state), settings(s), water((terrain.add_water(), terrain)) {}
 

@@ -29,6 +29,14 @@ WaterScene stoker(int n);
 WaterScene thacker_radial(int n);
 WaterScene thacker_planar(int n);
 
+/// Water to a level over bumps that rise out of it and a rippled bed, at a datum.
+WaterScene lake(int n, double datum_m);
+/// Water that sloshes in a closed basin with islands, by seed.
+WaterScene basin(int n, int seed);
+/// A round column of water on a flat bed of the same water, low; rough ground where asked for, the same in all four
+/// directions.
+WaterScene radial_dam(int n, bool rough);
+
 /// A terrain and its water, run by ticks.
 class WaterRun {
   public:
