@@ -17,7 +17,8 @@ std::vector<Parameter> app_parameters() {
                "Smooth and flatten: share of the way a second in the middle."),
         number("brush.falloff", 1, 0, 1, "",
                "How much of the radius fades out: 0 a hard edge, 1 soft all the way."),
-        choice("brush.material", "bedrock", {"bedrock", "regolith"}, "What raising adds."),
+        choice("brush.material", "bedrock", {"bedrock", "regolith", "water"},
+               "What raising adds; lowering takes water alone where it is water."),
         choice("camera.mode", "orbit", {"orbit", "fly", "walk"},
                "Orbit turns about a point on the ground; fly moves with W A S D, Q and E; walk keeps the eye "
                "over the "

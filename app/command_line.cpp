@@ -51,7 +51,7 @@ glm::ivec2 size_from(const std::string& text, const char* option = "--size") {
 struct Texts {
     std::string file, preset, input, size, spacing, range, raw, eye, target, fov, method, view, shader_dir,
         layer, samples, tolerances, texture;
-    std::vector<std::string> assignments;
+    std::vector<std::string> assignments, gauges, springs;
     std::optional<int> gpu;
     bool require_hardware = false;
     bool json = false;
@@ -148,6 +148,14 @@ int parse_and_do(int argc, char** argv) {
     auto* ticks = run_command->add_option("--ticks", run_options.ticks, "how many ticks to run");
     run_command->add_option("--time", run_options.time_s, "how many seconds to simulate")->excludes(ticks);
     run_command->add_option("--set", t.assignments, "section.name=value, may be repeated");
+    run_command
+        ->add_option("--gauge", t.gauges, "X,Y in metres: write the water there every tick; may be repeated")
+        ->allow_extra_args(false);
+    run_command
+        ->add_option("--gauges", run_options.gauge_table, "the table for them, gauges.csv unless given")
+        ->type_name("FILE.csv");
+    run_command->add_option("--spring", t.springs, "X,Y,RATE: a spring, metres and m³/s; may be repeated")
+        ->allow_extra_args(false);
     add_texture(*run_command, t);
     add_import(*run_command, t);
     add_outputs(*run_command, t, run_options.outputs);
@@ -241,6 +249,14 @@ int parse_and_do(int argc, char** argv) {
         if (run_options.time_s && !(*run_options.time_s >= 0 && *run_options.time_s < 1e15))
             throw Error(
                 fmt::format("--time {} cannot be run, it must be 0 or more seconds", *run_options.time_s));
+        for (const std::string& text : t.gauges) {
+            const std::vector<double> v = numbers("--gauge", text, ',', 2);
+            run_options.gauges.emplace_back(v[0], v[1]);
+        }
+        for (const std::string& text : t.springs) {
+            const std::vector<double> v = numbers("--spring", text, ',', 3);
+            run_options.springs.push_back({v[0], v[1], v[2]});
+        }
         run_options.outputs.json = t.json;
         run(run_options);
     } else if (render_command->parsed()) {

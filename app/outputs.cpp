@@ -86,7 +86,7 @@ void write_outputs(const Outputs& outputs, Scene& scene, Simulation& simulation,
     if (!outputs.journal.empty())
         attempt([&] { write_atomically(outputs.journal, write_journal(scene.start, simulation.journal())); });
     if (!outputs.report.empty() || outputs.json) {
-        const std::string report = run_report(figures, scene.document.state, simulation.ledger());
+        const std::string report = run_report(figures, scene.document.state, simulation);
         if (!outputs.report.empty()) attempt([&] { write_atomically(outputs.report, report); });
         if (outputs.json) fmt::print("{}", report);
     }

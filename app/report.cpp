@@ -1,4 +1,5 @@
 #include "app/report.h"
+#include "sim/terrain/gauge.h"
 #include "sim/terrain/state_hash.h"
 
 #include <fmt/format.h>
@@ -15,7 +16,8 @@ const auto loaded_at = std::chrono::steady_clock::now();
 
 }  // namespace
 
-std::string run_report(const RunFigures& figures, const TerrainState& state, const LedgerReading& ledger) {
+std::string run_report(const RunFigures& figures, const TerrainState& state, Simulation& simulation) {
+    const LedgerReading ledger = simulation.ledger();
     const std::vector<float> ground = state.ground();
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
     nlohmann::ordered_json report;
@@ -35,6 +37,26 @@ std::string run_report(const RunFigures& figures, const TerrainState& state, con
         {"solid_initial", ledger.solid_initial}, {"solid_final", ledger.solid_final},
         {"solid_in", ledger.solid_in},           {"solid_out", ledger.solid_out},
         {"moved_m3", ledger.moved_m3},           {"closing_error_of_moved", ledger.closing_error_of_moved()}};
+    if (!state.water.empty()) {
+        double fastest = 0;
+        float lowest = state.water[0].x;
+        for (const glm::vec4& water : state.water) {
+            fastest = std::max(fastest, glm::length(water_velocity(water.x, {water.z, water.w})));
+            lowest = std::min(lowest, water.x);
+        }
+        const Water::Work work = simulation.water_work();
+        report["water"] = {
+            {"initial_m3", ledger.water_initial},
+            {"final_m3", ledger.water_final},
+            {"in_m3", ledger.water_in},
+            {"out_m3", ledger.water_out},
+            {"drift_relative", ledger.water_drift_relative()},
+            {"max_speed", fastest},
+            {"min_depth", lowest},
+            {"substeps", work.substeps},
+            {"active_tiles_mean", static_cast<double>(work.tiles) /
+                                      static_cast<double>(std::max<std::uint64_t>(work.substeps, 1))}};
+    }
     return report.dump(2) + "\n";
 }
 

@@ -15,8 +15,8 @@ struct RunFigures {
     double cpu_s = 0;
 };
 
-/// The report of a run as JSON; volumes in m³.
-std::string run_report(const RunFigures& figures, const TerrainState& state, const LedgerReading& ledger);
+/// The report of a run that ended in this state, as JSON; volumes in m³, speeds in m/s.
+std::string run_report(const RunFigures& figures, const TerrainState& state, Simulation& simulation);
 
 /// Prints a note to stderr, one line.
 void say(const std::string& message);

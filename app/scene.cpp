@@ -26,9 +26,13 @@ Parameters part_of(const Parameters& all, std::vector<Parameter> part) {
 TerrainState generated(const Parameters& p) {
     const double spacing = p.number("terrain.spacing_m");
     const Grid grid{p.whole("terrain.nx"), p.whole("terrain.ny"), spacing, spacing};
-    return bedrock_terrain(grid, generate_heights(grid, {p.choice("terrain.kind"),
-                                                         static_cast<std::uint32_t>(p.whole("terrain.seed")),
-                                                         p.number("terrain.relief_m")}));
+    const double relief_m = p.number("terrain.relief_m");
+    const std::vector<float> heights = generate_heights(
+        grid, {p.choice("terrain.kind"), static_cast<std::uint32_t>(p.whole("terrain.seed")), relief_m});
+    TerrainState state = bedrock_terrain(grid, heights);
+    for (const float depth : generate_water(grid, heights, p.choice("terrain.water"), relief_m))
+        state.water.emplace_back(depth, 0, 0, 0);
+    return state;
 }
 
 Scene assemble(const Parameters& all, Document document) {

@@ -74,6 +74,7 @@ void Session::reset() {
 }
 
 void Session::save(const std::string& path) {
+    while (simulation_->mid_tick()) simulation_->advance(1 << 20);
     scene_.document.state = simulation_->read();
     scene_.document.parameters = to_toml(simulation_->parameters());
     write_terrain(path, scene_.document, "", std::nullopt);
@@ -179,7 +180,9 @@ void Session::stroke(glm::dvec3 at, double wall_s) {
     dab.radius_m = view.number("brush.radius_m");
     dab.falloff = view.number("brush.falloff");
     dab.target_m = stroke_height_m_;
-    dab.on_regolith = view.choice("brush.material") == "regolith";
+    const auto& materials = view.declaration("brush.material").choices;
+    dab.material = static_cast<Material>(
+        std::find(materials.begin(), materials.end(), view.choice("brush.material")) - materials.begin());
     // A fast stroke is a row of dabs a quarter radius apart that share the time: its strength along the way
     // does not depend on how many frames it took.
     const double way_m = std::hypot(at.x - stroke_at_.x, at.y - stroke_at_.y);

@@ -15,6 +15,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::array<const char*, 4> mode_names = {"raise", "lower", "smooth", "flatten"};
+constexpr std::array<const char*, 3> material_names = {"bedrock", "regolith", "water"};
 
 json to_json(const Operation& operation) {
     if (const auto* ticks = std::get_if<Ticks>(&operation)) return {{"op", "ticks"}, {"count", ticks->count}};
@@ -23,6 +24,11 @@ json to_json(const Operation& operation) {
         std::visit([&](const auto& v) { line["value"] = v; }, set->value);
         return line;
     }
+    if (const auto* spring = std::get_if<PlaceSpring>(&operation))
+        return {{"op", "spring"},
+                {"x_m", spring->x_m},
+                {"y_m", spring->y_m},
+                {"rate_m3_per_s", spring->rate_m3_per_s}};
     const auto& dab = std::get<Dab>(operation);
     return {{"op", "dab"},
             {"mode", mode_names[static_cast<std::size_t>(dab.mode)]},
@@ -33,7 +39,7 @@ json to_json(const Operation& operation) {
             {"amount_m", dab.amount_m},
             {"blend", dab.blend},
             {"target_m", dab.target_m},
-            {"on_regolith", dab.on_regolith}};
+            {"material", material_names[static_cast<std::size_t>(dab.material)]}};
 }
 
 Operation to_operation(const json& line) {
@@ -50,6 +56,7 @@ Operation to_operation(const json& line) {
         if (value.is_number()) return SetParameter{name, value.get<double>()};
         return SetParameter{name, value.get<std::string>()};
     }
+    if (op == "spring") return PlaceSpring{line.at("x_m"), line.at("y_m"), line.at("rate_m3_per_s")};
     if (op != "dab") throw Error(fmt::format("unknown operation '{}'", op));
     Dab dab;
     const std::string mode = line.at("mode");
@@ -63,7 +70,10 @@ Operation to_operation(const json& line) {
     dab.amount_m = line.at("amount_m");
     dab.blend = line.at("blend");
     dab.target_m = line.at("target_m");
-    dab.on_regolith = line.at("on_regolith");
+    const std::string material = line.at("material");
+    const auto* of = std::find(material_names.begin(), material_names.end(), material);
+    if (of == material_names.end()) throw Error(fmt::format("unknown material '{}'", material));
+    dab.material = static_cast<Material>(of - material_names.begin());
     check_dab(dab);
     return dab;
 }

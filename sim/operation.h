@@ -5,6 +5,7 @@
 
 #include "sim/parameters.h"
 #include "sim/passes/brush.h"
+#include "sim/terrain/terrain.h"
 
 namespace talus {
 
@@ -21,7 +22,10 @@ struct SetParameter {
     bool operator==(const SetParameter&) const = default;
 };
 
+/// A spring is placed; at the sample of another one it takes its place, and with rate 0 there is none.
+using PlaceSpring = Spring;
+
 /// One recorded act. Replaying a list of them gives the same terrain.
-using Operation = std::variant<Ticks, Dab, SetParameter>;
+using Operation = std::variant<Ticks, Dab, SetParameter, PlaceSpring>;
 
 }  // namespace talus

@@ -21,6 +21,23 @@ toml::table parse(const std::string& text, const std::string& source) {
     }
 }
 
+// Sets what a table holds; names of tables within it are parts of the parameters' names.
+void set_from(const toml::table& table, const std::string& prefix, Parameters& parameters) {
+    for (const auto& [key, value] : table) {
+        const std::string full = fmt::format("{}.{}", prefix, key.str());
+        if (value.is_table())
+            set_from(*value.as_table(), full, parameters);
+        else if (const auto on = value.value_exact<bool>())
+            parameters.set(full, *on);
+        else if (const auto text = value.value_exact<std::string>())
+            parameters.set(full, *text);
+        else if (const auto real = value.value<double>())
+            parameters.set(full, *real);
+        else
+            throw Error(fmt::format("{} must be a number, a text or true or false", full));
+    }
+}
+
 Preset read(const std::string& name, const std::string& text, const std::string& source) {
     const toml::table table = parse(text, source);
     return {name, table["title"].value_or(name), table["description"].value_or(std::string()), text};
@@ -92,20 +109,10 @@ void from_toml(const std::string& text, const std::string& source, Parameters& p
                 fmt::format("{}: unknown key '{}', only title, description and [sections] stand at the top",
                             source, name));
         }
-        for (const auto& [key, value] : *node.as_table()) {
-            const std::string full = fmt::format("{}.{}", name, key.str());
-            try {
-                if (const auto on = value.value_exact<bool>())
-                    changed.set(full, *on);
-                else if (const auto text_value = value.value_exact<std::string>())
-                    changed.set(full, *text_value);
-                else if (const auto real = value.value<double>())
-                    changed.set(full, *real);
-                else
-                    throw Error(fmt::format("{} must be a number, a text or true or false", full));
-            } catch (const Error& error) {
-                throw Error(fmt::format("{}: {}", source, error.what()));
-            }
+        try {
+            set_from(*node.as_table(), std::string(name), changed);
+        } catch (const Error& error) {
+            throw Error(fmt::format("{}: {}", source, error.what()));
         }
     }
     parameters = changed;

@@ -1,6 +1,10 @@
 #include "sim/simulation.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "sim/gpu/error.h"
+#include "sim/terrain/sea.h"
 
 namespace talus {
 namespace {
@@ -9,19 +13,89 @@ ThermalSettings thermal_settings(const Parameters& parameters) {
     return {parameters.number("thermal.repose_deg"), parameters.number("thermal.rate_m2_per_s")};
 }
 
+WaterSettings water_settings(const Parameters& parameters) {
+    constexpr double m_per_s = 1e-3 / 3600;
+    WaterSettings settings;
+    settings.order = parameters.whole("water.order");
+    settings.gravity_m_per_s2 = parameters.number("water.gravity");
+    settings.manning_s_per_m13 = parameters.number("water.manning");
+    settings.rain_m_per_s = parameters.number("water.rain") * m_per_s;
+    settings.infiltration_m_per_s = parameters.number("water.infiltration") * m_per_s;
+    settings.evaporation_m_per_s = parameters.number("water.evaporation") * m_per_s;
+    const std::vector<std::string>& kinds = edge_kinds();
+    const std::array<const char*, 4> edges = {"north", "south", "west", "east"};
+    for (std::size_t edge = 0; edge < 4; ++edge) {
+        const std::string& name = parameters.choice(std::string("water.boundary.") + edges[edge]);
+        settings.edges[edge] =
+            static_cast<EdgeKind>(std::find(kinds.begin(), kinds.end(), name) - kinds.begin());
+    }
+    // Either of two opposite edges joins them.
+    for (const std::size_t edge : {0U, 2U})
+        if (settings.edges[edge] == EdgeKind::periodic || settings.edges[edge + 1] == EdgeKind::periodic)
+            settings.edges[edge] = settings.edges[edge + 1] = EdgeKind::periodic;
+    settings.level_m = parameters.number("water.sea_level");
+    settings.inflow_m3_per_s = parameters.number("water.inflow");
+    settings.inflow_rise_s = parameters.number("water.inflow_rise");
+    settings.inflow_fall_s = parameters.number("water.inflow_fall");
+    settings.wave_form = parameters.choice("water.wave") == "sine" ? WaveForm::sine : WaveForm::solitary;
+    settings.wave_height_m = parameters.number("water.wave_height");
+    settings.wave_period_s = parameters.number("water.wave_period");
+    settings.wave_depth_m = parameters.number("water.wave_depth");
+    return settings;
+}
+
 }  // namespace
 
 Simulation::Simulation(const TerrainState& state, const Parameters& parameters, std::size_t undo_bytes)
     : terrain_(state),
       brush_(terrain_),
       thermal_(terrain_),
-      ledger_(terrain_),
-      moment_{state.clock, parameters},
+      moment_{state.clock, parameters, state.springs},
       undo_(undo_bytes),
       keeps_undo_(undo_bytes > 0) {
     moment_.parameters.suggest("thermal.rate_m2_per_s",
                                natural_thermal_rate(state.grid, parameters.number("time.tick_s")));
     check_tick(moment_.parameters);
+    if (terrain_.water) add_water();
+    // What was saved midway holds its sea already.
+    if (state.clock.ticks == 0 && state.water.empty() && moment_.parameters.is_given("water.sea_level"))
+        fill_sea_now();
+    moment_.sea_m3 = 0;
+    ledger_ = std::make_unique<Ledger>(terrain_);
+}
+
+Books Simulation::books() {
+    Books books = {&brush_.books};
+    if (water_) {
+        for (gpu::Buffer* book : water_->books()) books.push_back(book);
+        books.push_back(&water_brush_->books);
+    }
+    return books;
+}
+
+bool Simulation::has_water() const {
+    const Parameters& parameters = moment_.parameters;
+    if (!parameters.toggle("water.on")) return false;
+    if (water_ || !moment_.springs.empty() || parameters.number("water.rain") > 0) return true;
+    const WaterSettings settings = water_settings(parameters);
+    return std::any_of(settings.edges.begin(), settings.edges.end(), [&](EdgeKind kind) {
+        return kind == EdgeKind::inflow || kind == EdgeKind::level || kind == EdgeKind::wave;
+    });
+}
+
+void Simulation::add_water() {
+    terrain_.add_water();
+    if (water_) return;
+    water_ = std::make_unique<Water>(terrain_);
+    water_brush_ = std::make_unique<WaterBrush>(terrain_);
+}
+
+void Simulation::fill_sea_now() {
+    if (!moment_.parameters.toggle("water.on")) return;
+    TerrainState state = terrain_.read();
+    moment_.sea_m3 += fill_sea(state, moment_.parameters.number("water.sea_level"));
+    add_water();
+    terrain_.write_water({0, 0, state.grid.nx, state.grid.ny}, state.water);
 }
 
 void Simulation::apply(const Operation& operation) {
@@ -36,24 +110,52 @@ void Simulation::apply(const Operation& operation) {
         Parameters changed = moment_.parameters;
         changed.set(set->name, set->value);
         check_tick(changed);
-        // A slider that is dragged is one entry.
-        const bool entry = keeps_undo_ && !undo_.is_open() && !undo_.extends(set->name);
-        if (entry) undo_.open(set->name, terrain_, brush_, journal_, moment_);
+        const bool fills = set->name == "water.sea_level" && changed.toggle("water.on");
+        // A slider that is dragged is one entry; a sea that rises keeps what it covers.
+        const bool entry = keeps_undo_ && !undo_.is_open() && (fills || !undo_.extends(set->name));
+        if (entry) undo_.open(set->name, terrain_, books(), journal_, moment_);
+        if (keeps_undo_ && fills) undo_.keep_all(terrain_);
         moment_.parameters = changed;
+        if (fills) fill_sea_now();
         journal_.record(operation);
         if (entry) undo_.close(terrain_, journal_);
         // Rest was decided under the old values.
         terrain_.tiles.mark_all();
         return;
     }
+    if (const auto* spring = std::get_if<PlaceSpring>(&operation)) {
+        check_spring(terrain_.grid(), *spring);
+        const bool entry = keeps_undo_ && !undo_.is_open();
+        if (entry) undo_.open("spring", terrain_, books(), journal_, moment_);
+        place(*spring);
+        journal_.record(operation);
+        if (entry) undo_.close(terrain_, journal_);
+        return;
+    }
     const auto& dab = std::get<Dab>(operation);
     check_dab(dab);
+    if (dab.is_water()) add_water();
     const bool entry = keeps_undo_ && !undo_.is_open();
-    if (entry) undo_.open("dab", terrain_, brush_, journal_, moment_);
+    if (entry) undo_.open("dab", terrain_, books(), journal_, moment_);
     if (keeps_undo_) undo_.keep(terrain_, terrain_.tiles.touched_by(dab_region(terrain_.grid(), dab)));
-    brush_.dab(terrain_, dab);
+    if (dab.is_water())
+        water_brush_->dab(terrain_, dab);
+    else
+        brush_.dab(terrain_, dab);
     journal_.record(operation);
     if (entry) end_entry();
+}
+
+void Simulation::place(const Spring& spring) {
+    const Grid& grid = terrain_.grid();
+    const auto sample = [&](const Spring& s) {
+        return glm::dvec2(std::round(grid.column_of(s.x_m)), std::round(grid.row_of(s.y_m)));
+    };
+    std::vector<Spring>& springs = moment_.springs;
+    springs.erase(std::remove_if(springs.begin(), springs.end(),
+                                 [&](const Spring& s) { return sample(s) == sample(spring); }),
+                  springs.end());
+    if (spring.rate_m3_per_s > 0) springs.push_back(spring);
 }
 
 void Simulation::check_tick(const Parameters& parameters) const {
@@ -61,23 +163,38 @@ void Simulation::check_tick(const Parameters& parameters) const {
         thermal_substeps(terrain_.grid(), thermal_settings(parameters), parameters.number("time.tick_s"));
 }
 
-bool Simulation::advance(int substeps) {
+void Simulation::begin_tick() {
     const Parameters& parameters = moment_.parameters;
     const double tick_s = parameters.number("time.tick_s");
-    const bool thermal = parameters.toggle("thermal.on");
-    if (substeps_done_ == 0) {
-        const ThermalSettings settings = thermal_settings(parameters);
-        substeps_of_tick_ = thermal ? thermal_substeps(terrain_.grid(), settings, tick_s) : 0;
-        if (thermal) step_ = thermal_step(terrain_.grid(), settings, tick_s, substeps_of_tick_);
-        if (keeps_undo_) {
-            if (!undo_.is_open()) undo_.open("run", terrain_, brush_, journal_, moment_);
-            undo_.keep_all(terrain_);
-        }
+    if (has_water()) add_water();
+    if (keeps_undo_) {
+        if (!undo_.is_open()) undo_.open("run", terrain_, books(), journal_, moment_);
+        undo_.keep_all(terrain_);
     }
-    for (; substeps > 0 && substeps_done_ < substeps_of_tick_; --substeps, ++substeps_done_)
-        thermal_.substep(terrain_, step_);
-    if (substeps_done_ < substeps_of_tick_) return false;
-    substeps_done_ = 0;
+    thermal_left_ = 0;
+    if (parameters.toggle("thermal.on")) {
+        const ThermalSettings settings = thermal_settings(parameters);
+        thermal_left_ = thermal_substeps(terrain_.grid(), settings, tick_s);
+        step_ = thermal_step(terrain_.grid(), settings, tick_s, thermal_left_);
+    }
+    water_begun_ = false;
+    in_tick_ = true;
+}
+
+bool Simulation::advance(int substeps) {
+    if (!in_tick_) begin_tick();
+    for (; substeps > 0 && thermal_left_ > 0; --substeps, --thermal_left_) thermal_.substep(terrain_, step_);
+    if (thermal_left_ > 0) return false;
+    const double tick_s = moment_.parameters.number("time.tick_s");
+    if (has_water()) {
+        // The water finds the ground as the tick's slides left it.
+        if (!water_begun_)
+            water_->begin_tick(terrain_, water_settings(moment_.parameters), moment_.springs, tick_s,
+                               moment_.clock.simulated_s);
+        water_begun_ = true;
+        if (!water_->advance(terrain_, substeps)) return false;
+    }
+    in_tick_ = false;
     moment_.clock.ticks += 1;
     moment_.clock.simulated_s += tick_s;
     journal_.record(Ticks{1});
@@ -87,15 +204,15 @@ bool Simulation::advance(int substeps) {
 void Simulation::begin_stroke(const std::string& name) {
     if (!keeps_undo_) return;
     end_entry();
-    undo_.open(name, terrain_, brush_, journal_, moment_);
+    undo_.open(name, terrain_, books(), journal_, moment_);
 }
 
 void Simulation::end_entry() {
     undo_.close(terrain_, journal_);
 }
 
-void Simulation::exchange(void (Undo::*way)(Terrain&, Brush&, Journal&, Moment&)) {
-    (undo_.*way)(terrain_, brush_, journal_, moment_);
+void Simulation::exchange(void (Undo::*way)(Terrain&, const Books&, Journal&, Moment&)) {
+    (undo_.*way)(terrain_, books(), journal_, moment_);
     terrain_.tiles.mark_all();
 }
 
@@ -112,12 +229,26 @@ void Simulation::redo() {
 }
 
 LedgerReading Simulation::ledger() {
-    return ledger_.read(terrain_, brush_);
+    WaterBooks water = water_ ? water_->read_books(terrain_.grid()) : WaterBooks();
+    water.sea_m3 = moment_.sea_m3;
+    if (water_) {
+        const double area = terrain_.grid().dx * terrain_.grid().dy;
+        for (const glm::dvec2& book : water_brush_->books.read_all<glm::dvec2>()) {
+            water.brush_in_m3 += book.x * area;
+            water.brush_out_m3 += book.y * area;
+        }
+    }
+    return ledger_->read(terrain_, brush_, water);
+}
+
+Water::Work Simulation::water_work() const {
+    return water_ ? water_->work() : Water::Work();
 }
 
 TerrainState Simulation::read() const {
     TerrainState state = terrain_.read();
     state.clock = moment_.clock;
+    state.springs = moment_.springs;
     return state;
 }
 

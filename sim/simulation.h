@@ -9,6 +9,8 @@
 #include "sim/parameters.h"
 #include "sim/passes/brush.h"
 #include "sim/passes/thermal.h"
+#include "sim/passes/water.h"
+#include "sim/passes/water_brush.h"
 #include "sim/terrain/terrain.h"
 #include "sim/undo.h"
 
@@ -32,13 +34,13 @@ class Simulation {
     const Journal& journal() const { return journal_; }
 
     /// Does it and records it. Throws talus::Error, with nothing changed, for a parameter that cannot be set
-    /// so, and for a dab while a tick is half done.
+    /// so, for a spring off the map, and for a dab while a tick is half done.
     void apply(const Operation& operation);
 
     /// A tick in parts: runs up to `substeps` sub-steps of the present tick, or of the next one, and says
     /// whether a tick was completed (and recorded).
     bool advance(int substeps);
-    bool mid_tick() const { return substeps_done_ > 0; }
+    bool mid_tick() const { return in_tick_; }
 
     /// A stroke is one entry of undo; ticks between belong to it.
     void begin_stroke(const std::string& name);
@@ -54,25 +56,38 @@ class Simulation {
     void redo();
 
     LedgerReading ledger();
+    const std::vector<Spring>& springs() const { return moment_.springs; }
+    /// Sub-steps of water so far. Waits for the device.
+    Water::Work water_work() const;
     /// The whole state. Waits for the device.
     TerrainState read() const;
 
   private:
+    void place(const Spring& spring);
     /// Throws talus::Error when a tick with these parameters cannot be run.
     void check_tick(const Parameters& parameters) const;
-    void exchange(void (Undo::*way)(Terrain&, Brush&, Journal&, Moment&));
+    void exchange(void (Undo::*way)(Terrain&, const Books&, Journal&, Moment&));
+    Books books();
+    /// Whether water is there, or may come in the next tick.
+    bool has_water() const;
+    void add_water();
+    void fill_sea_now();
+    void begin_tick();
 
     Terrain terrain_;
     Brush brush_;
     Thermal thermal_;
-    Ledger ledger_;
+    std::unique_ptr<Water> water_;             // none: no water was ever here
+    std::unique_ptr<WaterBrush> water_brush_;  // with it
+    std::unique_ptr<Ledger> ledger_;           // since the sea was filled
     Moment moment_;
     Journal journal_;
     Undo undo_;
     bool keeps_undo_;
-    int substeps_done_ = 0;
-    int substeps_of_tick_ = 0;
+    bool in_tick_ = false;
+    int thermal_left_ = 0;  // sub-steps of this tick
     ThermalStep step_;
+    bool water_begun_ = false;
 };
 
 }  // namespace talus

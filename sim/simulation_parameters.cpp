@@ -1,5 +1,6 @@
 #include "sim/simulation_parameters.h"
 
+#include "sim/passes/water.h"
 #include "sim/terrain/generate.h"
 #include "sim/terrain/grid.h"
 
@@ -15,12 +16,47 @@ std::vector<Parameter> simulation_parameters() {
         number("terrain.relief_m", 1800, 0, 1e5, "m",
                "Height of the generated terrain from lowest to highest."),
         whole("terrain.seed", 1, 0, 1000000, "", "Another seed gives another generated terrain."),
+        choice("terrain.water", "none", starting_waters(),
+               "Water that the generated terrain starts with: none; dam, behind a dam a third of the way "
+               "east that "
+               "has just gone; bowl, Thacker's round wave."),
         number("time.tick_s", 1.0 / 60, 1e-6, 1e9, "s", "Simulated time of one tick."),
         toggle("thermal.on", true, "Thermal erosion: what is steeper than its angle of repose slides."),
         number("thermal.repose_deg", 33, 1, 80, "°",
                "Angle of repose: the steepest slope at which loose ground rests."),
         number("thermal.rate_m2_per_s", 0, 0, 1e12, "m²/s",
                "How fast steep ground slides. Unless set, it follows the spacing: one sub-step a tick."),
+        toggle("water.on", true, "Water flows. Where there is none, and none comes, it costs nothing."),
+        whole("water.order", 2, 1, 2, "", "Order of the scheme: 1 is cheaper, 2 far more exact."),
+        number("water.gravity", 9.81, 0.01, 100, "m/s²", "Acceleration of gravity."),
+        number("water.manning", 0.03, 0, 1, "s/m^(1/3)",
+               "Manning's roughness of the bed: 0 none, 0.03 a natural stream, 0.1 a wooded flood plain."),
+        number("water.rain", 0, 0, 1e4, "mm/h", "Rain, everywhere."),
+        number("water.infiltration", 0, 0, 1e4, "mm/h",
+               "Water that the ground takes in, where there is any."),
+        number("water.evaporation", 0, 0, 1e4, "mm/h", "Water that the air takes, where there is any."),
+        number("water.sea_level", 0, -1e6, 1e6, "m",
+               "Level of the sea. When set, it fills what lies lower and is connected to the map's edge; "
+               "edges of "
+               "kind level hold it, and it is the still level of edges of kind wave."),
+        choice(
+            "water.boundary.north", "open", edge_kinds(),
+            "Northern edge: a wall, open (waves leave), a held level, an inflow, a wave maker, or periodic "
+            "(joined to the opposite edge, whatever that is set to)."),
+        choice("water.boundary.south", "open", edge_kinds(), "Southern edge, as the northern one."),
+        choice("water.boundary.west", "open", edge_kinds(), "Western edge, as the northern one."),
+        choice("water.boundary.east", "open", edge_kinds(), "Eastern edge, as the northern one."),
+        number("water.inflow", 0, 0, 1e9, "m³/s",
+               "Discharge through all edges of kind inflow together, at its peak; spread evenly along them."),
+        number("water.inflow_rise", 0, 0, 1e9, "s", "Time that the inflow takes from nothing to its peak."),
+        number("water.inflow_fall", 0, 0, 1e9, "s",
+               "Time that it takes from the peak back to nothing; 0: it stays at its peak."),
+        choice("water.wave", "sine", {"sine", "solitary"}, "What the wave maker sends."),
+        number("water.wave_height", 1, 0, 1e4, "m",
+               "Sine: amplitude about the still level. Solitary: crest above it."),
+        number("water.wave_period", 10, 1e-3, 1e6, "s", "Period of the sine."),
+        number("water.wave_depth", 10, 1e-3, 1e5, "m",
+               "Still depth that gives the solitary wave its length and speed."),
     };
 }
 

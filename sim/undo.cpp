@@ -1,5 +1,6 @@
 #include "sim/undo.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -15,8 +16,7 @@ gpu::Buffer copy_tile(const Terrain& terrain, int tile) {
     const gpu::Region region = terrain.tiles.region(tile);
     gpu::Buffer buffer("undo tile", layer_bytes(region) * (terrain.water ? 2 : 1));
     terrain.solid.front.copy_to(buffer, 0, region);
-    if (terrain.water)
-        terrain.water->front.copy_to(buffer, layer_bytes(region), WaterLayer::texels(region));
+    if (terrain.water) terrain.water->front.copy_to(buffer, layer_bytes(region), WaterLayer::texels(region));
     return buffer;
 }
 
@@ -34,18 +34,19 @@ void put_back(const gpu::Buffer& kept, Terrain& terrain, int tile) {
     terrain.refresh(region);
 }
 
-gpu::Buffer copy_books(const Brush& brush) {
-    gpu::Buffer buffer("undo books", brush.books.bytes());
-    buffer.copy_from(brush.books);
-    return buffer;
+std::vector<gpu::Buffer> copies_of(const Books& books) {
+    std::vector<gpu::Buffer> copies;
+    copies.reserve(books.size());
+    for (const gpu::Buffer* book : books) copies.emplace_back("undo books", book->bytes()).copy_from(*book);
+    return copies;
 }
 
 }  // namespace
 
-void Undo::open(std::string name, Terrain& terrain, const Brush& brush, const Journal& journal,
+void Undo::open(std::string name, Terrain& terrain, const Books& books, const Journal& journal,
                 Moment before) {
     undone_.clear();
-    done_.push_back({std::move(name), {}, copy_books(brush), std::move(before), journal.mark(), {}, 0});
+    done_.push_back({std::move(name), {}, copies_of(books), std::move(before), journal.mark(), {}, 0});
     open_ = true;
     all_kept_ = false;
     // From here on the marks say what this entry changed.
@@ -108,36 +109,46 @@ void Undo::trim() {
 
 std::size_t Undo::bytes() const {
     std::size_t total = 0;
-    for (const Entry& entry : done_) total += entry.bytes + entry.books.bytes();
-    for (const Entry& entry : undone_) total += entry.bytes + entry.books.bytes();
+    const auto add = [&](const Entry& entry) {
+        total += entry.bytes;
+        for (const gpu::Buffer& book : entry.books) total += book.bytes();
+    };
+    std::for_each(done_.begin(), done_.end(), add);
+    std::for_each(undone_.begin(), undone_.end(), add);
     return total;
 }
 
-void Undo::swap(Entry& entry, Terrain& terrain, Brush& brush, Moment& now) {
+void Undo::swap(Entry& entry, Terrain& terrain, const Books& books, Moment& now) {
     for (auto& [tile, kept] : entry.tiles) {
         gpu::Buffer present = copy_tile(terrain, tile);
         put_back(kept, terrain, tile);
         std::swap(kept, present);
     }
-    gpu::Buffer books = copy_books(brush);
-    brush.books.copy_from(entry.books);
-    std::swap(entry.books, books);
+    std::vector<gpu::Buffer> present = copies_of(books);
+    for (std::size_t i = 0; i < books.size(); ++i) {
+        // A book that was begun after the act held nothing yet.
+        if (i < entry.books.size())
+            books[i]->copy_from(entry.books[i]);
+        else
+            books[i]->fill(0);
+    }
+    std::swap(entry.books, present);
     std::swap(entry.moment, now);
 }
 
-void Undo::undo(Terrain& terrain, Brush& brush, Journal& journal, Moment& now) {
+void Undo::undo(Terrain& terrain, const Books& books, Journal& journal, Moment& now) {
     Entry& entry = done_.back();
     entry.tail = journal.cut(entry.mark);
-    swap(entry, terrain, brush, now);
+    swap(entry, terrain, books, now);
     undone_.push_back(std::move(entry));
     done_.pop_back();
 }
 
-void Undo::redo(Terrain& terrain, Brush& brush, Journal& journal, Moment& now) {
+void Undo::redo(Terrain& terrain, const Books& books, Journal& journal, Moment& now) {
     Entry& entry = undone_.back();
     journal.restore(entry.mark, entry.tail);
     entry.tail.clear();
-    swap(entry, terrain, brush, now);
+    swap(entry, terrain, books, now);
     done_.push_back(std::move(entry));
     undone_.pop_back();
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/journal.h"
-#include "sim/passes/brush.h"
+#include "sim/parameters.h"
 #include "sim/terrain/terrain.h"
 
 namespace talus {
@@ -14,7 +14,12 @@ namespace talus {
 struct Moment {
     Clock clock;
     Parameters parameters;
+    std::vector<Spring> springs;
+    double sea_m3 = 0;  ///< water that sea levels brought so far
 };
+
+/// Books of what passes brought and took, on the device. New ones may be added at the end.
+using Books = std::vector<gpu::Buffer*>;
 
 /// Undo and redo by tiles. An entry keeps the tiles as they were before an act, on the device; undoing swaps
 /// them with the present ones, so that the same entry redoes. Nothing is read back.
@@ -24,7 +29,7 @@ class Undo {
     explicit Undo(std::size_t capacity_bytes) : capacity_bytes_(capacity_bytes) {}
 
     /// Opens an entry and drops what could be redone. No entry may be open.
-    void open(std::string name, Terrain& terrain, const Brush& brush, const Journal& journal, Moment before);
+    void open(std::string name, Terrain& terrain, const Books& books, const Journal& journal, Moment before);
     bool is_open() const { return open_; }
     /// True when the newest entry has this name and keeps no tiles, so that another change of the same
     /// parameter belongs to it; what could be redone is dropped then.
@@ -41,10 +46,10 @@ class Undo {
     bool can_redo() const { return !undone_.empty(); }
     const std::string& undo_name() const { return done_.back().name; }
     const std::string& redo_name() const { return undone_.back().name; }
-    /// Both swap the terrain, the brush's books and the moment with the entry's, and cut or restore the
+    /// Both swap the terrain, the books and the moment with the entry's, and cut or restore the
     /// journal.
-    void undo(Terrain& terrain, Brush& brush, Journal& journal, Moment& now);
-    void redo(Terrain& terrain, Brush& brush, Journal& journal, Moment& now);
+    void undo(Terrain& terrain, const Books& books, Journal& journal, Moment& now);
+    void redo(Terrain& terrain, const Books& books, Journal& journal, Moment& now);
 
     std::size_t bytes() const;
 
@@ -52,13 +57,13 @@ class Undo {
     struct Entry {
         std::string name;
         std::map<int, gpu::Buffer> tiles;
-        gpu::Buffer books;
+        std::vector<gpu::Buffer> books;
         Moment moment;
         Journal::Mark mark;           // before the act
         std::vector<Operation> tail;  // of the journal, while undone
         std::size_t bytes = 0;
     };
-    void swap(Entry& entry, Terrain& terrain, Brush& brush, Moment& now);
+    void swap(Entry& entry, Terrain& terrain, const Books& books, Moment& now);
     void trim();
 
     std::size_t capacity_bytes_;

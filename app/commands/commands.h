@@ -24,6 +24,9 @@ struct RunOptions {
     SceneRequest scene;
     std::optional<std::int64_t> ticks;
     std::optional<double> time_s;
+    std::vector<Spring> springs;     ///< placed before the first tick
+    std::vector<glm::dvec2> gauges;  ///< places (m) whose water is written every tick
+    std::string gauge_table = "gauges.csv";
     Outputs outputs;
 };
 void run(const RunOptions& options);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "app/gauges.h"
 #include "app/outputs.h"
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
@@ -49,6 +50,7 @@ void say_notes(const Scene& scene) {
 
 void run(const RunOptions& options) {
     check_outputs(options.outputs);
+    if (!options.gauges.empty()) check_folder(options.gauge_table);
     const gpu::Context context(options.gpu);
     say(gpu::describe(context.device()));
     Scene scene = make_scene(options.scene);
@@ -64,11 +66,19 @@ void run(const RunOptions& options) {
     }
     const auto start = Clock_::now();
     const double cpu_start = process_cpu_s();
+    Gauges gauges(scene.document.state.grid, options.gauges);
     Simulation simulation(scene.document.state, scene.simulation);
+    for (const Spring& spring : options.springs) simulation.apply(spring);
+    if (!gauges.empty()) gauges.record(simulation.terrain(), simulation.clock().simulated_s);
     Progress progress(ticks);
     for (std::int64_t done = 0; done < ticks; ++done) {
         simulation.apply(Ticks{1});
+        if (!gauges.empty()) gauges.record(simulation.terrain(), simulation.clock().simulated_s);
         progress.show(done + 1);
+    }
+    if (!gauges.empty()) {
+        write_atomically(options.gauge_table, gauges.to_csv());
+        say(fmt::format("what the gauges showed is in {}", options.gauge_table));
     }
     const RunFigures figures{context.device(), ticks, seconds_since(start), process_cpu_s() - cpu_start};
     write_outputs(options.outputs, scene, simulation, figures);

@@ -9,24 +9,12 @@
 //   dab_blend       real, smooth and flatten: share of the way at full weight, 0 to 1
 //   dab_target_m    real2, flatten: the height to reach, two words
 //   dab_on_regolith int, 1: raise adds regolith rather than bedrock
+#include "maths/brush_weight.glsl"
 #include "maths/solid.glsl"
-
-// 1 in the middle, 0 at the radius and beyond, by a cubic between.
-real brush_weight(real2 offset_m) {
-    precise real square = offset_m.x * offset_m.x + offset_m.y * offset_m.y;
-    precise real distance_m = sqrt(square);
-    precise real edge = (dab_radius_m - distance_m) / max(dab_radius_m * dab_falloff, real(1e-30));
-    precise real s = min(max(edge, real(0)), real(1));
-    precise real weight = s * s * (real(3) - real(2) * s);
-    return distance_m < dab_radius_m ? weight : real(0);
-}
 
 // Metres that the dab adds to the ground at the sample.
 real brush_change(int2 at, real4 c) {
-    int2 cells = at - dab_sample;
-    precise real x = (real(cells.x) - dab_offset.x) * cell_m.x;
-    precise real y = (real(cells.y) - dab_offset.y) * cell_m.y;
-    real weight = brush_weight(real2(x, y));
+    real weight = brush_weight_at(at);
     precise real change = weight * dab_amount_m;
     if (dab_mode == 1) change = -change;
     if (dab_mode == 2) {

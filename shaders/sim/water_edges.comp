@@ -5,13 +5,11 @@ layout(local_size_x = 256) in;
 
 layout(binding = 0, rgba32f) uniform image2D water_state;
 layout(binding = 2, r32f) uniform image2D bed;
-layout(binding = 3, std430) buffer TileSpeeds { uint tile_speeds[]; };
 layout(binding = 5, std430) readonly buffer Springs { vec4 springs[]; };          // column, row, m/s
 layout(binding = 6, std430) readonly buffer EdgeSeries { float edge_series[]; };  // inflow, m²/s; then wave, m
 layout(binding = 7, std430) buffer EdgeBooks { dvec2 edge_books[]; };             // metres in, out, round the map
 
 uniform int2 samples;
-uniform int2 tiles;
 uniform int stage;          // 0: of the sub-step's start, 1: of its second half
 uniform int kind_north;     // numbers of maths/water_edge.glsl
 uniform int kind_south;
@@ -128,7 +126,7 @@ void main() {
 
         // What comes in counts for the length of the next sub-step.
         real speed = water_speed(real4(ghost.depth, 0.0, ghost.outward, ghost.beside));
-        atomicMax(tile_speeds[(at.y >> 6) * tiles.x + (at.x >> 6)], floatBitsToUint(speed));
+        atomicMax(clock_edge_fastest, floatBitsToUint(speed));
         WaterCell a_2 = outward_cell(inside_2);
         WaterCell a = outward_cell(inside);
         WaterCell b = outward_cell(ghost);

@@ -14,7 +14,8 @@ layout(binding = 2, std430) buffer WaterClock {
     float clock_at;          // share of the tick that is past, before this sub-step
     float clock_share;       // this sub-step's share of the tick
     float clock_fastest;     // m/s, over all tiles
-    float clock_pad[3];
+    uint clock_edge_fastest; // bits of the fastest wave beyond the edges in this tick's last sub-step, m/s
+    float clock_pad[2];
     double book_rain_m;      // metres of rain on one sample, since the start
     double book_springs_m;   // metres from all springs
     double total_substeps;

@@ -55,7 +55,7 @@ void main() {
     int me = int(gl_LocalInvocationIndex);
     int count = tiles.x * tiles.y;
     if (me == 0) {
-        fastest = 0u;
+        fastest = clock_edge_fastest;
         listed = 0u;
         running = clock_left_s > real(0);
     }
@@ -109,6 +109,7 @@ void main() {
             clock_at = at;
             clock_share = share;
             clock_fastest = speed;
+            clock_edge_fastest = 0u;
             total_substeps += 1.0lf;
             total_listed += double(listed);
             precise real rain = rain_m_per_s * dt;

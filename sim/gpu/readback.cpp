@@ -24,6 +24,13 @@ void Readback::start(const Texture& texture, const Region& region) {
     raise_errors();
 }
 
+void Readback::start(const Buffer& buffer, std::size_t bytes) {
+    if (buffer_.bytes() != bytes) buffer_ = Buffer("readback", bytes);
+    glCopyNamedBufferSubData(buffer.name(), buffer_.name(), 0, 0, static_cast<GLsizeiptr>(bytes));
+    fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    raise_errors();
+}
+
 std::optional<std::vector<float>> Readback::poll() {
     if (!fence_) return std::nullopt;
     const GLenum state = glClientWaitSync(static_cast<GLsync>(fence_), GL_SYNC_FLUSH_COMMANDS_BIT, 0);

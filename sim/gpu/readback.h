@@ -6,8 +6,8 @@
 
 namespace talus::gpu {
 
-/// Reads texels of a float texture without waiting: start() copies on the device, poll() gives them once they
-/// are there.
+/// Reads texels of a float texture, or the start of a buffer, without waiting: start() copies on the device,
+/// poll() gives them once they are there.
 ///
 ///     if (!readback.pending()) readback.start(hits, {x, y, 1, 1});
 ///     if (auto texels = readback.poll()) ...
@@ -20,6 +20,7 @@ class Readback {
 
     bool pending() const { return fence_ != nullptr; }
     void start(const Texture& texture, const Region& region);
+    void start(const Buffer& buffer, std::size_t bytes);
     /// All components of the region's texels, row by row; none while the device is still at it, or nothing
     /// was started.
     std::optional<std::vector<float>> poll();

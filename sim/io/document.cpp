@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "sim/gpu/error.h"
 #include "sim/io/picture.h"
+#include "sim/passes/water.h"
 
 namespace talus {
 namespace {
@@ -16,6 +18,17 @@ namespace fs = std::filesystem;
 // Channels in the order they are written. No dots in their names: Blender takes a file with one for layers of
 // a render and shows nothing of it.
 const std::vector<std::string> channels = {"Y", "bedrock", "bedrock_low", "regolith", "regolith_low"};
+// Behind them where there is water.
+const std::vector<std::string> water_channels = {"water", "water_low", "discharge_x", "discharge_y"};
+
+// x, y and rate of each, as save_document writes them.
+std::vector<Spring> springs_from(const std::string& text) {
+    std::vector<Spring> springs;
+    std::istringstream words(text);
+    Spring spring;
+    while (words >> spring.x_m >> spring.y_m >> spring.rate_m3_per_s) springs.push_back(spring);
+    return springs;
+}
 
 bool is_document(const fs::path& path) {
     if (ending_of(path) != ".exr") return false;
@@ -49,7 +62,7 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
             document.georeference = georeference;
     }
     std::vector<float> values(state.grid.count());
-    const auto read_channel = [&](const std::string& name, std::vector<glm::vec2>& layer, int word) {
+    const auto read_channel = [&](const std::string& name, auto& layer, int word) {
         const int channel = spec.channelindex(name);
         if (channel < 0) return;
         if (!input->read_image(0, 0, channel, channel + 1, OIIO::TypeDesc::FLOAT, values.data()))
@@ -67,6 +80,24 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
     read_channel("bedrock_low", state.bedrock, 1);
     read_channel("regolith", state.regolith, 0);
     read_channel("regolith_low", state.regolith, 1);
+    if (spec.channelindex("water") >= 0) {
+        state.water.assign(state.grid.count(), glm::vec4(0));
+        read_channel("water", state.water, 0);
+        read_channel("water_low", state.water, 1);
+        // Other programs' names, with dots, and our own.
+        for (const char* separator : {".", "_"}) {
+            read_channel(std::string("discharge") + separator + "x", state.water, 2);
+            read_channel(std::string("discharge") + separator + "y", state.water, 3);
+        }
+        for (const glm::vec4& water : state.water)
+            if (!(water.x >= 0 && water.x <= 1e5F && std::abs(water.z) <= 1e8F && std::abs(water.w) <= 1e8F))
+                throw Error(
+                    fmt::format("'{}' holds water of depth {} m and discharge ({}, {}) m²/s: depths must be "
+                                "0 to 1e5 m, discharges within 1e8 m²/s",
+                                path.string(), water.x, water.z, water.w));
+    }
+    state.springs = springs_from(spec.get_string_attribute("talus:springs"));
+    for (const Spring& spring : state.springs) check_spring(state.grid, spring);
     return document;
 }
 
@@ -85,15 +116,20 @@ Document open_document(const fs::path& path, const ImportSettings& settings) {
 
 void save_document(const fs::path& path, const Document& document) {
     const TerrainState& state = document.state;
-    OIIO::ImageSpec spec(state.grid.nx, state.grid.ny, static_cast<int>(channels.size()),
-                         OIIO::TypeDesc::FLOAT);
-    spec.channelnames = channels;
+    std::vector<std::string> names = channels;
+    if (!state.water.empty()) names.insert(names.end(), water_channels.begin(), water_channels.end());
+    OIIO::ImageSpec spec(state.grid.nx, state.grid.ny, static_cast<int>(names.size()), OIIO::TypeDesc::FLOAT);
+    spec.channelnames = names;
     spec.attribute("compression", "zip");
     spec.attribute("talus:document", "1");
     spec.attribute("talus:dx_m", fmt::format("{}", state.grid.dx));
     spec.attribute("talus:dy_m", fmt::format("{}", state.grid.dy));
     spec.attribute("talus:ticks", fmt::format("{}", state.clock.ticks));
     spec.attribute("talus:simulated_s", fmt::format("{}", state.clock.simulated_s));
+    std::string springs;
+    for (const Spring& spring : state.springs)
+        springs += fmt::format("{} {} {} ", spring.x_m, spring.y_m, spring.rate_m3_per_s);
+    if (!springs.empty()) spec.attribute("talus:springs", springs);
     if (!document.parameters.empty()) spec.attribute("talus:parameters", document.parameters);
     if (document.georeference) {
         const auto& t = document.georeference->transform;
@@ -103,18 +139,28 @@ void save_document(const fs::path& path, const Document& document) {
     }
     const std::vector<float> ground = state.ground();
     std::vector<float> pixels;
-    pixels.reserve(ground.size() * channels.size());
-    for (std::size_t i = 0; i < ground.size(); ++i)
+    pixels.reserve(ground.size() * names.size());
+    for (std::size_t i = 0; i < ground.size(); ++i) {
         pixels.insert(pixels.end(), {ground[i], state.bedrock[i].x, state.bedrock[i].y, state.regolith[i].x,
                                      state.regolith[i].y});
+        if (state.water.empty()) continue;
+        const glm::vec4& water = state.water[i];
+        pixels.insert(pixels.end(), {water.x, water.y, water.z, water.w});
+    }
     write_encoded(path, spec, pixels.data());
 }
 
 std::vector<float> layer_of(const TerrainState& state, const std::string& name) {
     if (name == "ground") return state.ground();
+    if (name == "water" || name == "level") {
+        std::vector<float> values =
+            name == "level" ? state.ground() : std::vector<float>(state.bedrock.size());
+        for (std::size_t i = 0; i < state.water.size(); ++i) values[i] += state.water[i].x;
+        return values;
+    }
     if (name != "bedrock" && name != "regolith")
-        throw Error(
-            fmt::format("--layer '{}' is not a layer, it must be one of: ground, bedrock, regolith", name));
+        throw Error(fmt::format(
+            "--layer '{}' is not a layer, it must be one of: ground, bedrock, regolith, water, level", name));
     const std::vector<glm::vec2>& words = name == "bedrock" ? state.bedrock : state.regolith;
     std::vector<float> values(words.size());
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = words[i].x + words[i].y;

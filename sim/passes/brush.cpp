@@ -42,7 +42,7 @@ DabStep dab_step(const Grid& grid, const Dab& dab) {
     step.blend = static_cast<float>(std::clamp(dab.blend, 0.0, 1.0));
     step.target_m.x = static_cast<float>(dab.target_m);
     step.target_m.y = static_cast<float>(dab.target_m - step.target_m.x);
-    step.on_regolith = dab.on_regolith ? 1 : 0;
+    step.on_regolith = dab.material == Material::regolith ? 1 : 0;
     return step;
 }
 

@@ -8,6 +8,8 @@
 namespace talus {
 
 enum class BrushMode { raise = 0, lower = 1, smooth = 2, flatten = 3 };
+/// What raise adds; lower takes regolith before bedrock, or water alone.
+enum class Material { bedrock = 0, regolith = 1, water = 2 };
 
 /// One dab: what a brush does to the ground in one moment. World coordinates, metres.
 struct Dab {
@@ -15,11 +17,16 @@ struct Dab {
     double x_m = 0;
     double y_m = 0;
     double radius_m = 1;
-    double falloff = 1;        ///< 0 hard edge … 1 soft all the way
-    double amount_m = 0;       ///< raise, lower: metres in the middle
-    double blend = 0;          ///< smooth, flatten: share of the way in the middle, 0 … 1
-    double target_m = 0;       ///< flatten: the height to reach
-    bool on_regolith = false;  ///< raise adds regolith instead of bedrock
+    double falloff = 1;                     ///< 0 hard edge … 1 soft all the way
+    double amount_m = 0;                    ///< raise, lower: metres in the middle
+    double blend = 0;                       ///< smooth, flatten: share of the way in the middle, 0 … 1
+    double target_m = 0;                    ///< flatten: the height to reach
+    Material material = Material::bedrock;  ///< smooth and flatten act on the ground whatever it is
+
+    /// Whether the dab changes the water rather than the ground.
+    bool is_water() const {
+        return material == Material::water && (mode == BrushMode::raise || mode == BrushMode::lower);
+    }
     bool operator==(const Dab&) const = default;
 };
 

@@ -1,5 +1,7 @@
 #include "sim/passes/water.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -16,7 +18,10 @@ constexpr int series_steps = 256;
 // The buffer that shaders/sim/water_images.glsl calls WaterClock.
 struct DeviceClock {
     float left_s;
-    float unread[11];
+    float dt_s;
+    float unread[7];
+    std::uint32_t edge_fastest;
+    float padding[2];
     double rain_m;
     double springs_m;
     double substeps;
@@ -45,13 +50,20 @@ double inflow_length_m(const WaterSettings& settings, const Grid& grid) {
 
 }  // namespace
 
-void check_water(const WaterSettings& settings) {
-    constexpr std::array<const char*, 4> names = {"north", "south", "west", "east"};
-    for (std::size_t edge = 0; edge < 4; ++edge)
-        if (settings.edges[edge] == EdgeKind::periodic && settings.edges[edge ^ 1U] != EdgeKind::periodic)
-            throw Error(std::string("water.boundary.") + names[edge] +
-                        " is periodic: the opposite edge, water.boundary." + names[edge ^ 1U] +
-                        ", must be periodic too");
+const std::vector<std::string>& edge_kinds() {
+    static const std::vector<std::string> kinds = {"wall", "open", "level", "inflow", "wave", "periodic"};
+    return kinds;
+}
+
+void check_spring(const Grid& grid, const Spring& spring) {
+    const std::string text = fmt::format("spring at {},{}", spring.x_m, spring.y_m);
+    if (!(spring.x_m >= 0 && spring.x_m <= grid.width_m() && spring.y_m >= 0 &&
+          spring.y_m <= grid.height_m()))
+        throw Error(fmt::format("{} m lies off the map, it must lie within 0,0 and {},{} m", text,
+                                grid.width_m(), grid.height_m()));
+    if (!(spring.rate_m3_per_s >= 0 && spring.rate_m3_per_s <= 1e9))
+        throw Error(
+            fmt::format("{} m cannot give {} m³/s, its rate must be 0 to 1e9", text, spring.rate_m3_per_s));
 }
 
 double inflow_at(const WaterSettings& settings, double time_s) {
@@ -79,14 +91,6 @@ double wave_at(const WaterSettings& settings, double time_s) {
     const double start = std::acosh(std::sqrt(1000.0)) / gamma;
     const double crest = std::cosh(gamma * (start - celerity * time_s));
     return height / (crest * crest);
-}
-
-double WaterBooks::in_m3() const {
-    return rain_m3 + springs_m3 + edges_in_m3 + std::max(placed_m3, 0.0);
-}
-
-double WaterBooks::out_m3() const {
-    return edges_out_m3 + losses_m3 + std::max(-placed_m3, 0.0);
 }
 
 Water::Water(const Terrain& terrain)
@@ -127,9 +131,13 @@ void Water::begin_tick(Terrain& terrain, const WaterSettings& settings, const st
                        double tick_s, double start_s) {
     settings_ = settings;
     tick_s_ = tick_s;
+    expected_ = 1;
     const Grid& grid = terrain.grid();
     const auto time = static_cast<float>(tick_s);
     clock_.write(0, std::as_bytes(std::span(&time, 1)));
+    // A tick begins from the water alone, so that one that was saved and loaded goes on the same way.
+    const std::uint32_t none = 0;
+    clock_.write(offsetof(DeviceClock, edge_fastest), std::as_bytes(std::span(&none, 1)));
 
     std::vector<float> series;
     series.reserve(2 * (series_steps + 1));
@@ -199,8 +207,9 @@ void Water::substep(Terrain& terrain) {
     step_program_.set("samples", samples);
     step_program_.set("cell_m", glm::vec2(grid.dx, grid.dy));
     step_program_.set("tick_s", static_cast<float>(tick_s_));
-    step_program_.set("friction", static_cast<float>(settings_.gravity_m_per_s2 *
-                                                     settings_.manning_s_per_m13 * settings_.manning_s_per_m13));
+    step_program_.set("friction",
+                      static_cast<float>(settings_.gravity_m_per_s2 * settings_.manning_s_per_m13 *
+                                         settings_.manning_s_per_m13));
     step_program_.set("rain_m_per_s", rain);
     step_program_.set("eulers", eulers);
     step_program_.set("driven_north", driven(Edge::north));
@@ -226,7 +235,6 @@ void Water::substep(Terrain& terrain) {
         from.bind_image(0, gpu::Access::read_write);
         water.bed.bind_image(2, gpu::Access::read_write);
         ghosts.set("samples", samples);
-        ghosts.set("tiles", tiles);
         ghosts.set("stage", stage - 1);
         ghosts.set("kind_north", static_cast<int>(settings_.edges[0]));
         ghosts.set("kind_south", static_cast<int>(settings_.edges[1]));
@@ -252,13 +260,33 @@ void Water::substep(Terrain& terrain) {
     }
 }
 
+bool Water::advance(Terrain& terrain, int substeps) {
+    while (true) {
+        if (!poll_.pending()) {
+            if (substeps <= 0) return false;
+            // No more than it takes, as far as is known: what is asked for too much costs a little, and a
+            // question costs a little too.
+            const int batch = std::clamp(expected_, 1, substeps);
+            for (int i = 0; i < batch; ++i) substep(terrain);
+            substeps -= batch;
+            poll_.start(clock_, 2 * sizeof(float));
+        }
+        const auto clock = poll_.poll();
+        if (!clock) return false;
+        const float left_s = (*clock)[0];
+        const float dt_s = (*clock)[1];
+        if (left_s <= 0) return true;
+        expected_ = static_cast<int>(std::min(64.0F, std::ceil(left_s / dt_s)));
+    }
+}
+
 double Water::time_left_s() const {
     float left_s = 0;
     clock_.read(0, std::as_writable_bytes(std::span(&left_s, 1)));
     return left_s;
 }
 
-WaterBooks Water::books(const Grid& grid) const {
+WaterBooks Water::read_books(const Grid& grid) const {
     const double area = grid.dx * grid.dy;
     const DeviceClock clock = read_clock(clock_);
     WaterBooks books;
@@ -269,7 +297,6 @@ WaterBooks Water::books(const Grid& grid) const {
         books.edges_out_m3 += sample.y * area;
     }
     for (const double strip : losses_.read_all<double>()) books.losses_m3 += strip * area;
-    books.placed_m3 = placed_m3;
     return books;
 }
 

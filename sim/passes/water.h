@@ -6,12 +6,16 @@
 
 #include "sim/gpu/buffer.h"
 #include "sim/gpu/program.h"
+#include "sim/gpu/readback.h"
 #include "sim/terrain/terrain.h"
 
 namespace talus {
 
 /// What is beyond an edge of the map. The numbers are those of shaders/maths/water_edge.glsl.
 enum class EdgeKind { wall = 0, open = 1, level = 2, inflow = 3, wave = 4, periodic = 5 };
+
+/// Their names as parameters have them.
+const std::vector<std::string>& edge_kinds();
 
 /// The edges in the order of settings and books.
 enum class Edge { north = 0, south = 1, west = 2, east = 3 };
@@ -27,27 +31,19 @@ struct WaterSettings {
     double infiltration_m_per_s = 0;
     double evaporation_m_per_s = 0;
     std::array<EdgeKind, 4> edges{};
-    double level_m = 0;              ///< held at level edges, still level at wave edges
-    double inflow_m3_per_s = 0;      ///< over all inflow edges together, at its peak
-    double inflow_rise_s = 0;        ///< from nothing to the peak; 0: at once
-    double inflow_fall_s = 0;        ///< from the peak back to nothing; 0: it stays
+    double level_m = 0;          ///< held at level edges, still level at wave edges
+    double inflow_m3_per_s = 0;  ///< over all inflow edges together, at its peak
+    double inflow_rise_s = 0;    ///< from nothing to the peak; 0: at once
+    double inflow_fall_s = 0;    ///< from the peak back to nothing; 0: it stays
     WaveForm wave_form = WaveForm::sine;
-    double wave_height_m = 0;        ///< sine: amplitude; solitary: crest above the still level
-    double wave_period_s = 10;       ///< sine
-    double wave_depth_m = 10;        ///< solitary: still depth that gives the wave its length
-    bool skips_rest = true;          ///< false: every tile every sub-step, to compare with (law 2)
+    double wave_height_m = 0;   ///< sine: amplitude; solitary: crest above the still level
+    double wave_period_s = 10;  ///< sine
+    double wave_depth_m = 10;   ///< solitary: still depth that gives the wave its length
+    bool skips_rest = true;     ///< false: every tile every sub-step, to compare with (law 2)
 };
 
-/// Throws talus::Error when settings contradict each other: a periodic edge needs its opposite to be.
-void check_water(const WaterSettings& settings);
-
-/// Water that comes out of the ground at a place.
-struct Spring {
-    double x_m = 0;
-    double y_m = 0;
-    double rate_m3_per_s = 0;
-    bool operator==(const Spring&) const = default;
-};
+/// Throws talus::Error when a spring lies off the map, or its rate is not 0 to 1e9 m³/s.
+void check_spring(const Grid& grid, const Spring& spring);
 
 /// Inflow over all inflow edges at a time since the start, m³/s.
 double inflow_at(const WaterSettings& settings, double time_s);
@@ -62,9 +58,11 @@ struct WaterBooks {
     double edges_in_m3 = 0;
     double edges_out_m3 = 0;
     double losses_m3 = 0;  ///< by infiltration and evaporation
-    double placed_m3 = 0;  ///< by the sea and by brushes; negative: taken
-    double in_m3() const;
-    double out_m3() const;
+    double sea_m3 = 0;
+    double brush_in_m3 = 0;
+    double brush_out_m3 = 0;
+    double in_m3() const { return rain_m3 + springs_m3 + edges_in_m3 + sea_m3 + brush_in_m3; }
+    double out_m3() const { return edges_out_m3 + losses_m3 + brush_out_m3; }
 };
 
 /// Moves the water: conservative shallow-water equations in second order (docs/numerics.md, "Water"), by
@@ -84,11 +82,14 @@ class Water {
                     double tick_s, double start_s);
     /// The next sub-step; nothing after the tick's time is over.
     void substep(Terrain& terrain);
+    /// Runs up to `substeps` of the present tick and says whether its time is over, without waiting for the
+    /// device: where its answer is not there yet, no.
+    bool advance(Terrain& terrain, int substeps);
     /// Of the present tick. Waits for the device.
     double time_left_s() const;
 
-    /// Waits for the device.
-    WaterBooks books(const Grid& grid) const;
+    /// Waits for the device. Without what sea and brushes placed.
+    WaterBooks read_books(const Grid& grid) const;
     /// Sub-steps so far, and tiles computed in them together. Waits for the device.
     struct Work {
         std::uint64_t substeps = 0;
@@ -97,8 +98,7 @@ class Water {
     Work work() const;
 
     /// What undo keeps of the books.
-    std::vector<gpu::Buffer*> kept() { return {&clock_, &edge_books_, &losses_}; }
-    double placed_m3 = 0;
+    std::vector<gpu::Buffer*> books() { return {&clock_, &edge_books_, &losses_}; }
 
   private:
     gpu::Program& stage_program(int stage);
@@ -115,6 +115,8 @@ class Water {
     gpu::Buffer series_;
     gpu::Buffer edge_books_;
 
+    gpu::Readback poll_;
+    int expected_ = 1;  // sub-steps until the tick is over, as far as is known
     WaterSettings settings_;
     double tick_s_ = 0;
     int spring_count_ = 0;

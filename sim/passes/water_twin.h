@@ -8,9 +8,9 @@
 
 namespace talus::maths {
 
-/// The CPU twin of the water's sub-step (shaders/sim/water_step.comp, water_edges.comp, water.comp), over every
-/// sample. In float it agrees with llvmpipe bit for bit; in double it says what float costs. Without springs
-/// and books.
+/// The CPU twin of the water's sub-step (shaders/sim/water_step.comp, water_edges.comp, water.comp), over
+/// every sample. In float it agrees with llvmpipe bit for bit; in double it says what float costs. Without
+/// springs and books.
 template <typename Real>
 class WaterTwin {
   public:
@@ -45,6 +45,7 @@ class WaterTwin {
     void tick(double tick_s, double start_s) {
         edge_wave_m = static_cast<Real>(wave_at(settings_, start_s));
         edge_inflow = 0;
+        edge_speed_ = 0;
         real left = static_cast<Real>(tick_s);
         while (left > 0) left = substep(left);
     }
@@ -117,8 +118,7 @@ class WaterTwin {
                 const WaterFace east = face(from, at, int2(1, 0), slope_x);
                 const WaterFace south = face(from, at + int2(0, 1), int2(0, -1), slope_y);
                 const WaterFace north = face(from, at, int2(0, -1), slope_y);
-                const WaterChange change =
-                    water_change(here.x, slope_x, slope_y, west, east, south, north);
+                const WaterChange change = water_change(here.x, slope_x, slope_y, west, east, south, north);
                 real4 after;
                 if (water_order == 1)
                     after = water_euler(here, change);
@@ -148,8 +148,7 @@ class WaterTwin {
         const WaterCell behind = cell_at(from, at + 2 * step, turned);
         const WaterSlope slope_a = water_slope(before, a, b);
         level_slope = slope_a.level;
-        return water_face(a, slope_a, b, water_slope(a, b, behind),
-                          water_face_rests(before, a, b, behind));
+        return water_face(a, slope_a, b, water_slope(a, b, behind), water_face_rests(before, a, b, behind));
     }
 
     EdgeSample edge_sample_at(const std::vector<real4>& state, int2 at, int2 outward) {
@@ -175,8 +174,7 @@ class WaterTwin {
             const bool row_edge = index < 2 * nx;
             const int along = row_edge ? index % nx : (index - 2 * nx) % ny;
             const bool first = row_edge ? index < nx : index - 2 * nx < ny;
-            const int2 at =
-                row_edge ? int2(along, first ? 0 : ny - 1) : int2(first ? 0 : nx - 1, along);
+            const int2 at = row_edge ? int2(along, first ? 0 : ny - 1) : int2(first ? 0 : nx - 1, along);
             const int2 outward = row_edge ? int2(0, first ? -1 : 1) : int2(first ? -1 : 1, 0);
             const int kind = static_cast<int>(settings_.edges[(row_edge ? 0U : 2U) + (first ? 0U : 1U)]);
             EdgeSample shown = edge_sample_at(state, at, outward);
@@ -191,8 +189,8 @@ class WaterTwin {
             store_ghost(state, at + outward, outward, ghost);
             store_ghost(state, at + 2 * outward, outward, mirrors ? edge_ghost(kind, shown_2) : ghost);
             if (!mirrors)
-                edge_speed_ = max(edge_speed_,
-                                  water_speed(real4(ghost.depth, 0, ghost.outward, ghost.beside)));
+                edge_speed_ =
+                    max(edge_speed_, water_speed(real4(ghost.depth, 0, ghost.outward, ghost.beside)));
         }
     }
 

@@ -96,11 +96,96 @@ double mountains(glm::dvec2 p, std::uint32_t seed) {
     return sum * (0.30 + 0.70 * swell * swell * (3 - 2 * swell)) + ground;
 }
 
+// 0 to 1, flat at both ends.
+double smooth(double t) {
+    const double s = std::clamp(t, 0.0, 1.0);
+    return s * s * (3 - 2 * s);
+}
+
+// A shelf that rises gently from the west, a bay and a headland, a beach, dunes and hills behind.
+double coast(glm::dvec2 p, std::uint32_t seed) {
+    const double shore =
+        0.55 + 0.16 * noise(glm::dvec2(1.7, 2.4 * p.y), seed) + 0.05 * fbm(6.0 * p, seed + 17, 4, 0.5);
+    const double inland = p.x - shore;
+    const double shelf = 0.45 + 0.7 * std::max(inland, -0.6);
+    const double hills_height =
+        0.9 * smooth((inland - 0.02) / 0.4) * (0.55 + fbm(4.0 * p, seed + 31, 9, 0.5));
+    return shelf + std::max(hills_height, 0.0) + 0.012 * fbm(20.0 * p, seed + 61, 5, 0.5);
+}
+
+// One mountain, a little out of the middle, with ridges and bays, on a shelf.
+double island(glm::dvec2 p, std::uint32_t seed) {
+    const glm::dvec2 q = p - glm::dvec2(0.54, 0.5) +
+                         0.05 * glm::dvec2(fbm(4.0 * p, seed, 5, 0.5), fbm(4.0 * p, seed + 9, 5, 0.5));
+    const double r = std::sqrt(q.x * q.x + q.y * q.y);
+    const double cone = std::max(0.0, 1 - r / 0.24);
+    return 0.9 * cone * cone + 0.35 * smooth(1.25 - r / 0.28) +
+           cone * 0.35 * fbm(7.0 * p, seed + 21, 8, 0.5) + 0.01 * fbm(12.0 * p, seed + 41, 6, 0.5);
+}
+
+// A valley that winds and falls eastwards between hills.
+double valley(glm::dvec2 p, std::uint32_t seed) {
+    const double middle = 0.5 + 0.16 * noise(glm::dvec2(2.6 * p.x, 0.3), seed) +
+                          0.05 * noise(glm::dvec2(6.0 * p.x, 4.7), seed + 3);
+    const double across = std::abs(p.y - middle);
+    const double flank = smooth((across - 0.03) / 0.30);
+    return 0.25 * (1 - p.x) + flank * (0.75 + 0.5 * fbm(4.0 * p, seed + 11, 9, 0.5)) +
+           0.01 * fbm(18.0 * p, seed + 51, 5, 0.5);
+}
+
+double bowl(glm::dvec2 p, std::uint32_t) {
+    const glm::dvec2 q = p - glm::dvec2(0.5);
+    return q.x * q.x + q.y * q.y;
+}
+
+// A shape by its kind, of points in units of the terrain's larger extent.
+double (*shape_of(const std::string& kind))(glm::dvec2, std::uint32_t) {
+    if (kind == "hills") return hills;
+    if (kind == "coast") return coast;
+    if (kind == "island") return island;
+    if (kind == "valley") return valley;
+    if (kind == "bowl") return bowl;
+    return mountains;
+}
+
 }  // namespace
 
 const std::vector<std::string>& generator_kinds() {
-    static const std::vector<std::string> kinds = {"mountains", "hills", "flat"};
+    static const std::vector<std::string> kinds = {"mountains", "hills",  "flat", "coast",
+                                                   "island",    "valley", "bowl"};
     return kinds;
+}
+
+const std::vector<std::string>& starting_waters() {
+    static const std::vector<std::string> waters = {"none", "dam", "bowl"};
+    return waters;
+}
+
+std::vector<float> generate_water(const Grid& grid, const std::vector<float>& heights,
+                                  const std::string& water, double relief_m) {
+    if (water == "none") return {};
+    std::vector<float> depths(grid.count(), 0.0F);
+    // Thacker's A for a shore at 0.8 of the bowl's radius; the bowl's relief is 8 of its depths (to the
+    // corners).
+    constexpr double shore = 0.8;
+    constexpr double A = (1 - shore * shore) / (1 + shore * shore);
+    const double a = grid.width_m() / 4;
+    const double h_0 = relief_m / 8;
+    for (int row = 0; row < grid.ny; ++row)
+        for (int column = 0; column < grid.nx; ++column) {
+            const std::size_t at = static_cast<std::size_t>(row) * grid.nx + column;
+            double depth = 0;
+            if (water == "dam") {
+                if (3 * column < grid.nx) depth = 0.6 * relief_m - heights[at];
+            } else {
+                const double x = column * grid.dx - grid.width_m() / 2;
+                const double y = row * grid.dy - grid.height_m() / 2;
+                const double D = 1 - A;
+                depth = h_0 * (std::sqrt(1 - A * A) / D - (x * x + y * y) / (a * a) * (1 - A * A) / (D * D));
+            }
+            depths[at] = static_cast<float>(std::max(depth, 0.0));
+        }
+    return depths;
 }
 
 std::vector<float> generate_heights(const Grid& grid, const GeneratorSettings& settings) {
@@ -109,6 +194,7 @@ std::vector<float> generate_heights(const Grid& grid, const GeneratorSettings& s
     if (settings.kind == "flat") return heights;
     const double extent = std::max(grid.width_m(), grid.height_m());
     std::vector<double> raw(grid.count());
+    const auto shape = shape_of(settings.kind);
     // Rows are independent, so threads change nothing but the time.
     const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     {
@@ -119,8 +205,7 @@ std::vector<float> generate_heights(const Grid& grid, const GeneratorSettings& s
                 for (int row = t; row < grid.ny; row += threads)
                     for (int column = 0; column < grid.nx; ++column) {
                         const glm::dvec2 p(column * grid.dx / extent, (grid.ny - 1 - row) * grid.dy / extent);
-                        raw[static_cast<std::size_t>(row) * grid.nx + column] =
-                            settings.kind == "hills" ? hills(p, settings.seed) : mountains(p, settings.seed);
+                        raw[static_cast<std::size_t>(row) * grid.nx + column] = shape(p, settings.seed);
                     }
             });
     }

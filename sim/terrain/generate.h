@@ -14,11 +14,21 @@ struct GeneratorSettings {
     double relief_m = 1000;  ///< from the lowest to the highest sample
 };
 
-/// mountains (ridged noise, its detail damped on slopes, domain warped), hills (fBm), flat (all 0).
+/// mountains (ridged noise, its detail damped on slopes, domain warped), hills (fBm), flat (all 0), coast (a
+/// shelf in the west, a beach, hills in the east), island (on a shelf), valley (winding, falls eastwards),
+/// bowl (a paraboloid).
 const std::vector<std::string>& generator_kinds();
 
 /// Heights in metres, row 0 north, lowest sample 0, highest relief_m. The same terrain at every grid of the
 /// same extent, and the same bits on every machine: + - * / sqrt floor and whole numbers only.
 std::vector<float> generate_heights(const Grid& grid, const GeneratorSettings& settings);
+
+/// What water a generated terrain can start with: none; dam, to a level of 0.6 of the relief in the western
+/// third; bowl, Thacker's round wave (1981) in a bowl a quarter of the width wide, at its lowest spread.
+const std::vector<std::string>& starting_waters();
+
+/// Depths in metres over the heights; empty for none.
+std::vector<float> generate_water(const Grid& grid, const std::vector<float>& heights_m,
+                                  const std::string& water, double relief_m);
 
 }  // namespace talus

@@ -20,6 +20,14 @@ struct Clock {
     bool operator==(const Clock&) const = default;
 };
 
+/// Water that comes out of the ground at a place.
+struct Spring {
+    double x_m = 0;
+    double y_m = 0;
+    double rate_m3_per_s = 0;
+    bool operator==(const Spring&) const = default;
+};
+
 /// Everything that a run continues from, in main memory: rows of samples, row 0 north, heights in metres as
 /// two words (high, low). What the document stores.
 struct TerrainState {
@@ -28,6 +36,7 @@ struct TerrainState {
     std::vector<glm::vec2> regolith;
     /// Depth, m, two words, and discharge east and north, m²/s; empty: no water was ever here.
     std::vector<glm::vec4> water;
+    std::vector<Spring> springs;
     Clock clock;
 
     /// Ground = bedrock + regolith, rounded to one float a sample.

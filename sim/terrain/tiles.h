@@ -24,7 +24,7 @@ class Tiles {
         activity = 2,
         undo = 4,
         sky = 8,
-        bed = 16,           ///< ground or water was changed by others than the water's own sub-steps
+        bed = 16,            ///< ground or water was changed by others than the water's own sub-steps
         wet = 32,            ///< its water is active; 128 to 1024 say beside which neighbours (water.comp)
         water_surface = 64,  ///< its water changed since it was last drawn
         wet_sides = 128 | 256 | 512 | 1024

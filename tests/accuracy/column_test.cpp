@@ -62,7 +62,7 @@ TEST(Column, CollapsesIntoTheConeOfItsAngleOfRepose) {
     const double axis = contour(1, 0);
     const double diagonal = contour(1, 1);
     const double angle = std::atan(steepest) * 180 / std::numbers::pi;
-    const LedgerReading books = ledger.read(terrain, brush);
+    const LedgerReading books = ledger.read(terrain, brush, {});
     std::printf(
         "column: %d ticks, steepest %.2f degrees, radii %.3f (axis) %.3f (diagonal) of %.3f, peak %.3f of "
         "%.3f, ledger %.2g of moved\n",

@@ -1,5 +1,5 @@
-// The water against exact solutions: relative L1 of depth (docs/numerics.md, "Water"; the table that this prints is in
-// docs/benchmarks.md).
+// The water against exact solutions: relative L1 of depth (docs/numerics.md, "Water"; the table that this
+// prints is in docs/benchmarks.md).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -62,8 +62,7 @@ glm::dvec2 velocity_of(const glm::vec4& water) {
 
 double fastest_of(const TerrainState& state) {
     double fastest = 0;
-    for (const glm::vec4& water : state.water)
-        fastest = std::max(fastest, glm::length(velocity_of(water)));
+    for (const glm::vec4& water : state.water) fastest = std::max(fastest, glm::length(velocity_of(water)));
     return fastest;
 }
 
@@ -82,7 +81,8 @@ float lowest_depth_of(const TerrainState& state) {
 std::size_t differing(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
-        if (std::bit_cast<std::array<std::uint32_t, 4>>(a[i]) != std::bit_cast<std::array<std::uint32_t, 4>>(b[i]))
+        if (std::bit_cast<std::array<std::uint32_t, 4>>(a[i]) !=
+            std::bit_cast<std::array<std::uint32_t, 4>>(b[i]))
             ++count;
     return count;
 }
@@ -103,8 +103,8 @@ TEST(Water, ALakeAtRestStaysAtRest) {
         double moved = 0;
         for (std::size_t i = 0; i < end.water.size(); ++i)
             moved = std::max(moved, std::abs(static_cast<double>(end.water[i].x) - start.water[i].x));
-        fmt::print("lake at rest, bed at {:+.0f} m: speed {:.1e} m/s, level {:.1e} m after {} sub-steps\n", datum_m,
-                   fastest, moved, run.water.work().substeps);
+        fmt::print("lake at rest, bed at {:+.0f} m: speed {:.1e} m/s, level {:.1e} m after {} sub-steps\n",
+                   datum_m, fastest, moved, run.water.work().substeps);
         EXPECT_LE(fastest, datum_m == 0 ? 1e-5 : 1e-4);
         EXPECT_LE(moved, 1e-6);
     }
@@ -127,10 +127,13 @@ TEST(Water, NothingIsLostInAClosedBasin) {
             lowest = std::min(lowest, lowest_depth_of(now));
         }
         const TerrainState end = run.read();
-        const auto wet = std::count_if(end.water.begin(), end.water.end(), [](const glm::vec4& w) { return w.x > 0; });
-        fmt::print("closed basin, order {}: drift {:.1e}, lowest depth {:.1e} m, {} sub-steps, {} % wet, speed {:.2f} m/s\n",
-                   order, drift, lowest, run.water.work().substeps, 100 * wet / static_cast<long>(end.water.size()),
-                   fastest_of(end));
+        const auto wet =
+            std::count_if(end.water.begin(), end.water.end(), [](const glm::vec4& w) { return w.x > 0; });
+        fmt::print(
+            "closed basin, order {}: drift {:.1e}, lowest depth {:.1e} m, {} sub-steps, {} % wet, speed "
+            "{:.2f} m/s\n",
+            order, drift, lowest, run.water.work().substeps, 100 * wet / static_cast<long>(end.water.size()),
+            fastest_of(end));
         EXPECT_LE(drift, 1e-6);
         EXPECT_GE(lowest, 0);
     }
@@ -182,7 +185,8 @@ TEST(Water, SkippingWhatRestsChangesNothing) {
         for (int i = 0; i < 4; ++i) {
             sparse.run(1, sparse.time_s() + 25);
             dense.run(1, dense.time_s() + 25);
-            ASSERT_EQ(differing(sparse.read().water, dense.read().water), 0U) << "after " << sparse.time_s() << " s";
+            ASSERT_EQ(differing(sparse.read().water, dense.read().water), 0U)
+                << "after " << sparse.time_s() << " s";
         }
         const Water::Work skipped = sparse.water.work();
         const Water::Work all = dense.water.work();
@@ -211,11 +215,12 @@ TEST(Water, AgreesWithItsFloatTwinToTheBit) {
         double rain;
         EdgeKind north, south, west, east;
     };
-    const Case cases[] = {{2, 0, 0, EdgeKind::wall, EdgeKind::wall, EdgeKind::wall, EdgeKind::wall},
-                          {1, 0.03, 0, EdgeKind::wall, EdgeKind::open, EdgeKind::level, EdgeKind::wall},
-                          {2, 0.03, 2e-4, EdgeKind::open, EdgeKind::level, EdgeKind::wall, EdgeKind::open},
-                          {2, 0, 0, EdgeKind::periodic, EdgeKind::periodic, EdgeKind::periodic, EdgeKind::periodic},
-                          {2, 0.02, 1e-4, EdgeKind::wave, EdgeKind::wall, EdgeKind::level, EdgeKind::wave}};
+    const Case cases[] = {
+        {2, 0, 0, EdgeKind::wall, EdgeKind::wall, EdgeKind::wall, EdgeKind::wall},
+        {1, 0.03, 0, EdgeKind::wall, EdgeKind::open, EdgeKind::level, EdgeKind::wall},
+        {2, 0.03, 2e-4, EdgeKind::open, EdgeKind::level, EdgeKind::wall, EdgeKind::open},
+        {2, 0, 0, EdgeKind::periodic, EdgeKind::periodic, EdgeKind::periodic, EdgeKind::periodic},
+        {2, 0.02, 1e-4, EdgeKind::wave, EdgeKind::wall, EdgeKind::level, EdgeKind::wave}};
     for (const Case& c : cases) {
         WaterScene scene = scenes::basin(97, 2);
         scene.grid.nx = 131;
@@ -239,7 +244,8 @@ TEST(Water, AgreesWithItsFloatTwinToTheBit) {
             run.tick(1);
         }
         const std::vector<glm::vec4> end = run.read().water;
-        EXPECT_EQ(differing(end, twin.read()), 0U) << "order " << c.order << ", north " << static_cast<int>(c.north);
+        EXPECT_EQ(differing(end, twin.read()), 0U)
+            << "order " << c.order << ", north " << static_cast<int>(c.north);
         EXPECT_GT(differing(end, start.water), end.size() / 3);
         double missed = 0;
         double all = 0;
@@ -248,8 +254,8 @@ TEST(Water, AgreesWithItsFloatTwinToTheBit) {
             missed += std::abs(static_cast<double>(end[i].x) - in_double[i].x);
             all += in_double[i].x;
         }
-        fmt::print("float against double after {} sub-steps, order {}: L1 {:.1e}\n", run.water.work().substeps, c.order,
-                   missed / all);
+        fmt::print("float against double after {} sub-steps, order {}: L1 {:.1e}\n",
+                   run.water.work().substeps, c.order, missed / all);
         EXPECT_LT(missed / all, 1e-4);
     }
 }

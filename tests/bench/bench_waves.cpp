@@ -78,12 +78,14 @@ void bench_waves() {
         each.push_back(seconds[i] / ((substeps_of(*cases[i]) - before[i]) / (rounds + 1)));
     // CPU time of all cores together; a machine of two busy cores does twice this a second.
     const double cells = static_cast<double>(n) * n;
-    fmt::print("{}², one sub-step, CPU time of all threads; million cell-updates a second on two busy cores\n", n);
+    fmt::print(
+        "{}², one sub-step, CPU time of all threads; million cell-updates a second on two busy cores\n", n);
     fmt::print("{:<34} {:>9} {:>9}\n", "", "ms", "M/s");
     fmt::print("{:<34} {:>9.2f} {:>9.1f}\n", "order 2, all wet", 1e3 * each[0], 2e-6 * cells / each[0]);
     fmt::print("{:<34} {:>9.2f} {:>9.1f}\n", "order 1, all wet (two updates)", 1e3 * each[1],
                2e-6 * 2 * cells / each[1]);
-    fmt::print("{:<34} {:>9.2f}   {:.1f} times cheaper\n", "order 2, a tenth wet", 1e3 * each[2], each[0] / each[2]);
+    fmt::print("{:<34} {:>9.2f}   {:.1f} times cheaper\n", "order 2, a tenth wet", 1e3 * each[2],
+               each[0] / each[2]);
     fmt::print("{:<34} {:>9.2f}   {:.0f} times cheaper\n", "order 2, a lake at rest", 1e3 * each[3],
                each[0] / each[3]);
 

@@ -1,5 +1,5 @@
-// Benchmarks: talus_bench render | methods | update | frame | waves [SHADER_DIR]. Figures are process CPU time,
-// interleaved, medians (docs/benchmarks.md).
+// Benchmarks: talus_bench render | methods | update | frame | waves [SHADER_DIR]. Figures are process CPU
+// time, interleaved, medians (docs/benchmarks.md).
 #include <fmt/format.h>
 
 #include <exception>
@@ -12,7 +12,8 @@
 
 int main(int argc, char** argv) {
     const std::string_view which = argc > 1 ? argv[1] : "";
-    if (which != "render" && which != "methods" && which != "update" && which != "frame" && which != "waves") {
+    if (which != "render" && which != "methods" && which != "update" && which != "frame" &&
+        which != "waves") {
         fmt::print(stderr, "usage: talus_bench render|methods|update|frame|waves [SHADER_DIR]\n");
         return 2;
     }

@@ -223,8 +223,8 @@ TEST_F(Program, RefusesInOneSentence) {
     std::getline(start, first);
     for (
         const char* dab :
-        {R"({"op":"dab","mode":"raise","x_m":1,"y_m":1,"radius_m":5,"falloff":1,"amount_m":1e39,"blend":0,"target_m":0,"on_regolith":false})",
-         R"({"op":"dab","mode":"raise","x_m":1e300,"y_m":1,"radius_m":5,"falloff":1,"amount_m":1,"blend":0,"target_m":0,"on_regolith":false})",
+        {R"({"op":"dab","mode":"raise","x_m":1,"y_m":1,"radius_m":5,"falloff":1,"amount_m":1e39,"blend":0,"target_m":0,"material":"bedrock"})",
+         R"({"op":"dab","mode":"raise","x_m":1e300,"y_m":1,"radius_m":5,"falloff":1,"amount_m":1,"blend":0,"target_m":0,"material":"bedrock"})",
          R"({"op":"set","name":"terrain.seed","value":4294967306})", R"({"op":"ticks","count":-1})",
          R"({"op":"sing"})"}) {
         std::ofstream(path("bad2.journal")) << first << "\n" << dab << "\n";

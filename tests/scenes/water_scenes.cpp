@@ -118,8 +118,7 @@ WaterScene thacker_radial(int n) {
         const double D = 1 - A * std::cos(omega * t);
         const double X = x - 2;
         const double Y = y - 2;
-        const double h =
-            h_0 * (std::sqrt(1 - A * A) / D - (X * X + Y * Y) * (1 - A * A) / (D * D));
+        const double h = h_0 * (std::sqrt(1 - A * A) / D - (X * X + Y * Y) * (1 - A * A) / (D * D));
         if (h <= 0) return glm::dvec3(0);
         const double u = 0.5 * omega * A * std::sin(omega * t) / D;
         return glm::dvec3(h, h * u * X, h * u * Y);
@@ -138,8 +137,7 @@ WaterScene thacker_planar(int n) {
     scene.water = [=](double x, double y, double t) {
         const double X = x - 2;
         const double Y = y - 2;
-        const double level =
-            eta * h_0 * (2 * X * std::cos(omega * t) + 2 * Y * std::sin(omega * t) - eta);
+        const double level = eta * h_0 * (2 * X * std::cos(omega * t) + 2 * Y * std::sin(omega * t) - eta);
         const double h = level - bed(x, y);
         if (h <= 0) return glm::dvec3(0);
         return glm::dvec3(h, -h * eta * omega * std::sin(omega * t), h * eta * omega * std::cos(omega * t));
@@ -153,9 +151,12 @@ WaterScene lake(int n, double datum_m) {
     scene.grid = {n, n, 10, 10};
     scene.bed = [=](double x, double y) {
         const double extent = n * 10;
-        const double bump = 14 * std::exp(-(std::pow(x / extent - 0.35, 2) + std::pow(y / extent - 0.6, 2)) / 0.01);
-        const double other = 11 * std::exp(-(std::pow(x / extent - 0.7, 2) + std::pow(y / extent - 0.3, 2)) / 0.02);
-        return datum_m + bump + other + 0.7 * std::sin(x / 7) * std::cos(y / 9) + 0.05 * std::sin(x) * std::sin(1.3 * y);
+        const double bump =
+            14 * std::exp(-(std::pow(x / extent - 0.35, 2) + std::pow(y / extent - 0.6, 2)) / 0.01);
+        const double other =
+            11 * std::exp(-(std::pow(x / extent - 0.7, 2) + std::pow(y / extent - 0.3, 2)) / 0.02);
+        return datum_m + bump + other + 0.7 * std::sin(x / 7) * std::cos(y / 9) +
+               0.05 * std::sin(x) * std::sin(1.3 * y);
     };
     // What is there above the bed as it is stored, or the start is not at rest.
     const auto bed = scene.bed;
@@ -172,7 +173,8 @@ WaterScene basin(int n, int seed) {
     scene.grid = {n, n, 5, 5};
     scene.bed = [=](double x, double y) {
         const double p = 0.031 * (1 + 0.1 * seed);
-        return 3 * std::sin(p * x) * std::cos(0.027 * y) + 0.02 * x + 1.2 * std::sin(0.11 * x + 0.07 * y + seed);
+        return 3 * std::sin(p * x) * std::cos(0.027 * y) + 0.02 * x +
+               1.2 * std::sin(0.11 * x + 0.07 * y + seed);
     };
     const auto bed = scene.bed;
     scene.water = [=](double x, double y, double) {
@@ -225,9 +227,8 @@ double depth_error(const WaterScene& scene, const TerrainState& state, double ti
     const Grid& grid = scene.grid;
     for (int row = 0; row < grid.ny; ++row)
         for (int column = 0; column < grid.nx; ++column) {
-            const double exact = scene.water((column + 0.5) * grid.dx,
-                                             (grid.ny - 1 - row + 0.5) * grid.dy, time_s)
-                                     .x;
+            const double exact =
+                scene.water((column + 0.5) * grid.dx, (grid.ny - 1 - row + 0.5) * grid.dy, time_s).x;
             const glm::vec4& texel = state.water[static_cast<std::size_t>(row) * grid.nx + column];
             missed += std::abs(static_cast<double>(texel.x) + texel.y - exact);
             all += exact;

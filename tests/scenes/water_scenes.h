@@ -10,8 +10,8 @@
 namespace talus::scenes {
 
 /// Water to start from, and where there is an exact answer, the water at any time. Functions of x east and y
-/// north, metres, and the time, seconds: (depth m, discharge east m²/s, discharge north m²/s). A sample is the
-/// middle of a control volume, at the borders too, so the first sample is at half a spacing.
+/// north, metres, and the time, seconds: (depth m, discharge east m²/s, discharge north m²/s). A sample is
+/// the middle of a control volume, at the borders too, so the first sample is at half a spacing.
 struct WaterScene {
     std::string name;
     Grid grid;
@@ -33,8 +33,8 @@ WaterScene thacker_planar(int n);
 WaterScene lake(int n, double datum_m);
 /// Water that sloshes in a closed basin with islands, by seed.
 WaterScene basin(int n, int seed);
-/// A round column of water on a flat bed of the same water, low; rough ground where asked for, the same in all four
-/// directions.
+/// A round column of water on a flat bed of the same water, low; rough ground where asked for, the same in
+/// all four directions.
 WaterScene radial_dam(int n, bool rough);
 
 /// A terrain and its water, run by ticks.

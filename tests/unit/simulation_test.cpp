@@ -34,7 +34,7 @@ Dab random_dab(std::mt19937& random) {
     dab.amount_m = 50 * unit(random);
     dab.blend = unit(random);
     dab.target_m = 1000 * unit(random);
-    dab.on_regolith = random() % 2 == 0;
+    dab.material = random() % 2 == 0 ? Material::regolith : Material::bedrock;
     return dab;
 }
 

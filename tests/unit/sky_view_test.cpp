@@ -26,7 +26,7 @@ TEST(SkyView, RefreshAfterDabsEqualsRebuild) {
         for (int i = 0; i < 3; ++i)
             brush.dab(terrain, {static_cast<BrushMode>(random() % 2), grid.width_m() * unit(random),
                                 grid.height_m() * unit(random), 30 + 300 * unit(random), 1,
-                                400 * unit(random), 0, 0, false});
+                                400 * unit(random), 0, 0, Material::bedrock});
         pyramid.refresh(terrain);
         kept.refresh(terrain, pyramid);
         SkyView fresh(terrain);

@@ -61,7 +61,7 @@ TEST(Twins, BrushAndThermalAgreeToTheBitAfter500Ticks) {
             dab.amount_m = 30 * unit(random);
             dab.blend = unit(random);
             dab.target_m = 1500 * unit(random);
-            dab.on_regolith = unit(random) < 0.5;
+            dab.material = unit(random) < 0.5 ? Material::regolith : Material::bedrock;
             brush.dab(terrain, dab);
             brush_twin.samples.swap(samples);
             brush_twin.dab(dab_step(grid, dab));

@@ -1,0 +1,52 @@
+// One dab of water on a rectangle of tiles, a group per tile and an invocation per column, and what it added and took,
+// booked per tile in double.
+layout(local_size_x = 64) in;
+#include "maths/glsl_types.glsl"
+
+const int water_ghosts = 2;
+layout(binding = 0, rgba32f) uniform image2D water;
+layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
+layout(binding = 1, std430) buffer TileBooks { dvec2 tile_books[]; };  // metres of water in, out
+
+uniform int2 samples;
+uniform int2 tiles;
+uniform int2 first_tile;
+uniform real2 cell_m;
+uniform int2 dab_sample;
+uniform real2 dab_offset;
+uniform real dab_radius_m;
+uniform real dab_falloff;
+uniform real dab_amount_m;
+uniform int dab_takes;
+#include "maths/two_sum.glsl"
+#include "maths/brush_weight.glsl"
+#include "maths/water_brush.glsl"
+
+shared dvec2 column_books[64];
+
+void main() {
+    int2 tile = first_tile + int2(gl_WorkGroupID.xy);
+    int2 first = tile * 64 + int2(int(gl_LocalInvocationIndex), 0);
+    dvec2 book = dvec2(0.0);
+    bool changed = false;
+    if (first.x < samples.x) {
+        for (int row = 0; row < min(64, samples.y - first.y); ++row) {
+            int2 at = first + int2(0, row);
+            real4 before = imageLoad(water, at + water_ghosts);
+            real change = water_brush_change(at, before);
+            if (change == real(0)) continue;
+            imageStore(water, at + water_ghosts, water_brush_sample(before, change));
+            book += dvec2(max(double(change), 0.0lf), max(-double(change), 0.0lf));
+            changed = true;
+        }
+    }
+    // Undo keeps the tile, its water is new to the sub-steps, its picture is old.
+    if (changed) atomicOr(tile_flags[tile.y * tiles.x + tile.x], 4u | 16u | 64u);
+    column_books[gl_LocalInvocationIndex] = book;
+    barrier();
+    if (gl_LocalInvocationIndex == 0u) {
+        dvec2 sum = dvec2(0.0);
+        for (int i = 0; i < 64; ++i) sum += column_books[i];
+        tile_books[tile.y * tiles.x + tile.x] += sum;
+    }
+}

@@ -1,0 +1,31 @@
+#include "sim/terrain/gauge.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus {
+
+glm::dvec2 water_velocity(double depth_m, glm::dvec2 discharge) {
+    constexpr double film_m = 1e-6;
+    const double square = depth_m * depth_m;
+    return discharge * (2 * depth_m / (square + std::max(square, film_m * film_m)));
+}
+
+GaugeReading read_gauge(const Terrain& terrain, double x_m, double y_m) {
+    const Grid& grid = terrain.grid();
+    const int column = static_cast<int>(std::clamp(std::round(grid.column_of(x_m)), 0.0, grid.nx - 1.0));
+    const int row = static_cast<int>(std::clamp(std::round(grid.row_of(y_m)), 0.0, grid.ny - 1.0));
+    const gpu::Region sample{column, row, 1, 1};
+    GaugeReading reading;
+    float ground = 0;
+    terrain.ground.read(sample, std::as_writable_bytes(std::span(&ground, 1)));
+    reading.ground_m = ground;
+    if (!terrain.water) return reading;
+    glm::vec4 water(0);
+    terrain.water->front.read(WaterLayer::texels(sample), std::as_writable_bytes(std::span(&water, 1)));
+    reading.depth_m = static_cast<double>(water.x) + water.y;
+    reading.velocity_m_per_s = water_velocity(reading.depth_m, {water.z, water.w});
+    return reading;
+}
+
+}  // namespace talus
