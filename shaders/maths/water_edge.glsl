@@ -84,6 +84,14 @@ EdgeSample edge_with_wave(EdgeSample inner, real velocity) {
     return edge_sample(inner, depth, u);
 }
 
+// How far the bed falls from sample to sample beyond an open edge: as the level does before it, where water cascades
+// out over drops greater than its depth. Elsewhere it goes on level, so that what rests before the edge rests.
+real edge_fall(int kind, EdgeSample inner, EdgeSample before) {
+    precise real fall = (before.depth - inner.depth) + (before.bed - inner.bed);
+    bool cascades = inner.outward > real(0) && before.depth > water_film && fall > inner.depth;
+    return kind == edge_open && cascades ? fall : real(0);
+}
+
 // The nearer ghost; for a wall or a periodic edge, `first` is the sample that it shows.
 EdgeSample edge_ghost(int kind, EdgeSample first) {
     real velocity = water_velocity(first.depth, real2(first.outward, first.beside)).x;

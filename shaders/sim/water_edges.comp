@@ -120,6 +120,11 @@ void main() {
         EdgeSample ghost = edge_ghost(kind, shown);
         EdgeSample ghost_2 = ghost;
         if (kind == edge_wall || kind == edge_periodic) ghost_2 = edge_ghost(kind, shown_2);
+        precise real fall = edge_fall(kind, inside, inside_2);
+        precise real bed_1 = ghost.bed - fall;
+        precise real bed_2 = ghost_2.bed - (fall + fall);
+        ghost.bed = bed_1;
+        ghost_2.bed = bed_2;
         store_ghost(at + outward, outward, ghost);
         store_ghost(at + 2 * outward, outward, ghost_2);
         if (kind == edge_wall || kind == edge_periodic) continue;

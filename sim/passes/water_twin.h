@@ -184,10 +184,14 @@ class WaterTwin {
                 shown = edge_sample_at(state, far, outward);
                 shown_2 = edge_sample_at(state, far + outward, outward);
             }
-            const EdgeSample ghost = edge_ghost(kind, shown);
+            const real fall = edge_fall(kind, shown, shown_2);
+            EdgeSample ghost = edge_ghost(kind, shown);
             const bool mirrors = kind == edge_wall || kind == edge_periodic;
+            EdgeSample ghost_2 = mirrors ? edge_ghost(kind, shown_2) : ghost;
+            ghost.bed -= fall;
+            ghost_2.bed -= fall + fall;
             store_ghost(state, at + outward, outward, ghost);
-            store_ghost(state, at + 2 * outward, outward, mirrors ? edge_ghost(kind, shown_2) : ghost);
+            store_ghost(state, at + 2 * outward, outward, ghost_2);
             if (!mirrors)
                 edge_speed_ =
                     max(edge_speed_, water_speed(real4(ghost.depth, 0, ghost.outward, ghost.beside)));

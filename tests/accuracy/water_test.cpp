@@ -198,6 +198,140 @@ TEST(Water, SkippingWhatRestsChangesNothing) {
     }
 }
 
+TEST(Water, MacDonaldsStream) {
+    const gpu::Context context;
+    const WaterScene scene = scenes::macdonald(200);
+    WaterRun run(scene.state(), scene.settings);
+    run.run(scene.tick_s, scene.end_s);
+    const TerrainState end = run.read();
+    const double depth = depth_error(scene, end, scene.end_s);
+    double discharge = 0;
+    for (int column = 0; column < scene.grid.nx; ++column)
+        discharge += std::abs(end.water[static_cast<std::size_t>(column)].z - 2) / 2 / scene.grid.nx;
+    fmt::print("MacDonald, n 200: L1 of depth {:.2e}, of discharge {:.2e}\n", depth, discharge);
+    EXPECT_LE(depth, 1e-2);
+    EXPECT_LE(discharge, 5e-3);
+}
+
+TEST(Water, RainRunsOffRoughSlopesAtManningsDepth) {
+    const gpu::Context context;
+    for (const int order : {1, 2})
+        for (const double slope : {0.1, 0.3, 0.58}) {
+            const WaterScene scene = scenes::rain_on_slope(slope, order);
+            WaterRun run(scene.state(), scene.settings);
+            run.run(scene.tick_s, scene.end_s - 300);
+            const WaterBooks before = run.water.read_books(scene.grid);
+            run.run(scene.tick_s, scene.end_s);
+            const WaterBooks after = run.water.read_books(scene.grid);
+            const double outflow =
+                (after.edges_out_m3 - before.edges_out_m3) / (after.rain_m3 - before.rain_m3);
+            double depth = 0;
+            double manning = 0;
+            const TerrainState end = run.read();
+            for (int row = 0; row < scene.grid.ny; ++row)
+                for (int column = 0; column < scene.grid.nx; ++column) {
+                    depth += end.water[static_cast<std::size_t>(row) * scene.grid.nx + column].x;
+                    manning += scene.water((column + 0.5) * scene.grid.dx, 0, scene.end_s).x;
+                }
+            fmt::print("rain on a slope of {}, order {}: outflow {:.4f} of the rain, depth {:.3f} of Manning's\n",
+                       slope, order, outflow, depth / manning);
+            EXPECT_NEAR(outflow, 1, 0.01);
+            EXPECT_NEAR(depth / manning, 1, 0.10);
+        }
+}
+
+// Bates, Horritt & Fewtrell 2010, 4.1: water driven over a flat rough bed at one speed.
+TEST(Water, AFrictionWaveOnADryBed) {
+    const gpu::Context context;
+    WaterScene scene;
+    scene.grid = {100, 4, 50, 50};
+    scene.settings.manning_s_per_m13 = 0.03;
+    scene.settings.edges[static_cast<std::size_t>(Edge::west)] = EdgeKind::inflow;
+    scene.bed = [](double, double) { return 0.0; };
+    scene.water = [](double x, double, double t) {
+        const double h = x < t ? std::pow(7.0 / 3 * 0.03 * 0.03 * (t - x), 3.0 / 7) : 0;
+        return glm::dvec3(h, h, 0);
+    };
+    WaterRun run(scene.state(), scene.settings);
+    while (run.time_s() < 3600) {
+        // Its inflow follows the solution at x = 0, at a speed of 1 m/s.
+        run.settings.inflow_m3_per_s = scene.water(0, 0, run.time_s() + 2.5).y * scene.grid.ny * scene.grid.dy;
+        run.tick(5);
+    }
+    const double error = depth_error(scene, run.read(), 3600);
+    fmt::print("friction wave on a dry bed: L1 {:.2e}\n", error);
+    EXPECT_LE(error, 0.02);
+}
+
+TEST(Water, ASolitaryWaveRunsUpABeach) {
+    const gpu::Context context;
+    const WaterScene scene = scenes::solitary_on_beach(1400);
+    WaterRun run(scene.state(), scene.settings);
+    const std::vector<float> ground = scene.state().ground();
+    double highest = 0;
+    while (run.time_s() < scene.end_s) {
+        run.tick(scene.tick_s);
+        const TerrainState now = run.read();
+        for (int column = 0; column < scene.grid.nx; ++column) {
+            const auto at = static_cast<std::size_t>(column);
+            if (now.water[at].x < 5e-4F) continue;
+            highest = std::max(highest, static_cast<double>(ground[at]) + now.water[at].x);
+            break;
+        }
+    }
+    fmt::print("solitary run-up: {:.4f} d, Synolakis 0.0890 d ({:+.1f} %)\n", highest, 100 * (highest / 0.0890 - 1));
+    EXPECT_NEAR(highest / 0.0890, 1, 0.05);
+}
+
+TEST(Water, SmallWavesTravelAtTheirSpeed) {
+    const gpu::Context context;
+    for (const glm::ivec2 waves : {glm::ivec2(1, 0), glm::ivec2(0, 1), glm::ivec2(1, 1)}) {
+        const WaterScene scene = scenes::small_wave(80, waves.x, waves.y);
+        WaterRun run(scene.state(), scene.settings);
+        run.run(scene.tick_s, scene.end_s);
+        const TerrainState end = run.read();
+        // The phase of the mode, against the exact one's.
+        glm::dvec2 found(0);
+        glm::dvec2 exact(0);
+        const double pi = std::acos(-1.0);
+        for (int row = 0; row < 80; ++row)
+            for (int column = 0; column < 80; ++column) {
+                const double x = (column + 0.5) * scene.grid.dx;
+                const double y = (79 - row + 0.5) * scene.grid.dy;
+                const double phase = 2 * pi * (waves.x * x + waves.y * y) / 640;
+                const glm::dvec2 wave(std::cos(phase), std::sin(phase));
+                found += wave * (end.water[static_cast<std::size_t>(row) * 80 + column].x - 7.0);
+                exact += wave * (scene.water(x, y, scene.end_s).x - 7.0);
+            }
+        const double k = 2 * pi * glm::length(glm::dvec2(waves)) / 640;
+        const double behind =
+            std::remainder(std::atan2(exact.y, exact.x) - std::atan2(found.y, found.x), 2 * pi);
+        const double travelled = k * std::sqrt(9.81 * 7) * scene.end_s;
+        fmt::print("small wave ({}, {}), kd {:.3f}: speed {:+.3f} % off the square root of gd, amplitude {:.3f}\n",
+                   waves.x, waves.y, 7 * k, -100 * behind / travelled, glm::length(found) / glm::length(exact));
+        EXPECT_LE(std::abs(behind / travelled), 0.005);
+        EXPECT_GT(glm::length(found) / glm::length(exact), 0.5);
+    }
+}
+
+// 1 mm/h on 100 m of water at 1/60 s: 4.6e-9 m a tick, a thousandth of the depth's last digit.
+TEST(Water, RainBelowTheLastDigitAddsUp) {
+    const gpu::Context context;
+    WaterScene scene;
+    scene.grid = {64, 64, 10, 10};
+    scene.settings.rain_m_per_s = 1e-3 / 3600;
+    scene.bed = [](double, double) { return 0.0; };
+    scene.water = [](double, double, double) { return glm::dvec3(100, 0, 0); };
+    WaterRun run(scene.state(), scene.settings);
+    for (int tick = 0; tick < 3600; ++tick) run.tick(1.0 / 60);
+    double gained = 0;
+    for (const glm::vec4& water : run.read().water) gained += (static_cast<double>(water.x) - 100) + water.y;
+    gained /= 64 * 64;
+    fmt::print("a minute of 1 mm/h on 100 m of water: {:.4e} m of {:.4e}\n", gained, 1e-3 / 60);
+    EXPECT_NEAR(gained / (1e-3 / 60), 1, 1e-5);
+    EXPECT_NEAR(run.water.read_books(scene.grid).rain_m3 / (gained * 640 * 640), 1, 1e-5);
+}
+
 template <typename Real>
 maths::WaterTwin<Real> twin_of(const TerrainState& state, const WaterSettings& settings) {
     std::vector<Real> beds;

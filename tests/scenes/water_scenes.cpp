@@ -145,6 +145,105 @@ WaterScene thacker_planar(int n) {
     return scene;
 }
 
+WaterScene macdonald(int n) {
+    WaterScene scene = strip("MacDonald", n, 1000);
+    const double q = 2;
+    const double manning = 0.033;
+    const auto depth = [](double x) {
+        const double s = x / 1000 - 0.5;
+        return std::cbrt(4 / g) * (1 + 0.5 * std::exp(-16 * s * s));
+    };
+    const auto fall = [=](double x) {
+        const double h = depth(x);
+        const double s = x / 1000 - 0.5;
+        const double h_x = std::cbrt(4 / g) * 0.5 * std::exp(-16 * s * s) * (-32 * s / 1000);
+        return (q * q / (g * h * h * h) - 1) * h_x - manning * manning * q * q / std::pow(h, 10.0 / 3);
+    };
+    // The bed by Simpson's rule from the east.
+    const auto bed = [=](double x) {
+        const int steps = 400;
+        const double step = (1000 - x) / steps;
+        double sum = 0;
+        for (int i = 0; i < steps; ++i) {
+            const double a = x + i * step;
+            sum += step / 6 * (fall(a) + 4 * fall(a + step / 2) + fall(a + step));
+        }
+        return -sum;
+    };
+    scene.bed = [=](double x, double) { return bed(x); };
+    scene.water = [=](double x, double, double t) { return glm::dvec3(depth(x), t > 0 ? q : 0, 0); };
+    scene.settings.manning_s_per_m13 = manning;
+    scene.settings.edges[static_cast<std::size_t>(Edge::west)] = EdgeKind::inflow;
+    scene.settings.edges[static_cast<std::size_t>(Edge::east)] = EdgeKind::level;
+    scene.settings.inflow_m3_per_s = q * scene.grid.ny * scene.grid.dy;
+    scene.settings.level_m = bed(1000 - 500.0 / n) + depth(1000);
+    scene.tick_s = 60;
+    scene.end_s = 3600;
+    return scene;
+}
+
+// Synolakis 1987: the beach's foot is cot β from the shore, the crest starts where the wave is 1/20 at the foot.
+WaterScene solitary_on_beach(int n) {
+    WaterScene scene = strip("solitary wave", n, 70);
+    const double cot = 19.85;
+    const double height = 0.019;
+    const double gamma = std::sqrt(3 * height / 4);
+    const double crest = 10 + cot + std::acosh(std::sqrt(20.0)) / gamma;
+    scene.bed = [=](double x, double) { return std::max(-1.0, -(x - 10) / cot); };
+    scene.water = [=](double x, double, double) {
+        const double c = 1 / std::cosh(gamma * (x - crest));
+        const double eta = height * c * c;
+        const double h = std::max(0.0, eta + std::min(1.0, (x - 10) / cot));
+        // It runs west, as a simple wave.
+        return glm::dvec3(h, x > 10 ? -h * 2 * (std::sqrt(g * (1 + eta)) - std::sqrt(g)) : 0, 0);
+    };
+    scene.tick_s = 0.25;
+    scene.end_s = 30;
+    return scene;
+}
+
+WaterScene small_wave(int n, int waves_x, int waves_y) {
+    WaterScene scene;
+    scene.name = "small wave";
+    scene.grid = {n, n, 640.0 / n, 640.0 / n};
+    scene.settings.edges.fill(EdgeKind::periodic);
+    scene.bed = [](double, double) { return -7.0; };
+    const glm::dvec2 k(2 * std::numbers::pi * waves_x / 640, 2 * std::numbers::pi * waves_y / 640);
+    scene.water = [=](double x, double y, double t) {
+        const double omega = glm::length(k) * std::sqrt(g * 7);
+        const double eta = 0.014 * std::cos(k.x * x + k.y * y - omega * t);
+        const double h = 7 + eta;
+        const double u = 2 * (std::sqrt(g * h) - std::sqrt(g * 7));
+        return glm::dvec3(h, h * u * k.x / glm::length(k), h * u * k.y / glm::length(k));
+    };
+    scene.tick_s = 1;
+    scene.end_s = 100;
+    return scene;
+}
+
+WaterScene rain_on_slope(double slope, int order) {
+    WaterScene scene;
+    scene.name = "rain on a slope";
+    scene.grid = {64, 16, 30, 30};
+    scene.settings.order = order;
+    scene.settings.manning_s_per_m13 = 0.03;
+    scene.settings.rain_m_per_s = 20e-3 / 3600;
+    scene.settings.edges = {EdgeKind::periodic, EdgeKind::periodic, EdgeKind::wall, EdgeKind::open};
+    scene.bed = [=](double x, double y) {
+        // Two neighbours' offsets differ by up to a fifth of the drop between them.
+        const double noise = std::sin(x * 12.9898 + y * 78.233) * 43758.5453;
+        return 2000 - slope * x + 0.2 * slope * 30 * (noise - std::floor(noise) - 0.5);
+    };
+    scene.water = [=](double x, double, double t) {
+        if (t <= 0) return glm::dvec3(0);
+        const double q = 20e-3 / 3600 * x;
+        return glm::dvec3(std::pow(0.03 * q / std::sqrt(slope), 0.6), q, 0);
+    };
+    scene.tick_s = 60;
+    scene.end_s = 7200;
+    return scene;
+}
+
 WaterScene lake(int n, double datum_m) {
     WaterScene scene;
     scene.name = "lake at rest";

@@ -29,6 +29,14 @@ WaterScene stoker(int n);
 WaterScene thacker_radial(int n);
 WaterScene thacker_planar(int n);
 
+/// A subcritical stream over a bed made for it, with Manning's friction (MacDonald 1997); its steady state is exact.
+WaterScene macdonald(int n);
+/// A solitary wave of 0.019 of the depth (1 m) before a beach of cot 19.85 whose shore is at x = 10 m.
+WaterScene solitary_on_beach(int n);
+/// A progressive wave in water of 7 m on a periodic square: waves_x and waves_y crests along its sides.
+WaterScene small_wave(int n, int waves_x, int waves_y);
+/// Rain of 20 mm/h on a slope that falls eastwards, its drops from sample to sample varied by a fifth.
+WaterScene rain_on_slope(double slope, int order);
 /// Water to a level over bumps that rise out of it and a rippled bed, at a datum.
 WaterScene lake(int n, double datum_m);
 /// Water that sloshes in a closed basin with islands, by seed.
