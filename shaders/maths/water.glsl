@@ -5,6 +5,7 @@
 //   water_gravity  real, m/s²
 //   water_share    real2, sub-step / spacing, s/m
 //   water_drain    real, m/s: 1 / (2 sub-step (1/dx + 1/dy)), a touch less: no face takes more of its side's depth
+//   water_fastest  real2, half a spacing in a sub-step, m/s
 //   water_friction real, sub-step * gravity * Manning's n²; 0: none
 // A sample's water is real4(depth high, depth low, discharge east, discharge north): m, m, m²/s, m²/s.
 #include "maths/cube_root.glsl"
@@ -239,12 +240,18 @@ real2 water_slowed(real depth, real2 discharge) {
     return real2(x, y);
 }
 
-// Discharge after a change, and friction; none where the sample rests, or is dry.
+// Discharge after a change, and friction; none where the sample rests, or is dry. No faster than half a spacing in the
+// sub-step, twice what it was made for: as long as slow water allows, it can be too long for what waits above a cliff,
+// which would gain the whole fall at once. The next ones are shorter.
 real2 water_discharge(real depth, real2 discharge, WaterChange change) {
     precise real x = discharge.x + change.east;
     precise real y = discharge.y + change.north;
     real2 after = real2(x, y);
     if (water_friction > real(0)) after = water_slowed(depth, after);
+    precise real most_x = water_fastest.x * depth;
+    precise real most_y = water_fastest.y * depth;
+    after.x = min(max(after.x, -most_x), most_x);
+    after.y = min(max(after.y, -most_y), most_y);
     if (change.rests || depth <= real(0)) after = real2(real(0), real(0));
     return after;
 }

@@ -28,6 +28,7 @@ uniform real loss_m_per_s;
 const int water_order = ORDER;
 real water_gravity = gravity;
 real2 water_share = real2(clock_share_x, clock_share_y);
+real2 water_fastest = real2(real(0.5) / clock_share_x, real(0.5) / clock_share_y);
 real water_drain = clock_drain;
 #ifdef FRICTION
 real water_friction = clock_friction;

@@ -24,6 +24,7 @@ uniform int eulers;         // Euler steps in a sub-step, as in water_step.comp
 const int water_order = ORDER;
 real water_gravity = gravity;
 const real2 water_share = real2(0.0);
+const real2 water_fastest = real2(0.0);
 real water_drain = clock_drain;
 const real water_friction = real(0);
 real edge_inflow = real(0);

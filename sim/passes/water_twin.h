@@ -65,6 +65,7 @@ class WaterTwin {
     int water_order;
     real water_gravity;
     real2 water_share{0};
+    real2 water_fastest{0};
     real water_drain = 0;
     real water_friction = 0;
     real edge_level_m;
@@ -98,6 +99,7 @@ class WaterTwin {
         const real2 step = water_substep(left, speed, water_courant * real(eulers));
         const real dt = step.x / real(eulers);
         water_share = real2(dt / cell_m.x, dt / cell_m.y);
+        water_fastest = real2(real(0.5) / water_share.x, real(0.5) / water_share.y);
         water_drain = water_draining(dt);
         water_friction = dt * friction_;
         fill_ghosts(front_);

@@ -233,8 +233,9 @@ TEST(Water, RainRunsOffRoughSlopesAtManningsDepth) {
                     depth += end.water[static_cast<std::size_t>(row) * scene.grid.nx + column].x;
                     manning += scene.water((column + 0.5) * scene.grid.dx, 0, scene.end_s).x;
                 }
-            fmt::print("rain on a slope of {}, order {}: outflow {:.4f} of the rain, depth {:.3f} of Manning's\n",
-                       slope, order, outflow, depth / manning);
+            fmt::print(
+                "rain on a slope of {}, order {}: outflow {:.4f} of the rain, depth {:.3f} of Manning's\n",
+                slope, order, outflow, depth / manning);
             EXPECT_NEAR(outflow, 1, 0.01);
             EXPECT_NEAR(depth / manning, 1, 0.10);
         }
@@ -255,7 +256,8 @@ TEST(Water, AFrictionWaveOnADryBed) {
     WaterRun run(scene.state(), scene.settings);
     while (run.time_s() < 3600) {
         // Its inflow follows the solution at x = 0, at a speed of 1 m/s.
-        run.settings.inflow_m3_per_s = scene.water(0, 0, run.time_s() + 2.5).y * scene.grid.ny * scene.grid.dy;
+        run.settings.inflow_m3_per_s =
+            scene.water(0, 0, run.time_s() + 2.5).y * scene.grid.ny * scene.grid.dy;
         run.tick(5);
     }
     const double error = depth_error(scene, run.read(), 3600);
@@ -279,7 +281,8 @@ TEST(Water, ASolitaryWaveRunsUpABeach) {
             break;
         }
     }
-    fmt::print("solitary run-up: {:.4f} d, Synolakis 0.0890 d ({:+.1f} %)\n", highest, 100 * (highest / 0.0890 - 1));
+    fmt::print("solitary run-up: {:.4f} d, Synolakis 0.0890 d ({:+.1f} %)\n", highest,
+               100 * (highest / 0.0890 - 1));
     EXPECT_NEAR(highest / 0.0890, 1, 0.05);
 }
 
@@ -307,8 +310,9 @@ TEST(Water, SmallWavesTravelAtTheirSpeed) {
         const double behind =
             std::remainder(std::atan2(exact.y, exact.x) - std::atan2(found.y, found.x), 2 * pi);
         const double travelled = k * std::sqrt(9.81 * 7) * scene.end_s;
-        fmt::print("small wave ({}, {}), kd {:.3f}: speed {:+.3f} % off the square root of gd, amplitude {:.3f}\n",
-                   waves.x, waves.y, 7 * k, -100 * behind / travelled, glm::length(found) / glm::length(exact));
+        fmt::print(
+            "small wave ({}, {}), kd {:.3f}: speed {:+.3f} % off the square root of gd, amplitude {:.3f}\n",
+            waves.x, waves.y, 7 * k, -100 * behind / travelled, glm::length(found) / glm::length(exact));
         EXPECT_LE(std::abs(behind / travelled), 0.005);
         EXPECT_GT(glm::length(found) / glm::length(exact), 0.5);
     }

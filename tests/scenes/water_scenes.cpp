@@ -182,7 +182,8 @@ WaterScene macdonald(int n) {
     return scene;
 }
 
-// Synolakis 1987: the beach's foot is cot β from the shore, the crest starts where the wave is 1/20 at the foot.
+// Synolakis 1987: the beach's foot is cot β from the shore, the crest starts where the wave is 1/20 at the
+// foot.
 WaterScene solitary_on_beach(int n) {
     WaterScene scene = strip("solitary wave", n, 70);
     const double cot = 19.85;

@@ -29,7 +29,8 @@ WaterScene stoker(int n);
 WaterScene thacker_radial(int n);
 WaterScene thacker_planar(int n);
 
-/// A subcritical stream over a bed made for it, with Manning's friction (MacDonald 1997); its steady state is exact.
+/// A subcritical stream over a bed made for it, with Manning's friction (MacDonald 1997); its steady state is
+/// exact.
 WaterScene macdonald(int n);
 /// A solitary wave of 0.019 of the depth (1 m) before a beach of cot 19.85 whose shore is at x = 10 m.
 WaterScene solitary_on_beach(int n);

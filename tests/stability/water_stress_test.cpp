@@ -1,5 +1,5 @@
-// The water under conditions that nobody asks for: never a number that is not finite, never a depth below 0, books
-// that close, and energy that stays below its start plus what sources brought.
+// The water under conditions that nobody asks for: never a number that is not finite, never a depth below 0,
+// books that close, and energy that stays below its start plus what sources brought.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -78,7 +78,8 @@ void check(const Stress& stress, const std::string& name) {
         float lowest = 0;
         bool finite = true;
         for (const glm::vec4& w : now.water) {
-            finite = finite && std::isfinite(w.x) && std::isfinite(w.y) && std::isfinite(w.z) && std::isfinite(w.w);
+            finite = finite && std::isfinite(w.x) && std::isfinite(w.y) && std::isfinite(w.z) &&
+                     std::isfinite(w.w);
             lowest = std::min(lowest, w.x);
         }
         ASSERT_TRUE(finite) << "at tick " << tick;
@@ -87,8 +88,8 @@ void check(const Stress& stress, const std::string& name) {
     }
     const LedgerReading ledger = simulation.ledger();
     const Water::Work work = simulation.water_work();
-    fmt::print("{:<28} {:>6} sub-steps, drift {:+.1e}, energy at most {:.6f} of the start\n", name, work.substeps,
-               ledger.water_drift_relative(), energy > 0 ? most / energy : 0);
+    fmt::print("{:<28} {:>6} sub-steps, drift {:+.1e}, energy at most {:.6f} of the start\n", name,
+               work.substeps, ledger.water_drift_relative(), energy > 0 ? most / energy : 0);
     EXPECT_LE(std::abs(ledger.water_drift_relative()), stress.drift);
     if (stress.closed) EXPECT_LE(most, energy * (1 + 1e-5) + 1e-9);
 }
@@ -100,41 +101,58 @@ double rough(double x, double y, double size) {
 TEST(WaterStress, Extremes) {
     const gpu::Context context;
     const auto nothing = [](double, double) { return 0.0; };
-    Stress cliff{{96, 64, 10, 10}, [](double x, double) { return x < 400 ? 10000.0 : 0.0; },
-                 [](double x, double) { return x < 350 ? 5.0 : 0.0; }, {"time.tick_s=0.5"}};
+    Stress cliff{{96, 64, 10, 10},
+                 [](double x, double) { return x < 400 ? 10000.0 : 0.0; },
+                 [](double x, double) { return x < 350 ? 5.0 : 0.0; },
+                 {"time.tick_s=0.5"}};
     check(cliff, "cliff of 10 km");
-    Stress film{{96, 64, 10, 10}, [](double x, double y) { return 20 * rough(x, y, 90); },
-                [](double, double) { return 1e-30; }, {"time.tick_s=1"}};
+    Stress film{{96, 64, 10, 10},
+                [](double x, double y) { return 20 * rough(x, y, 90); },
+                [](double, double) { return 1e-30; },
+                {"time.tick_s=1"}};
     check(film, "film of 1e-30 m");
-    Stress wave{{128, 64, 100, 100}, [](double x, double y) { return 100 * rough(x, y, 900); },
-                [](double x, double) { return x < 3000 ? 1000.0 : 1.0; }, {"time.tick_s=2"}};
+    Stress wave{{128, 64, 100, 100},
+                [](double x, double y) { return 100 * rough(x, y, 900); },
+                [](double x, double) { return x < 3000 ? 1000.0 : 1.0; },
+                {"time.tick_s=2"}};
     check(wave, "wave of 1 km");
-    Stress thin{{128, 2, 5, 5}, [](double x, double) { return rough(x, 0, 40); },
-                [](double x, double) { return x < 200 ? 6.0 : 0.0; }, {"time.tick_s=0.5"}};
+    Stress thin{{128, 2, 5, 5},
+                [](double x, double) { return rough(x, 0, 40); },
+                [](double x, double) { return x < 200 ? 6.0 : 0.0; },
+                {"time.tick_s=0.5"}};
     check(thin, "128 x 2");
     Stress tall = thin;
     tall.grid = {2, 128, 5, 5};
     tall.depth = [](double, double y) { return y < 200 ? 6.0 : 0.0; };
     check(tall, "2 x 128");
-    Stress tiny{{2, 2, 5, 5}, nothing, [](double x, double y) { return x + y > 6 ? 3.0 : 0.1; }, {"time.tick_s=0.5"}};
+    Stress tiny{
+        {2, 2, 5, 5}, nothing, [](double x, double y) { return x + y > 6 ? 3.0 : 0.1; }, {"time.tick_s=0.5"}};
     check(tiny, "2 x 2");
-    Stress stretched{{96, 96, 100, 1}, [](double x, double y) { return rough(x / 50, y / 5, 4); },
-                     [](double x, double y) { return x < 3000 && y < 40 ? 8.0 : 0.5; }, {"time.tick_s=0.5"}};
+    Stress stretched{{96, 96, 100, 1},
+                     [](double x, double y) { return rough(x / 50, y / 5, 4); },
+                     [](double x, double y) { return x < 3000 && y < 40 ? 8.0 : 0.5; },
+                     {"time.tick_s=0.5"}};
     check(stretched, "dx / dy = 100");
     for (const double datum : {-10000.0, 10000.0}) {
-        Stress deep{{96, 96, 10, 10}, [datum](double x, double y) { return datum + 5 * rough(x, y, 90); },
-                    [](double x, double) { return x < 300 ? 12.0 : 2.0; }, {"time.tick_s=0.5"}};
+        Stress deep{{96, 96, 10, 10},
+                    [datum](double x, double y) { return datum + 5 * rough(x, y, 90); },
+                    [](double x, double) { return x < 300 ? 12.0 : 2.0; },
+                    {"time.tick_s=0.5"}};
         check(deep, fmt::format("bed at {:+.0f} m", datum));
     }
-    Stress lightest{{96, 96, 10, 10}, [](double x, double y) { return 5 * rough(x, y, 90); },
-                    [](double x, double) { return x < 300 ? 12.0 : 0.0; }, {"time.tick_s=1.666667"}, 12};
+    Stress lightest{{96, 96, 10, 10},
+                    [](double x, double y) { return 5 * rough(x, y, 90); },
+                    [](double x, double) { return x < 300 ? 12.0 : 0.0; },
+                    {"time.tick_s=1.666667"},
+                    12};
     check(lightest, "tick x 100");
 }
 
 TEST(WaterStress, AnHourOfRain) {
     const gpu::Context context;
     for (const int order : {1, 2}) {
-        Stress rain{{128, 96, 20, 20}, [](double x, double y) { return 200 * rough(x, y, 400); },
+        Stress rain{{128, 96, 20, 20},
+                    [](double x, double y) { return 200 * rough(x, y, 400); },
                     [](double, double) { return 0.0; },
                     {"time.tick_s=10", "water.rain=50", "water.manning=0.03", "water.infiltration=5",
                      fmt::format("water.order={}", order), "water.boundary.east=open"},
@@ -153,10 +171,12 @@ TEST(WaterStress, RandomScenes) {
     for (int seed = 1; seed <= count; ++seed) {
         std::mt19937 random(static_cast<unsigned>(seed));
         std::uniform_real_distribution<double> unit(0, 1);
-        const auto between = [&](double low, double high) { return low * std::pow(high / low, unit(random)); };
+        const auto between = [&](double low, double high) {
+            return low * std::pow(high / low, unit(random));
+        };
         Stress stress;
-        stress.grid = {2 + static_cast<int>(random() % 140), 2 + static_cast<int>(random() % 140), between(0.1, 100),
-                       between(0.1, 100)};
+        stress.grid = {2 + static_cast<int>(random() % 140), 2 + static_cast<int>(random() % 140),
+                       between(0.1, 100), between(0.1, 100)};
         const double height = between(0.01, 3000);
         const double size = between(2, 60);
         const double level = between(0.001, 300);
@@ -169,9 +189,11 @@ TEST(WaterStress, RandomScenes) {
         stress.ticks = 12;
         // About ten sub-steps a tick.
         const double fastest = std::sqrt(9.81 * (level + height));
-        stress.settings = {fmt::format("time.tick_s={}", between(0.5, 20) * std::min(grid.dx, grid.dy) / fastest),
-                           fmt::format("water.order={}", 1 + seed % 2)};
-        if (unit(random) < 0.5) stress.settings.push_back(fmt::format("water.manning={}", between(0.005, 0.2)));
+        stress.settings = {
+            fmt::format("time.tick_s={}", between(0.5, 20) * std::min(grid.dx, grid.dy) / fastest),
+            fmt::format("water.order={}", 1 + seed % 2)};
+        if (unit(random) < 0.5)
+            stress.settings.push_back(fmt::format("water.manning={}", between(0.005, 0.2)));
         if (unit(random) < 0.5) {
             stress.closed = false;
             for (const char* edge : {"north", "south", "west", "east"})
