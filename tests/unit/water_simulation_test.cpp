@@ -1,0 +1,231 @@
+// Water in a session: undo, replay, saving midway and the frame rate change no bit, and its books close.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <random>
+
+#include "sim/gpu/context.h"
+#include "sim/gpu/error.h"
+#include "sim/io/document.h"
+#include "sim/preset.h"
+#include "sim/simulation.h"
+#include "sim/simulation_parameters.h"
+#include "sim/terrain/gauge.h"
+#include "sim/terrain/generate.h"
+#include "sim/terrain/sea.h"
+#include "sim/terrain/state_hash.h"
+
+namespace talus {
+namespace {
+
+constexpr std::size_t undo_bytes = 256U << 20U;
+const Grid grid{150, 97, 20, 25};
+
+TerrainState coast() {
+    return bedrock_terrain(grid, generate_heights(grid, {"coast", 5, 120}));
+}
+
+// Rain, a river, waves and a sea over a coast that slides.
+Parameters parameters() {
+    Parameters all(simulation_parameters());
+    for (const char* assignment :
+         {"time.tick_s=0.7", "water.sea_level=45", "water.boundary.west=wave", "water.boundary.east=inflow",
+          "water.boundary.south=level", "water.inflow=300", "water.inflow_rise=10", "water.rain=200",
+          "water.evaporation=30", "water.wave_height=0.5", "water.wave_period=9"})
+        all.set_assignment(assignment);
+    return all;
+}
+
+std::uint64_t hash_of(const Simulation& simulation) {
+    return state_hash(simulation.read());
+}
+
+Dab water_dab(std::mt19937& random) {
+    std::uniform_real_distribution<double> unit(0, 1);
+    Dab dab;
+    dab.mode = random() % 3 == 0 ? BrushMode::lower : BrushMode::raise;
+    dab.x_m = grid.width_m() * unit(random);
+    dab.y_m = grid.height_m() * unit(random);
+    dab.radius_m = 30 + 300 * unit(random);
+    dab.amount_m = 20 * unit(random);
+    dab.material = random() % 3 == 0 ? Material::bedrock : Material::water;
+    return dab;
+}
+
+void expect_same(const LedgerReading& a, const LedgerReading& b) {
+    EXPECT_EQ(a.water_final, b.water_final);
+    EXPECT_EQ(a.water_in, b.water_in);
+    EXPECT_EQ(a.water_out, b.water_out);
+    EXPECT_EQ(a.solid_in, b.solid_in);
+}
+
+TEST(WaterSimulation, UndoesAndRedoesToTheBit) {
+    const gpu::Context context;
+    // It begins dry: the first entries are made where no water is.
+    Parameters dry(simulation_parameters());
+    dry.set("time.tick_s", 0.7);
+    Simulation simulation(coast(), dry, undo_bytes);
+    std::mt19937 random(7);
+    std::vector<std::uint64_t> hashes = {hash_of(simulation)};
+    std::vector<LedgerReading> ledgers = {simulation.ledger()};
+    for (int entry = 0; entry < 12; ++entry) {
+        if (entry == 0) {
+            Dab dab = water_dab(random);
+            dab.material = Material::bedrock;
+            simulation.apply(dab);
+        } else if (entry == 2) {
+            simulation.apply(SetParameter{"water.sea_level", 40.0});
+        } else if (entry == 3) {
+            simulation.apply(SetParameter{"water.rain", 300.0});
+        } else if (entry == 4) {
+            simulation.apply(PlaceSpring{1500, 1200, 20});
+        } else if (entry % 2 == 0) {
+            simulation.apply(Ticks{3});
+            simulation.end_entry();
+        } else {
+            simulation.begin_stroke("raise");
+            for (int i = 0; i < 3; ++i) {
+                simulation.apply(water_dab(random));
+                simulation.apply(Ticks{1});
+            }
+            simulation.end_entry();
+        }
+        hashes.push_back(hash_of(simulation));
+        ledgers.push_back(simulation.ledger());
+    }
+    TerrainState dry_again = coast();
+    for (std::size_t back = hashes.size() - 1; back-- > 0;) {
+        ASSERT_TRUE(simulation.can_undo());
+        simulation.undo();
+        // A water layer that came later stays, dry.
+        TerrainState now = simulation.read();
+        if (back <= 1) {
+            for (const glm::vec4& water : now.water) ASSERT_EQ(water, glm::vec4(0));
+            now.water.clear();
+        }
+        EXPECT_EQ(state_hash(now), hashes[back]) << back;
+        expect_same(simulation.ledger(), ledgers[back]);
+    }
+    while (simulation.can_redo()) simulation.redo();
+    EXPECT_EQ(hash_of(simulation), hashes.back());
+    expect_same(simulation.ledger(), ledgers.back());
+    // And it goes on as if nothing had been undone.
+    Simulation other(simulation.read(), simulation.parameters());
+    simulation.apply(Ticks{5});
+    other.apply(Ticks{5});
+    EXPECT_EQ(hash_of(simulation), hash_of(other));
+}
+
+TEST(WaterSimulation, FrameRateReplayAndSavingMidwayChangeNoBit) {
+    const gpu::Context context;
+    const auto play = [](Simulation& simulation, int first, int last, int substeps) {
+        std::mt19937 random(static_cast<unsigned>(first));
+        for (int tick = first; tick < last; ++tick) {
+            if (tick % 5 == 0) simulation.apply(water_dab(random));
+            if (tick == 4) simulation.apply(PlaceSpring{700, 1300, 50});
+            while (!simulation.advance(substeps)) {
+            }
+        }
+    };
+    Simulation at_15(coast(), parameters());
+    play(at_15, 0, 10, 1 << 20);
+    play(at_15, 10, 30, 1 << 20);
+    // A frame of 1/144 s has room for fewer sub-steps than one of 1/30 s.
+    Simulation at_30(coast(), parameters());
+    play(at_30, 0, 10, 3);
+    play(at_30, 10, 30, 3);
+    Simulation at_144(coast(), parameters(), undo_bytes);
+    play(at_144, 0, 10, 1);
+    play(at_144, 10, 30, 1);
+    EXPECT_EQ(hash_of(at_15), hash_of(at_30));
+    EXPECT_EQ(hash_of(at_15), hash_of(at_144));
+    EXPECT_GT(at_15.water_work().substeps, 60U) << "ticks must have had several sub-steps";
+
+    // Through a file.
+    Simulation first(coast(), parameters());
+    play(first, 0, 10, 2);
+    const std::filesystem::path file =
+        std::filesystem::temp_directory_path() / ("talus_water_" + std::to_string(::getpid()) + ".exr");
+    Document document;
+    document.state = first.read();
+    document.parameters = to_toml(first.parameters());
+    save_document(file, document);
+    const Document loaded = open_document(file, {});
+    std::filesystem::remove(file);
+    Parameters again(simulation_parameters());
+    from_toml(loaded.parameters, "document", again);
+    EXPECT_EQ(state_hash(loaded.state), hash_of(first));
+    Simulation second(loaded.state, again);
+    play(second, 10, 30, 2);
+    EXPECT_EQ(hash_of(at_15), hash_of(second));
+
+    const std::string text = write_journal({"", "", "{}", 0}, at_15.journal());
+    Simulation replayed(coast(), parameters());
+    for (const Operation& operation : read_journal(text, "journal").operations) replayed.apply(operation);
+    EXPECT_EQ(hash_of(at_15), hash_of(replayed));
+}
+
+TEST(WaterSimulation, TheBooksClose) {
+    const gpu::Context context;
+    for (const int order : {1, 2}) {
+        Parameters all = parameters();
+        all.set("water.order", order);
+        Simulation simulation(coast(), all);
+        std::mt19937 random(3);
+        simulation.apply(PlaceSpring{700, 1300, 50});
+        for (int i = 0; i < 40; ++i) {
+            simulation.apply(water_dab(random));
+            simulation.apply(Ticks{3});
+        }
+        simulation.apply(SetParameter{"water.sea_level", 50.0});
+        simulation.apply(Ticks{10});
+        const LedgerReading ledger = simulation.ledger();
+        EXPECT_GT(ledger.water_initial, 1e7);
+        EXPECT_GT(ledger.water_in, 1e6);
+        EXPECT_GT(ledger.water_out, 1e5);
+        // Against what came and went, which is far less than what is there.
+        const double missing =
+            ledger.water_final - ledger.water_initial - ledger.water_in + ledger.water_out;
+        EXPECT_LE(std::abs(missing), 1e-6 * (ledger.water_in + ledger.water_out)) << "order " << order;
+    }
+}
+
+TEST(WaterSimulation, TheSeaFillsWhatTheEdgeReaches) {
+    TerrainState state = bedrock_terrain({7, 5, 10, 10}, std::vector<float>(35, 8.0F));
+    const auto at = [](int column, int row) { return static_cast<std::size_t>(row) * 7 + column; };
+    // A bay from the western edge, and a hollow that walls keep dry.
+    for (int column = 0; column < 3; ++column) state.bedrock[at(column, 2)].x = 1;
+    state.bedrock[at(5, 2)].x = 1;
+    const double gained = fill_sea(state, 4);
+    EXPECT_EQ(gained, 3 * 3 * 100.0);
+    EXPECT_EQ(state.water[at(2, 2)].x, 3);
+    EXPECT_EQ(state.water[at(5, 2)].x, 0);
+    EXPECT_EQ(fill_sea(state, 4), 0) << "it is full";
+}
+
+TEST(WaterSimulation, NoWaterCostsNothingAndWaterOffStandsStill) {
+    const gpu::Context context;
+    Simulation dry(coast(), Parameters(simulation_parameters()));
+    dry.apply(Ticks{3});
+    EXPECT_FALSE(dry.terrain().water.has_value());
+    Parameters off = parameters();
+    Simulation flowing(coast(), off);
+    flowing.apply(Ticks{3});
+    flowing.apply(SetParameter{"water.on", false});
+    const std::vector<glm::vec4> before = flowing.read().water;
+    flowing.apply(Ticks{3});
+    EXPECT_EQ(before, flowing.read().water);
+}
+
+TEST(WaterSimulation, RefusesSpringsOffTheMap) {
+    const gpu::Context context;
+    Simulation simulation(coast(), parameters());
+    EXPECT_THROW(simulation.apply(PlaceSpring{-1, 5, 1}), Error);
+    EXPECT_THROW(simulation.apply(PlaceSpring{5, 1e9, 1}), Error);
+    EXPECT_THROW(simulation.apply(PlaceSpring{5, 5, -1}), Error);
+    EXPECT_THROW(simulation.apply(PlaceSpring{5, 5, std::nan("")}), Error);
+    EXPECT_TRUE(simulation.springs().empty());
+}
+
+}  // namespace
+}  // namespace talus
