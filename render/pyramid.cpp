@@ -32,9 +32,11 @@ gpu::Texture bounds_texture(const char* label, glm::ivec2 level_1) {
 
 }  // namespace
 
-Pyramid::Pyramid(const Terrain& terrain)
+Pyramid::Pyramid(const Terrain& terrain, const gpu::Texture* surface, Tiles::Mark mark)
     : highest(bounds_texture("pyramid highest", level_1_for(terrain.grid()))),
       lowest(bounds_texture("pyramid lowest", level_1_for(terrain.grid()))),
+      surface_(surface),
+      mark_(mark),
       top_level_(levels_for(terrain.grid())),
       level_1_size_(level_1_for(terrain.grid())),
       low_levels_("render/pyramid.comp"),
@@ -45,13 +47,14 @@ Pyramid::Pyramid(const Terrain& terrain)
 }
 
 const TileList& Pyramid::list_changes(Terrain& terrain) {
-    // A tile's patches reach one sample into the tiles east and south of it.
-    terrain.tiles.take(Tiles::surface, 0, 1, 1, dirty_);
+    // A tile's patches reach one sample into the tiles east and south of it. Where water ends, its surface
+    // goes by the water of all neighbours.
+    terrain.tiles.take(mark_, mark_ == Tiles::surface ? 0 : -1, 1, 1, dirty_);
     return dirty_;
 }
 
 void Pyramid::rebuild(const Terrain& terrain) {
-    terrain.ground.bind_sampled(0);
+    surface_of(terrain).bind_sampled(0);
     dirty_.buffer.bind_storage(1);
     highest.bind_image(0, gpu::Access::read_write);
     lowest.bind_image(1, gpu::Access::read_write);
@@ -66,7 +69,7 @@ void Pyramid::rebuild(const Terrain& terrain) {
 }
 
 void Pyramid::bind(gpu::Program& program, const Terrain& terrain) const {
-    terrain.ground.bind_sampled(0);
+    surface_of(terrain).bind_sampled(0);
     highest.bind_sampled(1);
     program.set("top_level", top_level_);
     program.set("level_1_size", level_1_size_);

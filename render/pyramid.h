@@ -10,11 +10,14 @@ namespace talus {
 /// infinity. All levels lie in one image, as shaders/render/pyramid_layout.glsl says.
 class Pyramid {
   public:
-    /// Allocates; nothing is built before the first refresh().
-    explicit Pyramid(const Terrain& terrain);
+    /// Over the terrain's ground. Allocates; nothing is built before the first refresh().
+    explicit Pyramid(const Terrain& terrain) : Pyramid(terrain, nullptr, Tiles::surface) {}
+    /// Over another surface of the same samples, whose changes have a mark of their own.
+    Pyramid(const Terrain& terrain, const gpu::Texture& surface, Tiles::Mark mark)
+        : Pyramid(terrain, &surface, mark) {}
 
-    /// Lists the tiles whose surface mark is set in this terrain, and those whose patches use their samples;
-    /// clears the mark.
+    /// Lists the tiles that carry the mark in this terrain, and those around them whose patches use their
+    /// samples; clears the mark.
     const TileList& list_changes(Terrain& terrain);
     /// Rebuilds the cells over the tiles listed last.
     void rebuild(const Terrain& terrain);
@@ -26,13 +29,20 @@ class Pyramid {
     int top_level() const { return top_level_; }
     glm::ivec2 level_1_size() const { return level_1_size_; }
     std::size_t bytes() const { return 2 * sizeof(float) * highest.width() * highest.height(); }
-    /// Binds the max pyramid and the ground for shaders/render/surface.glsl and sets its uniforms.
+    /// Binds the max pyramid and the surface under it for shaders/render/surface.glsl and sets its uniforms.
     void bind(gpu::Program& program, const Terrain& terrain) const;
 
     gpu::Texture highest;
     gpu::Texture lowest;
 
   private:
+    Pyramid(const Terrain& terrain, const gpu::Texture* surface, Tiles::Mark mark);
+    const gpu::Texture& surface_of(const Terrain& terrain) const {
+        return surface_ ? *surface_ : terrain.ground;
+    }
+
+    const gpu::Texture* surface_;  // none: the terrain's ground
+    Tiles::Mark mark_;
     int top_level_;
     glm::ivec2 level_1_size_;
     gpu::Program low_levels_;

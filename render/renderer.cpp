@@ -42,6 +42,7 @@ void Renderer::resize(int width, int height) {
     ringed_colour_ = gpu::Texture("colour with ring", gpu::Format::rgba8, w, h);
     const std::array<const gpu::Texture*, 1> colour = {&colour_};
     const std::array<const gpu::Texture*, 1> ringed = {&ringed_colour_};
+    ground_colour_ = gpu::Texture();
     colour_buffer_ = gpu::Framebuffer("colour", colour);
     ringed_buffer_ = gpu::Framebuffer("colour with ring", ringed);
     drawn_.reset();
@@ -96,8 +97,7 @@ bool Renderer::refine(const Terrain& terrain, int samples) {
     method_of(picture.settings, " refined ",
               redraws_blocks)({terrain, pyramid_, picture.camera, picture.width, picture.height,
                                picture.settings.tolerance_px, patch_pixels_, target.framebuffer()});
-    shading_.draw(terrain, pyramid_, sky_view_, picture.camera, picture.settings, picture.width,
-                  picture.height, target.hits(), refinement_.colour_buffer(), nullptr);
+    colour(terrain, picture, target.hits(), refinement_.colour_buffer(), nullptr);
     refinement_.add(refinement_.colour(), picture.width, picture.height);
     if (ringed_) draw_ring(terrain.grid());
     return true;
@@ -120,7 +120,8 @@ Drawn Renderer::redraw(Terrain& terrain, const Picture& picture, const std::opti
     }
     bool redraws_blocks = false;
     const Method& method = method_of(picture.settings, " drawn ", redraws_blocks);
-    const bool blocks = redraws_blocks && same_view && before->settings == picture.settings;
+    // What water shows of the ground may lie anywhere in the picture.
+    const bool blocks = redraws_blocks && same_view && before->settings == picture.settings && !terrain.water;
     const bool shadows = picture.settings.shadows && picture.settings.view == View::shaded;
     const glm::dvec3 sun = shadows ? picture.settings.sun : glm::dvec3(0);
     const bool looks_far = picture.settings.occlusion && picture.settings.view == View::shaded;
@@ -131,6 +132,10 @@ Drawn Renderer::redraw(Terrain& terrain, const Picture& picture, const std::opti
         if (blocks) redraw_.mark(false, changed, terrain, pyramid_, picture.camera, sun, reach);
         pyramid_.rebuild(terrain);
         if (blocks) redraw_.mark(true, changed, terrain, pyramid_, picture.camera, sun, reach);
+        if (terrain.water) {
+            if (!water_) water_ = std::make_unique<WaterSurface>(terrain);
+            water_->refresh(terrain);
+        }
         refreshed_changes_ = picture.changes;
     }
     follow_sky(terrain, picture.settings);
@@ -148,8 +153,24 @@ void Renderer::follow_sky(Terrain& terrain, const ViewSettings& settings) {
 }
 
 void Renderer::shade(const Terrain& terrain, const Picture& picture, const Redraw* redraw) {
+    colour(terrain, picture, target_.hits(), colour_buffer_, redraw);
+}
+
+void Renderer::colour(const Terrain& terrain, const Picture& picture, const gpu::Texture& hits,
+                      const gpu::Framebuffer& target, const Redraw* redraw) {
+    const bool watered = water_ && picture.settings.view == View::shaded;
+    if (watered && ground_colour_.width() == 0) {
+        ground_colour_ =
+            gpu::Texture("colour of the ground", gpu::Format::rgba8, colour_.width(), colour_.height());
+        const std::array<const gpu::Texture*, 1> attached = {&ground_colour_};
+        ground_colour_buffer_ = gpu::Framebuffer("colour of the ground", attached);
+    }
     shading_.draw(terrain, pyramid_, sky_view_, picture.camera, picture.settings, picture.width,
-                  picture.height, target_.hits(), colour_buffer_, redraw);
+                  picture.height, hits, watered ? ground_colour_buffer_ : target, redraw);
+    if (!watered) return;
+    water_->cast(terrain, picture.camera, picture.width, picture.height);
+    water_shading_.draw(terrain, pyramid_, *water_, picture.camera, picture.settings, picture.width,
+                        picture.height, hits, ground_colour_, target);
 }
 
 void Renderer::draw_ring(const Grid& grid) {

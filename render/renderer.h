@@ -12,6 +12,8 @@
 #include "render/refinement.h"
 #include "render/shading.h"
 #include "render/view.h"
+#include "render/water_shading.h"
+#include "render/water_surface.h"
 #include "sim/gpu/readback.h"
 
 namespace talus {
@@ -72,6 +74,9 @@ class Renderer {
     Drawn redraw(Terrain& terrain, const Picture& picture, const std::optional<Picture>& before);
     void follow_sky(Terrain& terrain, const ViewSettings& settings);
     void shade(const Terrain& terrain, const Picture& picture, const Redraw* redraw);
+    /// Colours the hits into the target, water included; a redraw is for terrain without water alone.
+    void colour(const Terrain& terrain, const Picture& picture, const gpu::Texture& hits,
+                const gpu::Framebuffer& target, const Redraw* redraw);
     void draw_ring(const Grid& grid);
 
     Pyramid pyramid_;
@@ -82,6 +87,10 @@ class Renderer {
     std::optional<std::uint64_t> sky_changes_;        // of the terrain that the view of the sky knows
     std::vector<std::pair<std::string, Method>> methods_;
     Shading shading_;
+    std::unique_ptr<WaterSurface> water_;  // none: no water was ever here
+    WaterShading water_shading_;
+    gpu::Texture ground_colour_;  // the picture under the water
+    gpu::Framebuffer ground_colour_buffer_;
     gpu::Program ring_;
     double patch_pixels_;
     HitsTarget target_;

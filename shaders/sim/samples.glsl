@@ -13,7 +13,7 @@ layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
 
 uniform int2 samples;    // columns, rows
 uniform int2 tiles;      // tiles in x and in y
-const uint tile_changed = 31u;  // by a change of the ground
+const uint tile_changed = 95u;  // by a change of the ground
 
 real4 load_solid(int2 at) { return imageLoad(solid_in, clamp(at, int2(0), samples - 1)); }
 

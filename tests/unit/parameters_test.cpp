@@ -28,7 +28,7 @@ TEST(Parameters, RefuseInOneSentenceThatNamesTheParameter) {
     EXPECT_EQ(error_of([&] { p.set_assignment("terrain.seed=1.5"); }),
               "terrain.seed cannot be '1.5', it must be a whole number");
     EXPECT_EQ(error_of([&] { p.set_assignment("brush.material=x"); }),
-              "brush.material cannot be 'x', it must be one of: bedrock, regolith");
+              "brush.material cannot be 'x', it must be one of: bedrock, regolith, water");
     EXPECT_EQ(error_of([&] { p.set_assignment("no.such=1"); }),
               "there is no parameter 'no.such', 'talus parameters' lists them");
     EXPECT_EQ(error_of([&] { p.set_assignment("thermal.on"); }),
@@ -47,7 +47,7 @@ TEST(Parameters, EveryOneIsDeclaredWithHelpAndItsDefaultIsAllowed) {
 
 TEST(Presets, AllBuiltInOnesApply) {
     const std::vector<Preset> presets = built_in_presets();
-    ASSERT_EQ(presets.size(), 3U);
+    ASSERT_EQ(presets.size(), 9U);
     for (const Preset& preset : presets) {
         Parameters p(all_parameters());
         EXPECT_NO_THROW(apply_preset(preset, p)) << preset.name;

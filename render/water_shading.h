@@ -1,0 +1,24 @@
+#pragma once
+#include "render/camera.h"
+#include "render/pyramid.h"
+#include "render/view.h"
+#include "render/water_surface.h"
+
+namespace talus {
+
+/// Lays the water over a picture of the ground: the bed seen by refraction, dimmed by the way through the
+/// water, and sky and terrain reflected (docs/numerics.md, "Seeing water").
+class WaterShading {
+  public:
+    WaterShading() : program_({"render/fullscreen.vert", "render/water.frag"}) {}
+
+    /// hits and colours are the ground's; the water must have been cast for the same camera.
+    void draw(const Terrain& terrain, const Pyramid& ground, const WaterSurface& water, const Camera& camera,
+              const ViewSettings& settings, int width, int height, const gpu::Texture& hits,
+              const gpu::Texture& colours, const gpu::Framebuffer& target);
+
+  private:
+    gpu::Program program_;
+};
+
+}  // namespace talus

@@ -1,0 +1,32 @@
+#include "render/water_surface.h"
+
+#include <algorithm>
+
+namespace talus {
+
+WaterSurface::WaterSurface(const Terrain& terrain)
+    : level_("water level", gpu::Format::r32f, terrain.grid().nx, terrain.grid().ny),
+      program_("render/water_surface.comp"),
+      pyramid_(terrain, level_, Tiles::water_surface),
+      method_(make_exact(Detail::none)) {}
+
+void WaterSurface::refresh(Terrain& terrain) {
+    const TileList& changed = pyramid_.list_changes(terrain);
+    terrain.water->front.bind_image(0, gpu::Access::read);
+    terrain.ground.bind_image(1, gpu::Access::read);
+    level_.bind_image(2, gpu::Access::write);
+    changed.buffer.bind_storage(1);
+    program_.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
+    program_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
+    program_.dispatch_indirect(changed.buffer);
+    pyramid_.rebuild(terrain);
+}
+
+void WaterSurface::cast(const Terrain& terrain, const Camera& camera, int width, int height) {
+    if (target_.hits().width() < width || target_.hits().height() < height)
+        target_ =
+            HitsTarget(std::max(width, target_.hits().width()), std::max(height, target_.hits().height()));
+    method_({terrain, pyramid_, camera, width, height, 0, 0, target_.framebuffer()});
+}
+
+}  // namespace talus

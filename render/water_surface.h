@@ -1,0 +1,35 @@
+#pragma once
+#include "render/hits_target.h"
+#include "render/methods/method.h"
+#include "render/pyramid.h"
+
+namespace talus {
+
+/// The water's surface as the second one that rays are cast onto: ground + depth where it is wet; where it is
+/// dry beside water, the level of that water goes on below the ground, so that the shoreline lies where the
+/// level meets the bilinear ground; elsewhere far below it.
+class WaterSurface {
+  public:
+    /// The terrain must have a water layer.
+    explicit WaterSurface(const Terrain& terrain);
+    WaterSurface(const WaterSurface&) = delete;
+    WaterSurface& operator=(const WaterSurface&) = delete;
+
+    /// Brings level and pyramid up to date with the tiles whose water or ground changed.
+    void refresh(Terrain& terrain);
+    /// Casts every pixel's ray onto the water, exactly.
+    void cast(const Terrain& terrain, const Camera& camera, int width, int height);
+
+    const gpu::Texture& level() const { return level_; }
+    /// Distances as in Frame::hits, of the water alone.
+    const HitsTarget& target() const { return target_; }
+
+  private:
+    gpu::Texture level_;  // m
+    gpu::Program program_;
+    Pyramid pyramid_;
+    Method method_;
+    HitsTarget target_;
+};
+
+}  // namespace talus

@@ -1,0 +1,119 @@
+// Water over the picture of the ground: what the eye sees of the bed through it, and what it reflects.
+const bool count_steps = false;
+#include "render/surface.glsl"
+#include "render/picture.glsl"
+#include "maths/cast.glsl"
+
+layout(location = 0) out vec4 colour_out;
+
+layout(binding = 2) uniform sampler2D bottoms;
+layout(binding = 3) uniform sampler2D level;
+layout(binding = 4) uniform sampler2D hits;
+layout(binding = 5) uniform sampler2D water_hits;
+layout(binding = 6) uniform sampler2D colours;
+
+uniform real3 sun;  // towards it: east, north, up
+uniform real extent_m;
+uniform real pixel_angle;
+
+#include "render/relief.glsl"
+#include "render/sky.glsl"
+
+// Clear water takes red first, 1/m (after Pope & Fry 1997, with what a mountain river carries); what it scatters back.
+const vec3 absorption = vec3(0.42, 0.085, 0.060);
+const vec3 deep = vec3(0.012, 0.060, 0.075);
+const float refractive_index = 1.333;
+
+// Level over the eye.
+float level_at(vec2 place) {
+    ivec2 cell = clamp(origin_cell + ivec2(floor(place)), ivec2(0), patches - 1);
+    vec2 w = clamp(place - vec2(cell - origin_cell), 0.0, 1.0);
+    vec4 z = textureGather(level, vec2(cell + 1) / vec2(patches + 1)).wzxy;
+    return (patch_height(z - origin_height_m.x, w)) - origin_height_m.y;
+}
+
+// Slope of the level to east and north; towards the shore it goes by the samples that are there.
+vec2 level_gradient(vec2 place, float here, float reach) {
+    vec2 gradient;
+    for (int axis = 0; axis < 2; ++axis) {
+        vec2 step = axis == 0 ? vec2(reach, 0.0) : vec2(0.0, reach);
+        float spacing = reach * (axis == 0 ? cell_m.x : cell_m.y);
+        float before = level_at(place - step);
+        float behind = level_at(place + step);
+        // Where the level dives below dry ground there is no slope to see.
+        float limit = 0.6 * spacing;
+        float a = abs(here - before) < limit ? here - before : 0.0;
+        float b = abs(behind - here) < limit ? behind - here : 0.0;
+        gradient[axis] = (a + b) / (2.0 * spacing);
+    }
+    return vec2(gradient.x, -gradient.y);
+}
+
+// Light that the ground sends into a direction in which it was hit, roughly: for reflections.
+vec3 reflected_ground(vec2 place, float above_eye) {
+    Relief relief = relief_at(place, above_eye, 2.0);
+    vec3 normal = normalize(vec3(-relief.gradient, 1.0));
+    float lowest = (texelFetch(bottoms, whole_texel(), 0).r - origin_height_m.x) - origin_height_m.y;
+    float share = (above_eye - lowest) / max(load_highest() - lowest, 1e-3);
+    vec3 albedo = mix(vec3(0.07, 0.09, 0.035), vec3(0.17, 0.155, 0.14), smoothstep(0.25, 0.6, share + 0.4 * length(relief.gradient) - 0.2));
+    return albedo * (max(dot(normal, sun), 0.0) * vec3(3.5, 3.2, 2.75) + vec3(0.30, 0.36, 0.46));
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec3 ground_colour = texelFetch(colours, pixel, 0).rgb;
+    float ground_m = texelFetch(hits, pixel, 0).r;
+    float distance_m = texelFetch(water_hits, pixel, 0).r;
+    colour_out = vec4(ground_colour, 1.0);
+    if (isinf(distance_m) || distance_m >= ground_m) return;
+
+    vec2 at = picture_position();
+    vec3 ray = pixel_ray(at);
+    vec3 world_ray = vec3(ray.x * cell_m.x, -ray.y * cell_m.y, ray.z);
+    vec2 place = origin_fraction + distance_m * ray.xy;
+    float above_eye = distance_m * ray.z;
+    float surface = level_at(place);
+    float depth = max(surface - height_at(place), 0.0);
+    // Through the side that the map is cut out by, or from below, the eye looks straight in.
+    bool through_side = above_eye < surface - 1e-3 - 1e-5 * distance_m;
+    float reach = clamp(distance_m * pixel_angle / min(cell_m.x, cell_m.y), 1.0, 12.0);
+    vec2 slope = level_gradient(place, surface, reach);
+    vec3 normal = normalize(vec3(-slope, 1.0));
+    if (dot(normal, world_ray) > -0.02) normal = normalize(normal - world_ray * (dot(normal, world_ray) + 0.02));
+
+    // The bed where the refracted ray meets it, as far as the picture shows it.
+    vec3 into = refract(world_ray, normal, 1.0 / refractive_index);
+    if (through_side) into = world_ray;
+    float way_m = through_side ? min(ground_m, distance_m + extent_m) - distance_m : depth / max(-into.z, 0.2);
+    vec3 bed = ground_colour;
+    if (!through_side) {
+        vec3 clip = clip_of(world_ray * distance_m + into * way_m);
+        ivec2 seen = ivec2(floor((0.5 + 0.5 * clip.xy / max(clip.z, 1e-6)) * picture_size));
+        if (clip.z > 0.0 && all(greaterThanEqual(seen, ivec2(0))) && all(lessThan(vec2(seen), picture_size)) &&
+            texelFetch(hits, seen, 0).r > texelFetch(water_hits, seen, 0).r)
+            bed = texelFetch(colours, seen, 0).rgb;
+    }
+    bed *= bed;  // pictures hold square roots of light
+    float light = 0.35 + 0.65 * max(sun.z, 0.0);
+    vec3 left = exp(-absorption * (way_m + 0.6 * depth));
+    vec3 body = bed * left + deep * light * (1.0 - exp(-0.16 * way_m));
+
+    // What it mirrors: sky, or terrain that stands before it. Schlick 1994.
+    float facing = clamp(-dot(world_ray, normal), 0.0, 1.0);
+    float fresnel = through_side ? 0.0 : 0.02 + 0.98 * pow(1.0 - facing, 5.0);
+    vec3 mirror = reflect(world_ray, normal);
+    mirror.z = max(mirror.z, 0.01);
+    vec3 reflection = sky(normalize(mirror));
+    float lift = 1e-3 * min(cell_m.x, cell_m.y) + 2e-5 * distance_m + 0.02;
+    CastHit ahead = cast_ray(origin_cell + ivec2(floor(place)), place - floor(place), vec3(mirror.x / cell_m.x, -mirror.y / cell_m.y, mirror.z), 0.0, 2, above_eye + lift);
+    if (ahead.distance_m > lift) {
+        vec2 there = place + ahead.distance_m * vec2(mirror.x / cell_m.x, -mirror.y / cell_m.y);
+        reflection = reflected_ground(there, above_eye + ahead.distance_m * mirror.z);
+    }
+    vec3 colour = mix(body, reflection, fresnel);
+    // Towards the shore it fades into wet ground.
+    colour = mix(bed * 0.75, colour, 1.0 - exp(-depth / 0.04));
+    float haze = 1.0 - exp(-0.16 * distance_m / extent_m);
+    colour = mix(colour, sky(normalize(vec3(world_ray.xy, 0.06))), 0.85 * haze * (through_side ? 0.5 : 1.0));
+    colour_out = vec4(sqrt(clamp(colour, 0.0, 1.0)), 1.0);
+}
