@@ -42,6 +42,8 @@ struct WaterFace {
     real before;
     real behind;
     real across;
+    real level_before;  // how far the level rises from the sample before it to the face, and from the face on, m
+    real level_behind;
     bool rests;
 };
 
@@ -142,6 +144,22 @@ WaterSlope water_slope(WaterCell before, WaterCell cell, WaterCell behind) {
     return slope;
 }
 
+// How far the bed rises from a sample to a face, or from a face to a sample: no more than to the sample beyond. The
+// slopes of depth and level are limited each by itself, and where they disagree the face would stand as a dam that is
+// not there, or lie in a pit.
+real water_bed_rise(WaterSlope slope, real fall) {
+    precise real rise = real(0.5) * (slope.level - slope.depth);
+    return min(max(rise, min(fall, real(0))), max(fall, real(0)));
+}
+
+// And its level.
+real water_level_rise(WaterSlope slope, real bed_rise) {
+    precise real free = real(0.5) * (slope.level - slope.depth);
+    precise real whole = real(0.5) * slope.level;
+    precise real held = bed_rise + real(0.5) * slope.depth;
+    return bed_rise == free ? whole : held;
+}
+
 // The face between a sample and the one behind it (east or north of it).
 WaterFace water_face(WaterCell a, WaterSlope slope_a, WaterCell b, WaterSlope slope_b, bool rests) {
     precise real h_a = a.depth + real(0.5) * slope_a.depth;
@@ -153,7 +171,10 @@ WaterFace water_face(WaterCell a, WaterSlope slope_a, WaterCell b, WaterSlope sl
 
     // Depths above the reconstructed bed, min(max(beds), min(levels)): Chen & Noelle 2017, (2.17) to (2.21), written
     // with the step of the level so that beds are never summed.
-    precise real step = water_rise(a, b) - real(0.5) * (slope_a.level + slope_b.level);
+    precise real fall = b.bed - a.bed;
+    real level_a = water_level_rise(slope_a, water_bed_rise(slope_a, fall));
+    real level_b = water_level_rise(slope_b, water_bed_rise(slope_b, fall));
+    precise real step = water_rise(a, b) - (level_a + level_b);
     precise real over_b = h_b - step;
     precise real over_a = h_a + step;
     real room_a = max(min(h_a, over_b), max(real(0), -step));
@@ -204,16 +225,17 @@ WaterFace water_face(WaterCell a, WaterSlope slope_a, WaterCell b, WaterSlope sl
     face.before = rests ? real(0) : before;
     face.behind = rests ? real(0) : behind;
     face.across = rests ? real(0) : across;
+    face.level_before = level_a;
+    face.level_behind = level_b;
     face.rests = rests;
     return face;
 }
 
 // A sample's change by its four faces over the sub-step; sums go in pairs of opposite faces.
-WaterChange water_change(real depth, real slope_x, real slope_y, WaterFace west, WaterFace east, WaterFace south,
-                         WaterFace north) {
+WaterChange water_change(real depth, WaterFace west, WaterFace east, WaterFace south, WaterFace north) {
     precise real weight = water_gravity * depth;
-    precise real push_x = (east.before - west.behind) + weight * slope_x;
-    precise real push_y = (north.before - south.behind) + weight * slope_y;
+    precise real push_x = (east.before - west.behind) + weight * (east.level_before + west.level_behind);
+    precise real push_y = (north.before - south.behind) + weight * (north.level_before + south.level_behind);
     precise real gain = water_share.x * (west.mass - east.mass) + water_share.y * (south.mass - north.mass);
     precise real gain_x = water_share.y * (south.across - north.across) - water_share.x * push_x;
     precise real gain_y = water_share.x * (west.across - east.across) - water_share.y * push_y;

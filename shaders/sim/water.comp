@@ -105,7 +105,7 @@ void main() {
             WaterFace face_west = face_between(west_2, west, water_slope(west_2, west, turned), turned, slope_x, east);
             WaterFace face_east = face_between(west, turned, slope_x, east, water_slope(turned, east, east_2), east_2);
 
-            WaterChange change = water_change(here.x, slope_x.level, slope.level, face_west, face_east, face_south, face_north);
+            WaterChange change = water_change(here.x, face_west, face_east, face_south, face_north);
 #if ORDER == 2 && STAGE == 1
             real4 after = water_first_stage(here, change);
 #else

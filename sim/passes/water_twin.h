@@ -114,13 +114,11 @@ class WaterTwin {
             for (int x = 0; x < nx; ++x) {
                 const int2 at(x, y);
                 const real4 here = from[texel(at)];
-                real slope_x = 0;
-                real slope_y = 0;
-                const WaterFace west = face(from, at + int2(-1, 0), int2(1, 0), slope_x);
-                const WaterFace east = face(from, at, int2(1, 0), slope_x);
-                const WaterFace south = face(from, at + int2(0, 1), int2(0, -1), slope_y);
-                const WaterFace north = face(from, at, int2(0, -1), slope_y);
-                const WaterChange change = water_change(here.x, slope_x, slope_y, west, east, south, north);
+                const WaterFace west = face(from, at + int2(-1, 0), int2(1, 0));
+                const WaterFace east = face(from, at, int2(1, 0));
+                const WaterFace south = face(from, at + int2(0, 1), int2(0, -1));
+                const WaterFace north = face(from, at, int2(0, -1));
+                const WaterChange change = water_change(here.x, west, east, south, north);
                 real4 after;
                 if (water_order == 1)
                     after = water_euler(here, change);
@@ -141,15 +139,14 @@ class WaterTwin {
         return turned ? water_turned(cell) : cell;
     }
 
-    // The face behind a sample along (1, 0) or (0, -1), and the slope of the level in it.
-    WaterFace face(const std::vector<real4>& from, int2 at, int2 step, real& level_slope) {
+    // The face behind a sample along (1, 0) or (0, -1).
+    WaterFace face(const std::vector<real4>& from, int2 at, int2 step) {
         const bool turned = step.x == 0;
         const WaterCell before = cell_at(from, at - step, turned);
         const WaterCell a = cell_at(from, at, turned);
         const WaterCell b = cell_at(from, at + step, turned);
         const WaterCell behind = cell_at(from, at + 2 * step, turned);
         const WaterSlope slope_a = water_slope(before, a, b);
-        level_slope = slope_a.level;
         return water_face(a, slope_a, b, water_slope(a, b, behind), water_face_rests(before, a, b, behind));
     }
 

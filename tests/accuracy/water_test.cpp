@@ -241,6 +241,39 @@ TEST(Water, RainRunsOffRoughSlopesAtManningsDepth) {
         }
 }
 
+// A hollow of one sample in a steep flank: where slopes of level and depth are limited each by itself, the
+// faces beside it stood as dams of metres, and rain on mountains filled thousands of them (it was so).
+TEST(Water, AHollowOverflowsAtItsSill) {
+    const gpu::Context context;
+    WaterScene scene;
+    scene.grid = {24, 24, 20, 20};
+    scene.settings.manning_s_per_m13 = 0.03;
+    scene.settings.rain_m_per_s = 0;
+    scene.settings.edges.fill(EdgeKind::open);
+    const auto hollow = [](double x, double y) { return std::abs(x - 250) < 1 && std::abs(y - 250) < 1; };
+    // Falls steeply from the west and north; the sill, 0.7 m above the hollow, is in the east.
+    scene.bed = [=](double x, double y) {
+        if (hollow(x, y)) return 976.0;
+        return x > 250 && std::abs(y - 250) < 1 ? 976.7 - 0.2 * (x - 270)
+                                                : 990 + 0.6 * (250 - x) + 0.8 * std::abs(y - 250);
+    };
+    scene.water = [](double, double, double) { return glm::dvec3(0); };
+    for (const int order : {1, 2}) {
+        scene.settings.order = order;
+        WaterRun run(scene.state(), scene.settings);
+        run.springs = {{240, 240, 0.5}};  // world metres: the hollow's sample
+        run.run(10, 3600);
+        const TerrainState end = run.read();
+        const float depth = end.water[11U * 24 + 12].x;
+        fmt::print("a hollow with a sill of 0.7 m, order {}: {:.2f} m deep\n", order, depth);
+        EXPECT_GT(depth, 0.7);
+        EXPECT_LT(depth, 1.1);
+        EXPECT_NEAR(
+            run.water.read_books(scene.grid).edges_out_m3 / run.water.read_books(scene.grid).springs_m3, 1,
+            0.3);
+    }
+}
+
 // Bates, Horritt & Fewtrell 2010, 4.1: water driven over a flat rough bed at one speed.
 TEST(Water, AFrictionWaveOnADryBed) {
     const gpu::Context context;

@@ -185,7 +185,8 @@ TEST_F(Program, RefusesInOneSentence) {
     EXPECT_EQ(refusal("run --preset unknown.toml"),
               "preset unknown: there is no parameter 'thermal.speed', 'talus parameters' lists them\n");
     EXPECT_EQ(refusal("run --preset nothing"),
-              "there is no preset 'nothing', use one of: alpine, blank, dam-break, flood, island, slopes, still, thacker, waves, or a file ending in .toml\n");
+              "there is no preset 'nothing', use one of: alpine, blank, dam-break, flood, island, slopes, "
+              "still, thacker, waves, or a file ending in .toml\n");
     refusal("run --in missing.tif");
     refusal("run --size 1x50 --ticks 1");
     refusal("run --size 9000x9000 --ticks 1");

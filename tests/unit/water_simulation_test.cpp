@@ -184,8 +184,7 @@ TEST(WaterSimulation, TheBooksClose) {
         EXPECT_GT(ledger.water_in, 1e6);
         EXPECT_GT(ledger.water_out, 1e5);
         // Against what came and went, which is far less than what is there.
-        const double missing =
-            ledger.water_final - ledger.water_initial - ledger.water_in + ledger.water_out;
+        const double missing = ledger.water_final - ledger.water_initial - ledger.water_in + ledger.water_out;
         EXPECT_LE(std::abs(missing), 1e-6 * (ledger.water_in + ledger.water_out)) << "order " << order;
     }
 }
