@@ -11,6 +11,7 @@ layout(binding = 3) uniform sampler2D level;
 layout(binding = 4) uniform sampler2D hits;
 layout(binding = 5) uniform sampler2D water_hits;
 layout(binding = 6) uniform sampler2D colours;
+layout(binding = 7) uniform sampler2D water;  // depth, its low word, discharge east and north; two ghost samples around
 
 uniform real3 sun;  // towards it: east, north, up
 uniform real extent_m;
@@ -47,6 +48,18 @@ vec2 level_gradient(vec2 place, float here, float reach) {
         gradient[axis] = (a + b) / (2.0 * spacing);
     }
     return vec2(gradient.x, -gradient.y);
+}
+
+// Speed in m/s and depth in m.
+vec2 flow_at(vec2 place) {
+    ivec2 cell = clamp(origin_cell + ivec2(floor(place)), ivec2(0), patches - 1);
+    vec2 w = clamp(place - vec2(cell - origin_cell), 0.0, 1.0);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < 4; ++i) {
+        vec4 texel = texelFetch(water, cell + ivec2(i & 1, i >> 1) + 2, 0);
+        sum += ((i & 1) == 0 ? 1.0 - w.x : w.x) * (i < 2 ? 1.0 - w.y : w.y) * texel.xzw;
+    }
+    return vec2(length(sum.yz) / max(sum.x, 1e-3), sum.x);
 }
 
 // Light that the ground sends into a direction in which it was hit, roughly: for reflections.
@@ -101,6 +114,11 @@ void main() {
     // What it mirrors: sky, or terrain that stands before it. Schlick 1994.
     float facing = clamp(-dot(world_ray, normal), 0.0, 1.0);
     float fresnel = through_side ? 0.0 : 0.02 + 0.98 * pow(1.0 - facing, 5.0);
+    // Glitter: ripples too small for the samples, of a light breeze's slopes (Cox & Munk 1954), each mirroring the sun.
+    const float slopes = 0.018;
+    vec3 half_way = normalize(sun - world_ray);
+    vec2 tilt = half_way.xy / max(half_way.z, 0.05) + slope;
+    float glitter = exp(-dot(tilt, tilt) / slopes) / (3.14159 * slopes) * (0.02 + 0.98 * pow(1.0 - max(dot(half_way, -world_ray), 0.0), 5.0)) / max(4.0 * facing, 0.4);
     vec3 mirror = reflect(world_ray, normal);
     mirror.z = max(mirror.z, 0.01);
     vec3 reflection = sky(normalize(mirror));
@@ -111,8 +129,14 @@ void main() {
         reflection = reflected_ground(there, above_eye + ahead.distance_m * mirror.z);
     }
     vec3 colour = mix(body, reflection, fresnel);
-    // Towards the shore it fades into wet ground.
-    colour = mix(bed * 0.75, colour, 1.0 - exp(-depth / 0.04));
+    if (!through_side) colour += 3.0 * min(glitter, 1.0) * vec3(1.0, 0.92, 0.78) * max(sun.z, 0.0);
+    // White water where it shoots (Froude number above 1) down a slope of its own, deep enough to break.
+    vec2 flow = flow_at(place);
+    float froude = flow.x / sqrt(9.81 * max(flow.y, 1e-3));
+    float foam = smoothstep(0.9, 1.8, froude) * smoothstep(0.05, 0.4, flow.y) * smoothstep(0.03, 0.25, length(slope));
+    if (!through_side) colour = mix(colour, vec3(0.75, 0.80, 0.83) * light, 0.75 * foam);
+    // Towards the shore it fades into the ground; so do sheets that run down steep ground.
+    colour = mix(bed, colour, 1.0 - exp(-depth / (0.08 + 0.5 * length(slope))));
     float haze = 1.0 - exp(-0.16 * distance_m / extent_m);
     colour = mix(colour, sky(normalize(vec3(world_ray.xy, 0.06))), 0.85 * haze * (through_side ? 0.5 : 1.0));
     colour_out = vec4(sqrt(clamp(colour, 0.0, 1.0)), 1.0);

@@ -12,7 +12,7 @@ uniform int2 tiles;
 
 const int water_ghosts = 2;
 // Thinner water is no surface to see, m: wet ground.
-const real seen_depth_m = real(1e-3);
+const real seen_depth_m = real(0.01);
 // How far below the ground the surface lies where no water is near, m: no ray looks for it there.
 const real far_below_m = real(1e4);
 

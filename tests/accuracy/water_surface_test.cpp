@@ -1,0 +1,139 @@
+// The water's surface in the picture: where rays hit it, against the double twin; and a shoreline at rest
+// stays as it is.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "render/cast_twin.h"
+#include "render/renderer.h"
+#include "render/survey.h"
+#include "render/water_surface.h"
+#include "sim/gpu/context.h"
+#include "sim/simulation.h"
+#include "sim/simulation_parameters.h"
+#include "sim/terrain/generate.h"
+
+namespace talus {
+namespace {
+
+const Grid grid{321, 257, 8, 9};
+
+// A coast with waves on its sea and rain in its hills.
+TerrainState coast() {
+    return bedrock_terrain(grid, generate_heights(grid, {"coast", 3, 150}));
+}
+Parameters parameters() {
+    Parameters all(simulation_parameters());
+    for (const char* assignment :
+         {"thermal.on=false", "time.tick_s=1", "water.sea_level=52", "water.boundary.west=wave",
+          "water.rain=400", "water.wave_height=1.5", "water.wave_period=12"})
+        all.set_assignment(assignment);
+    return all;
+}
+
+TEST(WaterSurface, RaysHitItWhereTheDoubleTwinDoes) {
+    const gpu::Context context;
+    Simulation simulation(coast(), parameters());
+    simulation.apply(Ticks{60});
+    Terrain& terrain = simulation.terrain();
+    WaterSurface water(terrain);
+    water.refresh(terrain);
+    const std::vector<float> level = water.level().read_all<float>();
+    maths::CastTwin<double> twin(grid, level);
+    const int width = 160;
+    const int height = 90;
+    std::size_t pixels = 0;
+    std::size_t apart = 0;
+    double largest = 0;
+    for (const NamedCamera& view : survey(grid, terrain.ground.read_all<float>())) {
+        const Camera& camera = view.camera;
+        water.cast(terrain, camera, width, height);
+        const std::vector<float> distances = water.target().read_distances(width, height);
+        twin.look(grid, camera, width, height);
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const double expected =
+                    twin.cast_pixel((2 * x + 1.0) / width - 1, (2 * y + 1.0) / height - 1).distance_m;
+                const float found = distances[static_cast<std::size_t>(y) * width + x];
+                if (std::isinf(found) && expected < 0) continue;
+                ++pixels;
+                const double error = std::isinf(found) || expected < 0
+                                         ? 1
+                                         : std::abs(found - expected) / std::max(expected, 1.0);
+                if (error > 1e-4)
+                    ++apart;
+                else
+                    largest = std::max(largest, error);
+            }
+    }
+    fmt::print("water surface: {} pixels, largest relative error {:.1e}, {} graze\n", pixels, largest, apart);
+    EXPECT_GT(pixels, 50000U);
+    EXPECT_EQ(apart, 0U);
+}
+
+TEST(WaterSurface, WetSamplesLieAtTheirLevelAndShoresBelowTheGround) {
+    const gpu::Context context;
+    Simulation simulation(coast(), parameters());
+    simulation.apply(Ticks{20});
+    Terrain& terrain = simulation.terrain();
+    WaterSurface water(terrain);
+    water.refresh(terrain);
+    // Follows what changes, tile by tile, as a whole refresh would.
+    for (int i = 0; i < 5; ++i) {
+        simulation.apply(Ticks{3});
+        Dab dab;
+        dab.x_m = 900 + 150 * i;
+        dab.y_m = 1000;
+        dab.radius_m = 120;
+        dab.amount_m = 5;
+        dab.material = i % 2 == 0 ? Material::water : Material::bedrock;
+        simulation.apply(dab);
+        water.refresh(terrain);
+    }
+    const std::vector<float> followed = water.level().read_all<float>();
+    terrain.tiles.mark_all();
+    WaterSurface fresh(terrain);
+    fresh.refresh(terrain);
+    EXPECT_EQ(followed, fresh.level().read_all<float>());
+    const TerrainState state = simulation.read();
+    const std::vector<float> ground = state.ground();
+    std::size_t wet = 0;
+    for (std::size_t i = 0; i < ground.size(); ++i) {
+        if (state.water[i].x >= 0.01F) {
+            ++wet;
+            ASSERT_EQ(followed[i], ground[i] + state.water[i].x);
+        } else {
+            ASSERT_LE(followed[i], ground[i]);
+        }
+    }
+    EXPECT_GT(wet, ground.size() / 10);
+}
+
+TEST(WaterSurface, AShorelineAtRestDoesNotFlicker) {
+    const gpu::Context context;
+    Parameters still(simulation_parameters());
+    for (const char* assignment : {"thermal.on=false", "time.tick_s=1", "water.sea_level=52"})
+        still.set_assignment(assignment);
+    Simulation simulation(coast(), still);
+    Renderer renderer(simulation.terrain(), 8);
+    const std::vector<float> ground = simulation.read().ground();
+    const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
+    const Camera camera = overview(grid, *low, *high);
+    ViewSettings settings;
+    settings.sun = glm::normalize(glm::dvec3(-1, 1, 1));
+    renderer.draw(simulation.terrain(), camera, settings, 320, 180);
+    const std::vector<std::uint8_t> first = renderer.read_rgb(320, 180);
+    settings.view = View::hillshade;
+    renderer.draw(simulation.terrain(), camera, settings, 320, 180);
+    EXPECT_NE(first, renderer.read_rgb(320, 180));
+    settings.view = View::shaded;
+    for (int frame = 0; frame < 100; ++frame) {
+        simulation.apply(Ticks{1});
+        renderer.draw(simulation.terrain(), camera, settings, 320, 180);
+        ASSERT_EQ(first, renderer.read_rgb(320, 180)) << "frame " << frame;
+    }
+}
+
+}  // namespace
+}  // namespace talus
