@@ -27,7 +27,7 @@ void Shading::drape(int width, int height, std::span<const std::byte> rgba) {
     drape_.filter(gpu::Wrap::edge);
 }
 
-gpu::Program& Shading::program_of(const ViewSettings& settings, bool sky) {
+gpu::Program& Shading::program_of(const ViewSettings& settings, bool sky, bool water) {
     std::vector<std::string> defines = {"VIEW " + std::to_string(static_cast<int>(settings.view))};
     if (sky) {
         defines.emplace_back("SKY");
@@ -36,6 +36,8 @@ gpu::Program& Shading::program_of(const ViewSettings& settings, bool sky) {
         if (settings.shadows) defines.emplace_back("SHADOWS");
         if (settings.occlusion) defines.emplace_back("OCCLUSION");
         if (drape_.width() > 0) defines.emplace_back("DRAPED");
+    } else if (water && settings.view >= View::depth) {
+        defines.emplace_back("WATER");
     }
     std::string key;
     for (const std::string& define : defines) key += define + " ";
@@ -59,6 +61,11 @@ void Shading::draw(const Terrain& terrain, const Pyramid& pyramid, const SkyView
         program.set("pixel_angle", static_cast<float>(pixel_at_one_metre(camera, height)));
         program.set("band_m", static_cast<float>(settings.band_m));
         program.set("difference_m", static_cast<float>(settings.difference_m));
+        program.set("depth_scale_m", static_cast<float>(settings.depth_m));
+        program.set("speed_scale", static_cast<float>(settings.speed_m_per_s));
+        program.set("level_middle_m", static_cast<float>(settings.level_m));
+        program.set("level_scale_m", static_cast<float>(settings.level_range_m));
+        program.set("froude_scale", static_cast<float>(froude_scale));
         program.set("hillshade_lights", settings.hillshade_lights);
         program.set("slope_scale_deg", static_cast<float>(slope_scale_deg));
         program.set("steps_scale", static_cast<float>(steps_scale));
@@ -86,13 +93,14 @@ void Shading::draw(const Terrain& terrain, const Pyramid& pyramid, const SkyView
     grain_.bind_sampled(6);
     if (drape_.width() > 0) drape_.bind_sampled(7);
     sky.share().bind_sampled(8);
-    gpu::Program& ground = program_of(settings, false);
+    if (terrain.water) terrain.water->front.bind_sampled(9);
+    gpu::Program& ground = program_of(settings, false, terrain.water.has_value());
     prepare(ground);
     if (redraw) {
         redraw->draw(ground, target, gpu::Depth::none);
         return;
     }
-    gpu::Program& nothing = skips_sky ? program_of(settings, true) : ground;
+    gpu::Program& nothing = skips_sky ? program_of(settings, true, false) : ground;
     if (skips_sky) prepare(nothing);
     draw_blocks(nothing, target, {width, height}, {lists_, 0, head_words}, gpu::Depth::none);
     draw_blocks(ground, target, {width, height}, {lists_, 4, head_words + count}, gpu::Depth::none);

@@ -27,7 +27,7 @@ class Shading {
 
   private:
     // `sky`: for blocks where nothing was hit.
-    gpu::Program& program_of(const ViewSettings& settings, bool sky);
+    gpu::Program& program_of(const ViewSettings& settings, bool sky, bool water);
 
     std::map<std::string, gpu::Program> programs_;
     gpu::Program list_;

@@ -19,8 +19,9 @@ std::string number_text(double value) {
 }  // namespace
 
 const std::vector<std::string>& view_names() {
-    static const std::vector<std::string> names = {"shaded", "hillshade", "slope",    "bands",     "steps",
-                                                   "cells",  "aspect",    "contours", "difference"};
+    static const std::vector<std::string> names = {"shaded", "hillshade", "slope",    "bands",      "steps",
+                                                   "cells",  "aspect",    "contours", "difference", "depth",
+                                                   "speed",  "level",     "froude"};
     return names;
 }
 
@@ -40,6 +41,11 @@ std::vector<Parameter> render_parameters() {
         toggle("render.occlusion", true, "Valleys get less of the sky's light than ridges."),
         number("render.band_m", 100, 1e-3, 1e5, "m", "Interval of the views of height bands and contours."),
         number("render.difference_m", 20, 1e-3, 1e5, "m", "End of the scale of the view of differences."),
+        number("render.depth_m", 10, 1e-3, 1e5, "m", "End of the scale of the view of the water's depth."),
+        number("render.speed", 5, 1e-3, 1e5, "m/s", "End of the scale of the view of its speed."),
+        number("render.level_m", 0, -1e6, 1e6, "m",
+               "Middle of the scale of the view of its level. Unless set, it is the sea's."),
+        number("render.level_range_m", 2, 1e-4, 1e5, "m", "From there to the ends of the scale."),
         choice("render.hillshade", "sun", {"sun", "four sides"},
                "Light of the hillshade: the sun's, or from four sides, each where slopes need it."),
     };
@@ -60,6 +66,10 @@ ViewSettings view_settings(const Parameters& parameters) {
     settings.occlusion = parameters.toggle("render.occlusion");
     settings.band_m = parameters.number("render.band_m");
     settings.difference_m = parameters.number("render.difference_m");
+    settings.depth_m = parameters.number("render.depth_m");
+    settings.speed_m_per_s = parameters.number("render.speed");
+    settings.level_m = parameters.number("render.level_m");
+    settings.level_range_m = parameters.number("render.level_range_m");
     settings.hillshade_lights = parameters.choice("render.hillshade") == "sun" ? 1 : 4;
     return settings;
 }
@@ -116,6 +126,20 @@ std::vector<Legend> legend_of(const ViewSettings& settings, double lowest_m, dou
                      Scale::difference,
                      0,
                      {}}};
+        case View::depth:
+            return {{"Depth of the water", 0, settings.depth_m, "m", Scale::map, 0, {}}};
+        case View::speed:
+            return {{"Speed of the water", 0, settings.speed_m_per_s, "m/s", Scale::map, 0, {}}};
+        case View::level:
+            return {{"Level of the water",
+                     settings.level_m - settings.level_range_m,
+                     settings.level_m + settings.level_range_m,
+                     "m",
+                     Scale::difference,
+                     0,
+                     {}}};
+        case View::froude:
+            return {{"Froude number", 0, froude_scale, "1: critical", Scale::map, 0, {}}};
     }
     return {};
 }

@@ -17,7 +17,11 @@ enum class View {
     cells = 5,
     aspect = 6,
     contours = 7,
-    difference = 8
+    difference = 8,
+    depth = 9,  // from here on of the water
+    speed = 10,
+    level = 11,
+    froude = 12
 };
 const std::vector<std::string>& view_names();
 
@@ -46,6 +50,10 @@ struct ViewSettings {
     bool occlusion = true;
     double band_m = 100;
     double difference_m = 20;
+    double depth_m = 10;  ///< views of the water: ends of their scales
+    double speed_m_per_s = 5;
+    double level_m = 0;        ///< the middle of the levels' scale
+    double level_range_m = 2;  ///< from the middle to its ends
     int hillshade_lights = 1;
     glm::dvec3 ring_m{0};  ///< brush ring: world x, y, radius; radius 0: none
     bool operator==(const ViewSettings&) const = default;
@@ -57,5 +65,6 @@ std::vector<Legend> legend_of(const ViewSettings& settings, double lowest_m, dou
 
 constexpr double slope_scale_deg = 60;
 constexpr double steps_scale = 96;
+constexpr double froude_scale = 2;
 
 }  // namespace talus

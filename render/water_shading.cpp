@@ -16,7 +16,7 @@ void WaterShading::draw(const Terrain& terrain, const Pyramid& ground, const Wat
     hits.bind_sampled(4);
     water.target().hits().bind_sampled(5);
     colours.bind_sampled(6);
-    terrain.water->front.bind_sampled(7);
+    terrain.water->front.bind_sampled(9);
     program_.set("sun", glm::vec3(settings.sun));
     program_.set("extent_m", static_cast<float>(std::max(grid.width_m(), grid.height_m())));
     program_.set("pixel_angle", static_cast<float>(pixel_at_one_metre(camera, height)));

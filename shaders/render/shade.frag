@@ -19,6 +19,11 @@ uniform real pixel_angle;    // radians that a pixel covers
 uniform real band_m;         // height bands: interval
 uniform real slope_scale_deg;
 uniform real steps_scale;
+uniform real depth_scale_m;    // views of the water: ends of their scales
+uniform real speed_scale;
+uniform real level_middle_m;
+uniform real level_scale_m;
+uniform real froude_scale;
 uniform real difference_m;   // view of the difference: end of its scale
 uniform int hillshade_lights;  // 1: the sun; 4: from four sides
 
@@ -33,6 +38,10 @@ const int view_cells = 5;
 const int view_aspect = 6;
 const int view_contours = 7;
 const int view_difference = 8;
+const int view_depth = 9;
+const int view_speed = 10;
+const int view_level = 11;
+const int view_froude = 12;
 
 #include "render/relief.glsl"
 #include "render/sky.glsl"
@@ -41,6 +50,29 @@ const int view_difference = 8;
 #include "render/material.glsl"
 #include "render/contours.glsl"
 #include "render/occlusion.glsl"
+#ifdef WATER
+#include "render/flow.glsl"
+
+// Streaks along the flow: noise smeared along it (line integral convolution, Cabral & Leedom 1993), about 1.
+float streaks(vec2 place, vec2 velocity) {
+    vec2 along = vec2(velocity.x, -velocity.y) / max(length(velocity), 1e-6);
+    float sum = 0.0;
+    for (int k = -10; k <= 10; ++k) sum += textureLod(grain, (place + 0.5 * float(k) * along) * (1.0 / 56.0), 0.0).z;
+    return clamp(1.0 + 2.2 * (sum / 21.0 - 0.5), 0.6, 1.4);
+}
+
+// What a view of the water shows at a place of the picture; dry ground is grey.
+vec3 water_view(vec2 place, vec2 absolute, float height_over_eye, float lit) {
+    Flow flow = flow_at(place);
+    if (flow.depth_m < seen_depth_m) return vec3(0.62) * lit;
+    float speed = length(flow.velocity);
+    if (VIEW == view_depth) return colour_map(flow.depth_m / depth_scale_m);
+    if (VIEW == view_speed) return colour_map(speed / speed_scale) * (speed > 1e-3 * speed_scale ? streaks(absolute, flow.velocity) : 1.0);
+    if (VIEW == view_froude) return colour_map(speed / sqrt(9.81 * flow.depth_m) / froude_scale);
+    float level = (height_over_eye + flow.depth_m) + (origin_height_m.x - level_middle_m);
+    return difference_map(0.5 + 0.5 * level / level_scale_m);
+}
+#endif
 
 // Hillshade lit from south-west, west, north-west and north, each where slopes would else lie in one light (Mark 1992).
 float four_lights(vec2 gradient, vec3 normal) {
@@ -151,6 +183,12 @@ void main() {
         colour = mix(vec3(0.6), direction_map(facing), smoothstep(0.0, 0.05, length(gradient))) * lit;
     } else if (VIEW == view_contours) {
         colour = mix(vec3(0.93, 0.91, 0.86) * lit, vec3(0.36, 0.22, 0.12), contour_ink(distance_m, ray));
+    } else if (VIEW >= view_depth) {
+#ifdef WATER
+        colour = water_view(place, absolute, height_at(place), lit);
+#else
+        colour = vec3(0.62) * lit;
+#endif
     } else {
         colour = difference_map(0.5 + 0.5 * ground_change(place) / difference_m) * lit;
     }

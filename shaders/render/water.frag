@@ -11,7 +11,6 @@ layout(binding = 3) uniform sampler2D level;
 layout(binding = 4) uniform sampler2D hits;
 layout(binding = 5) uniform sampler2D water_hits;
 layout(binding = 6) uniform sampler2D colours;
-layout(binding = 7) uniform sampler2D water;  // depth, its low word, discharge east and north; two ghost samples around
 
 uniform real3 sun;  // towards it: east, north, up
 uniform real extent_m;
@@ -19,6 +18,7 @@ uniform real pixel_angle;
 
 #include "render/relief.glsl"
 #include "render/sky.glsl"
+#include "render/flow.glsl"
 
 // Clear water takes red first, 1/m (after Pope & Fry 1997, with what a mountain river carries); what it scatters back.
 const vec3 absorption = vec3(0.42, 0.085, 0.060);
@@ -48,18 +48,6 @@ vec2 level_gradient(vec2 place, float here, float reach) {
         gradient[axis] = (a + b) / (2.0 * spacing);
     }
     return vec2(gradient.x, -gradient.y);
-}
-
-// Speed in m/s and depth in m.
-vec2 flow_at(vec2 place) {
-    ivec2 cell = clamp(origin_cell + ivec2(floor(place)), ivec2(0), patches - 1);
-    vec2 w = clamp(place - vec2(cell - origin_cell), 0.0, 1.0);
-    vec3 sum = vec3(0.0);
-    for (int i = 0; i < 4; ++i) {
-        vec4 texel = texelFetch(water, cell + ivec2(i & 1, i >> 1) + 2, 0);
-        sum += ((i & 1) == 0 ? 1.0 - w.x : w.x) * (i < 2 ? 1.0 - w.y : w.y) * texel.xzw;
-    }
-    return vec2(length(sum.yz) / max(sum.x, 1e-3), sum.x);
 }
 
 // Light that the ground sends into a direction in which it was hit, roughly: for reflections.
@@ -131,9 +119,9 @@ void main() {
     vec3 colour = mix(body, reflection, fresnel);
     if (!through_side) colour += 3.0 * min(glitter, 1.0) * vec3(1.0, 0.92, 0.78) * max(sun.z, 0.0);
     // White water where it shoots (Froude number above 1) down a slope of its own, deep enough to break.
-    vec2 flow = flow_at(place);
-    float froude = flow.x / sqrt(9.81 * max(flow.y, 1e-3));
-    float foam = smoothstep(0.9, 1.8, froude) * smoothstep(0.05, 0.4, flow.y) * smoothstep(0.03, 0.25, length(slope));
+    Flow flow = flow_at(place);
+    float froude = length(flow.velocity) / sqrt(9.81 * max(flow.depth_m, seen_depth_m));
+    float foam = smoothstep(0.9, 1.8, froude) * smoothstep(0.05, 0.4, flow.depth_m) * smoothstep(0.03, 0.25, length(slope));
     if (!through_side) colour = mix(colour, vec3(0.75, 0.80, 0.83) * light, 0.75 * foam);
     // Towards the shore it fades into the ground; so do sheets that run down steep ground.
     colour = mix(bed, colour, 1.0 - exp(-depth / (0.08 + 0.5 * length(slope))));

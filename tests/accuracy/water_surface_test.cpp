@@ -12,7 +12,17 @@
 #include "sim/gpu/context.h"
 #include "sim/simulation.h"
 #include "sim/simulation_parameters.h"
+#include "sim/terrain/gauge.h"
 #include "sim/terrain/generate.h"
+
+namespace talus::maths {
+
+struct ColourTwin {
+    TALUS_TWIN_NAMES(double)
+#include "maths/colour_map.glsl"
+};
+
+}  // namespace talus::maths
 
 namespace talus {
 namespace {
@@ -108,6 +118,53 @@ TEST(WaterSurface, WetSamplesLieAtTheirLevelAndShoresBelowTheGround) {
         }
     }
     EXPECT_GT(wet, ground.size() / 10);
+}
+
+TEST(WaterSurface, ViewsShowWhatGaugesDo) {
+    const gpu::Context context;
+    Simulation simulation(coast(), parameters());
+    simulation.apply(Ticks{90});
+    Renderer renderer(simulation.terrain(), 8);
+    const int size = 33;
+    int wet = 0;
+    for (const View view : {View::depth, View::speed, View::level, View::froude})
+        for (const glm::ivec2 sample : {glm::ivec2(20, 60), glm::ivec2(90, 200), glm::ivec2(130, 100),
+                                        glm::ivec2(170, 140), glm::ivec2(300, 30)}) {
+            const glm::dvec2 place(sample.x * grid.dx, (grid.ny - 1 - sample.y) * grid.dy);
+            const GaugeReading gauge = read_gauge(simulation.terrain(), place.x, place.y);
+            // The middle pixel looks straight down at the sample.
+            const Camera camera{{place, 900}, {place, 0}, 20};
+            ViewSettings settings;
+            settings.view = view;
+            settings.method = "exact";
+            settings.depth_m = 40;
+            settings.speed_m_per_s = 2;
+            settings.level_m = 52;
+            settings.level_range_m = 3;
+            renderer.draw(simulation.terrain(), camera, settings, size, size);
+            const std::vector<std::uint8_t> rgb = renderer.read_rgb(size, size);
+            const std::uint8_t* middle = rgb.data() + 3 * (size / 2 * size + size / 2);
+            if (gauge.depth_m < 0.01) continue;
+            ++wet;
+            const double speed = glm::length(gauge.velocity_m_per_s);
+            maths::ColourTwin colours;
+            glm::dvec3 expected = colours.colour_map(gauge.depth_m / 40);
+            if (view == View::speed) expected = colours.colour_map(speed / 2);
+            if (view == View::froude)
+                expected = colours.colour_map(speed / std::sqrt(9.81 * gauge.depth_m) / froude_scale);
+            if (view == View::level)
+                expected = colours.difference_map(0.5 + 0.5 * (gauge.level_m() - 52) / 3);
+            glm::dvec3 found(middle[0] / 255.0, middle[1] / 255.0, middle[2] / 255.0);
+            // Streaks make the speed's colour lighter and darker.
+            if (view == View::speed) {
+                found /= found.x + found.y + found.z;
+                expected /= expected.x + expected.y + expected.z;
+            }
+            for (int i = 0; i < 3; ++i)
+                EXPECT_NEAR(found[i], expected[i], view == View::speed ? 0.01 : 0.005)
+                    << "view " << static_cast<int>(view) << " at " << sample.x << " " << sample.y;
+        }
+    EXPECT_GE(wet, 12);
 }
 
 TEST(WaterSurface, AShorelineAtRestDoesNotFlicker) {
