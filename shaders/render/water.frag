@@ -95,7 +95,7 @@ void main() {
             bed = texelFetch(colours, seen, 0).rgb;
     }
     bed *= bed;  // pictures hold square roots of light
-    float light = 0.35 + 0.65 * max(sun.z, 0.0);
+    float light = 0.35 + 0.65 * max(dot(normal, sun), 0.0);
     vec3 left = exp(-absorption * (way_m + 0.6 * depth));
     vec3 body = bed * left + deep * light * (1.0 - exp(-0.16 * way_m));
 

@@ -124,8 +124,8 @@ TEST_F(Program, ConvertsWithoutLosingABit) {
 
 TEST_F(Program, RendersWithDepthAndViews) {
     ASSERT_EQ(talus(small + "--ticks 0 --out a.exr").code, 0);
-    for (const char* view :
-         {"shaded", "hillshade", "slope", "bands", "steps", "cells", "aspect", "contours", "difference"}) {
+    for (const char* view : {"shaded", "hillshade", "slope", "bands", "steps", "cells", "aspect", "contours",
+                             "difference", "depth", "speed", "level", "froude"}) {
         const Outcome outcome = talus(std::string("render a.exr --size 320x180 --image v.png --depth d.exr "
                                                   "--report v.json --view ") +
                                       view);
@@ -166,6 +166,55 @@ TEST_F(Program, RendersLargePicturesAndDrapedOnes) {
     EXPECT_NE(refusal("render a.exr --image x.png --texture w.exr").find("w.exr"), std::string::npos);
     EXPECT_NE(refusal("render a.exr --image x.png --size 40000x10").find("32768"), std::string::npos);
     EXPECT_FALSE(fs::exists(path("x.png")));
+}
+
+TEST_F(Program, RunsWaterWithGaugesSpringsAndItsReport) {
+    const std::string dam = "run --preset dam-break --size 129x97 ";
+    const std::string whole = hash(dam +
+                                   "--ticks 60 --report r.json --out whole.exr --journal run.journal "
+                                   "--gauge 200,240 --gauge 300,250 --spring 500,200,40 --image dam.png");
+    const json water = report("r.json")["water"];
+    EXPECT_GT(water["initial_m3"], 1e5);
+    EXPECT_NEAR(water["in_m3"].get<double>(), 60 * 0.025 * 40, 0.01);
+    EXPECT_LE(std::abs(water["drift_relative"].get<double>()), 1e-9);
+    EXPECT_GE(water["min_depth"], 0);
+    EXPECT_GT(water["max_speed"], 1);
+    EXPECT_GE(water["substeps"], 60);
+    EXPECT_GT(water["active_tiles_mean"], 0);
+    EXPECT_GT(water["final_m3"], water["initial_m3"]);
+    std::ifstream table(path("gauges.csv"));
+    std::string line;
+    std::getline(table, line);
+    EXPECT_EQ(line, "time_s,level_1_m,depth_1_m,speed_1_m_per_s,level_2_m,depth_2_m,speed_2_m_per_s");
+    int rows = 0;
+    while (std::getline(table, line)) ++rows;
+    EXPECT_EQ(rows, 61) << "the start and every tick";
+    for (const char* threads : {"LP_NUM_THREADS=0", "LP_NUM_THREADS=1", "LP_NUM_THREADS=4"})
+        EXPECT_EQ(hash(dam + "--ticks 60 --spring 500,200,40", threads), whole) << threads;
+    EXPECT_EQ(hash("replay run.journal"), whole);
+    hash(dam + "--ticks 25 --spring 500,200,40 --out mid.exr");
+    EXPECT_EQ(hash("run --in mid.exr --ticks 35"), whole)
+        << "the document brings water, springs and parameters";
+    // Its water alone, and its level.
+    ASSERT_EQ(talus("convert whole.exr depth.tif --layer water").code, 0);
+    EXPECT_EQ(json::parse(talus("info --json depth.tif").output)["height_min"], 0);
+    // First order is another answer; every edge can be set.
+    EXPECT_NE(hash(dam + "--ticks 60 --set water.order=1"), whole);
+    for (const char* kind : {"wall", "open", "level", "inflow", "wave", "periodic"})
+        for (const char* edge : {"north", "south", "west", "east"})
+            ASSERT_EQ(
+                talus(std::string("run --preset still --size 40x30 --ticks 3 --set water.sea_level=2 --set "
+                                  "water.inflow=5 --set water.boundary.") +
+                      edge + "=" + kind)
+                    .code,
+                0);
+    EXPECT_NE(refusal("run --preset still --ticks 1 --gauge 1e7,0").find("--gauge"), std::string::npos);
+    EXPECT_NE(refusal("run --preset still --ticks 1 --gauge 5").find("--gauge"), std::string::npos);
+    EXPECT_NE(refusal("run --preset still --ticks 1 --spring 1,1,-4").find("rate"), std::string::npos);
+    EXPECT_NE(refusal("run --preset still --ticks 1 --spring -1,1,4").find("off the map"), std::string::npos);
+    refusal("run --preset still --ticks 1 --set water.boundary.north=sideways");
+    refusal("run --preset still --ticks 1 --set water.order=3");
+    refusal("run --preset still --ticks 1 --set water.rain=nan");
 }
 
 TEST_F(Program, ListsPresetsAndParameters) {
