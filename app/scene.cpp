@@ -8,6 +8,7 @@
 #include "render/view.h"
 #include "sim/gpu/error.h"
 #include "sim/preset.h"
+#include "sim/simulation.h"
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"
 #include "sim/terrain/state_hash.h"
@@ -79,6 +80,14 @@ Scene make_scene(const SceneRequest& request) {
         document.kind = "generated";
     }
     Scene scene = assemble(all, std::move(document));
+    // Other inflow or waves than the document's begin now.
+    if (!scene.document.parameters.empty()) {
+        Parameters before(all_parameters());
+        from_toml(scene.document.parameters, request.input, before);
+        for (const Parameter& p : scene.simulation.declared())
+            if (drives_edges(p.name) && scene.simulation.value(p.name) != before.value(p.name))
+                scene.document.state.edges_since_s = scene.document.state.clock.simulated_s;
+    }
     if (!request.texture.empty()) scene.texture = read_colour_image(request.texture);
     scene.start.input = request.input.empty() ? "" : std::filesystem::absolute(request.input).string();
     scene.start.import_guess = to_text(request.import);

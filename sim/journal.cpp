@@ -70,7 +70,9 @@ Operation to_operation(const json& line) {
     dab.amount_m = line.at("amount_m");
     dab.blend = line.at("blend");
     dab.target_m = line.at("target_m");
-    const std::string material = line.at("material");
+    // Journals of 0.1.0 say on_regolith.
+    const bool on_regolith = line.value("on_regolith", false);
+    const std::string material = line.value("material", on_regolith ? "regolith" : "bedrock");
     const auto* of = std::find(material_names.begin(), material_names.end(), material);
     if (of == material_names.end()) throw Error(fmt::format("unknown material '{}'", material));
     dab.material = static_cast<Material>(of - material_names.begin());

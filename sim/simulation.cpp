@@ -46,20 +46,24 @@ WaterSettings water_settings(const Parameters& parameters) {
 
 }  // namespace
 
+bool drives_edges(const std::string& name) {
+    return name.starts_with("water.boundary.") || name.starts_with("water.wave") ||
+           name.starts_with("water.inflow");
+}
+
 Simulation::Simulation(const TerrainState& state, const Parameters& parameters, std::size_t undo_bytes)
     : terrain_(state),
       brush_(terrain_),
       thermal_(terrain_),
-      moment_{state.clock, parameters, state.springs},
+      moment_{state.clock, parameters, state.springs, state.edges_since_s},
       undo_(undo_bytes),
       keeps_undo_(undo_bytes > 0) {
     moment_.parameters.suggest("thermal.rate_m2_per_s",
                                natural_thermal_rate(state.grid, parameters.number("time.tick_s")));
     check_tick(moment_.parameters);
     if (terrain_.water) add_water();
-    // What was saved midway holds its sea already.
-    if (state.clock.ticks == 0 && state.water.empty() && moment_.parameters.is_given("water.sea_level"))
-        fill_sea_now();
+    // What was saved midway holds what is left of its sea.
+    if (state.clock.ticks == 0 && moment_.parameters.is_given("water.sea_level")) fill_sea_now();
     moment_.sea_m3 = 0;
     ledger_ = std::make_unique<Ledger>(terrain_);
 }
@@ -91,7 +95,6 @@ void Simulation::add_water() {
 }
 
 void Simulation::fill_sea_now() {
-    if (!moment_.parameters.toggle("water.on")) return;
     TerrainState state = terrain_.read();
     moment_.sea_m3 += fill_sea(state, moment_.parameters.number("water.sea_level"));
     add_water();
@@ -110,12 +113,14 @@ void Simulation::apply(const Operation& operation) {
         Parameters changed = moment_.parameters;
         changed.set(set->name, set->value);
         check_tick(changed);
-        const bool fills = set->name == "water.sea_level" && changed.toggle("water.on");
+        if (set->name == "water.sea_level") withdraw_sea();
+        const bool fills = set->name == "water.sea_level";
         // A slider that is dragged is one entry; a sea that rises keeps what it covers.
         const bool entry = keeps_undo_ && !undo_.is_open() && (fills || !undo_.extends(set->name));
         if (entry) undo_.open(set->name, terrain_, books(), journal_, moment_);
         if (keeps_undo_ && fills) undo_.keep_all(terrain_);
         moment_.parameters = changed;
+        if (drives_edges(set->name)) moment_.edges_since_s = moment_.clock.simulated_s;
         if (fills) fill_sea_now();
         journal_.record(operation);
         if (entry) undo_.close(terrain_, journal_);
@@ -144,6 +149,13 @@ void Simulation::apply(const Operation& operation) {
         brush_.dab(terrain_, dab);
     journal_.record(operation);
     if (entry) end_entry();
+}
+
+void Simulation::withdraw_sea() {
+    const std::vector<Operation>& done = journal_.operations();
+    const auto* last = done.empty() ? nullptr : std::get_if<SetParameter>(&done.back());
+    if (undo_.is_open() || !can_undo() || undo_.undo_name() != "water.sea_level") return;
+    if (last && last->name == "water.sea_level") exchange(&Undo::undo);
 }
 
 void Simulation::place(const Spring& spring) {
@@ -190,7 +202,7 @@ bool Simulation::advance(int substeps) {
         // The water finds the ground as the tick's slides left it.
         if (!water_begun_)
             water_->begin_tick(terrain_, water_settings(moment_.parameters), moment_.springs, tick_s,
-                               moment_.clock.simulated_s);
+                               moment_.clock.simulated_s - moment_.edges_since_s);
         water_begun_ = true;
         if (!water_->advance(terrain_, substeps)) return false;
     }
@@ -249,6 +261,7 @@ TerrainState Simulation::read() const {
     TerrainState state = terrain_.read();
     state.clock = moment_.clock;
     state.springs = moment_.springs;
+    state.edges_since_s = moment_.edges_since_s;
     return state;
 }
 

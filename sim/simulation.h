@@ -16,6 +16,9 @@
 
 namespace talus {
 
+/// Whether a parameter of this name begins inflow and wave maker anew when it is set.
+bool drives_edges(const std::string& name);
+
 /// The terrain and all that changes it. Every change comes in as an Operation and is recorded; window,
 /// command line and replay differ in nothing else.
 ///
@@ -72,6 +75,8 @@ class Simulation {
     bool has_water() const;
     void add_water();
     void fill_sea_now();
+    /// A sea level that is set again at once takes the place of the one before, and its water with it.
+    void withdraw_sea();
     void begin_tick();
 
     Terrain terrain_;

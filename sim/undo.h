@@ -15,6 +15,7 @@ struct Moment {
     Clock clock;
     Parameters parameters;
     std::vector<Spring> springs;
+    double edges_since_s = 0;
     double sea_m3 = 0;  ///< water that sea levels brought so far
 };
 

@@ -117,8 +117,8 @@ real water_limited(real a, real b, real theta) {
     return slope;
 }
 
-// On the level, theta is 1 where the depth is less than the drop of the bed to a neighbour: with 1.3 there, thin
-// water on rough slopes is held behind dams that are not there.
+// Theta is 1.8, but on the level 1 where the depth is less than the drop of the bed to a neighbour: with more there,
+// thin water on rough slopes is held behind dams that are not there.
 WaterSlope water_slope(WaterCell before, WaterCell cell, WaterCell behind) {
     WaterSlope slope;
     if (water_order == 1) {
@@ -263,7 +263,7 @@ real2 water_slowed(real depth, real2 discharge) {
 }
 
 // Discharge after a change, and friction; none where the sample rests, or is dry. No faster than half a spacing in the
-// sub-step, twice what it was made for: as long as slow water allows, it can be too long for what waits above a cliff,
+// sub-step, on squares twice what it was made for: as long as slow water allows, it can be too long for what waits above a cliff,
 // which would gain the whole fall at once. The next ones are shorter.
 real2 water_discharge(real depth, real2 discharge, WaterChange change) {
     precise real x = discharge.x + change.east;

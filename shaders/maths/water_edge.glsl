@@ -3,6 +3,7 @@
 //   edge_level_m     real, level held at level edges; still level at wave edges
 //   edge_inflow      real, m²/s into the map at inflow edges
 //   edge_wave_m      real, the wave's height above the still level at wave edges
+//   edge_series_steps  int, and real load_edge_series(int): two tables over the tick, of one point more each
 
 const int edge_wall = 0;
 const int edge_open = 1;
@@ -10,6 +11,16 @@ const int edge_level = 2;
 const int edge_inflow_kind = 3;
 const int edge_wave = 4;
 const int edge_periodic = 5;
+
+// A table's value at a share of the tick: 0 inflow, 1 wave.
+real edge_series_at(int table, real share) {
+    precise real place = share * real(edge_series_steps);
+    int step = min(max(int(place), 0), edge_series_steps - 1);
+    precise real part = place - real(step);
+    int base = table * (edge_series_steps + 1) + step;
+    precise real value = load_edge_series(base) + part * (load_edge_series(base + 1) - load_edge_series(base));
+    return value;
+}
 
 // A sample as an edge sees it: depth, discharge out of the map, discharge along the edge, bed.
 struct EdgeSample {
@@ -46,9 +57,9 @@ EdgeSample edge_at_level(EdgeSample inner, real velocity) {
     return edge_sample(inner, depth, min(max(reached, -c), c));
 }
 
-// A discharge that is given: c solves -q g / c² + 2c = u + 2c of the wave that leaves, by Newton from below.
+// A discharge that is given, or a wall where it is none: c solves -q g / c² + 2c = u + 2c of the wave that leaves, by Newton from below.
 EdgeSample edge_with_inflow(EdgeSample inner, real velocity) {
-    if (edge_inflow <= real(0)) return edge_sample(inner, inner.depth, real(0));
+    if (edge_inflow <= real(0)) return edge_sample(inner, inner.depth, -velocity);
     precise real outgoing = velocity + real(2) * edge_celerity(inner.depth);
     precise real weight = edge_inflow * water_gravity;
     precise real half_weight = real(0.5) * weight;

@@ -8,7 +8,8 @@ real water_inverse_cells() {
     return sum;
 }
 
-// (sub-step, time left after it), seconds: equal parts of the time left, none longer than the fastest wave allows.
+// (sub-step, time left after it), seconds: equal parts of the time left, none longer than the fastest wave allows; in a
+// million parts at most, so that every tick ends.
 real2 water_substep(real time_left_s, real speed, real courant) {
     precise real parts = (time_left_s * (speed * water_inverse_cells())) / courant;
     real count = min(max(-floor(-parts), real(1)), real(1048576));

@@ -1,5 +1,6 @@
 // One stage of a sub-step of shallow water on the listed tiles: 4 groups a tile, 16 rows each. An invocation marches
-// southwards down its column, so that each face between rows is solved once. ORDER 1: an Euler step. ORDER 2: STAGE 1
+// southwards down its column, so that each face between rows is solved once. ORDER 1: an Euler step in each
+// STAGE. ORDER 2: STAGE 1
 // writes the Euler step to `back`; STAGE 2 reads it there and completes `front` in place (each texel by its owner).
 layout(local_size_x = 64) in;
 #include "sim/water_images.glsl"
@@ -120,11 +121,14 @@ void main() {
             after = water_with_sources(after, dt, loss);
             lost += double(loss);
 #endif
+#if STAGE == 2
+            // Of what stays: a run that is saved and loaded finds the same.
             fastest = max(fastest, water_speed(after));
+#endif
 #endif
             bool moves = !change.rests || here.z != real(0) || here.w != real(0);
 #ifdef SOURCES
-            moves = moves || after.x > real(0);
+            moves = moves || after.x > real(0) || loss > real(0);
 #endif
             moved = moved || moves;
             int row_in_tile = int(gl_WorkGroupID.x) * 16 + row;
@@ -148,7 +152,7 @@ void main() {
                      (column < water_reach ? moved_west : 0u) | (column >= 64 - water_reach ? moved_east : 0u);
         if ((tile_flags[tile] & marks) != marks) atomicOr(tile_flags[tile], marks);
     }
-#if ORDER == 1 || STAGE == 2
+#if STAGE == 2
     if (fastest > real(0)) atomicMax(tile_speeds[tile], floatBitsToUint(fastest));
 #endif
 #ifdef SOURCES

@@ -3,19 +3,21 @@
 layout(local_size_x = 256) in;
 #include "sim/water_images.glsl"
 
-layout(binding = 0, rgba32f) uniform image2D water_state;
+layout(binding = 0, rgba32f) coherent uniform image2D water_state;
 layout(binding = 2, r32f) uniform image2D bed;
+layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
 layout(binding = 5, std430) readonly buffer Springs { vec4 springs[]; };          // column, row, m/s
 layout(binding = 6, std430) readonly buffer EdgeSeries { float edge_series[]; };  // inflow, m²/s; then wave, m
 layout(binding = 7, std430) buffer EdgeBooks { dvec2 edge_books[]; };             // metres in, out, round the map
 
 uniform int2 samples;
+uniform int2 tiles;
 uniform int stage;          // 0: of the sub-step's start, 1: of its second half
 uniform int kind_north;     // numbers of maths/water_edge.glsl
 uniform int kind_south;
 uniform int kind_west;
 uniform int kind_east;
-uniform int series_steps;
+uniform int edge_series_steps;
 uniform real edge_level_m;
 uniform real gravity;
 uniform int spring_count;
@@ -31,6 +33,7 @@ real edge_inflow = real(0);
 real edge_wave_m = real(0);
 #include "sim/cube_root_seed.glsl"
 #include "maths/water.glsl"
+real load_edge_series(int at) { return edge_series[at]; }
 #include "maths/water_edge.glsl"
 
 // The edge at `index` of the way round: the sample inside, and the step outwards.
@@ -73,21 +76,12 @@ WaterCell outward_cell(EdgeSample s) {
     return water_cell(real4(s.depth, 0.0, s.outward, s.beside), s.bed, water_velocity(s.depth, real2(s.outward, s.beside)));
 }
 
-real series_at(int table, real share) {
-    precise real place = share * real(series_steps);
-    int step = clamp(int(place), 0, series_steps - 1);
-    precise real part = place - real(step);
-    int base = table * (series_steps + 1) + step;
-    precise real value = edge_series[base] + part * (edge_series[base + 1] - edge_series[base]);
-    return value;
-}
-
 void main() {
     if (clock_dt_s <= real(0)) return;
     int me = int(gl_LocalInvocationIndex);
     precise real share = stage == 0 ? clock_at : clock_at + clock_share;
-    edge_inflow = series_at(0, share);
-    edge_wave_m = series_at(1, share);
+    edge_inflow = edge_series_at(0, share);
+    edge_wave_m = edge_series_at(1, share);
     double weight = ORDER == 2 ? 0.5lf : 1.0lf;
 
     // Springs first: what they give takes part at once. One after the other, for two may share a sample.
@@ -99,6 +93,9 @@ void main() {
             real2 depth = add_increment(real2(water.x, water.y), gain);
             imageStore(water_state, at, real4(depth.x, depth.y, water.z, water.w));
             book_springs_m += double(gain);
+            // Undo keeps the tile, its picture is old, also where so little comes that it rests.
+            int2 tile = int2(springs[i].xy) / 64;
+            atomicOr(tile_flags[tile.y * tiles.x + tile.x], 4u | 64u);
         }
     memoryBarrierImage();
     barrier();

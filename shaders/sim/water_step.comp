@@ -3,7 +3,7 @@
 layout(local_size_x = 256) in;
 #include "sim/water_images.glsl"
 
-layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
+layout(binding = 0, std430) coherent buffer TileFlags { uint tile_flags[]; };
 layout(binding = 1, std430) buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 layout(binding = 3, std430) buffer TileSpeeds { uint tile_speeds[]; };
 layout(binding = 5, std430) readonly buffer Springs { vec4 springs[]; };  // column, row, m/s

@@ -9,6 +9,7 @@
 #include "sim/gpu/error.h"
 #include "sim/io/picture.h"
 #include "sim/passes/water.h"
+#include "sim/terrain/gauge.h"
 
 namespace talus {
 namespace {
@@ -22,12 +23,29 @@ const std::vector<std::string> channels = {"Y", "bedrock", "bedrock_low", "regol
 const std::vector<std::string> water_channels = {"water", "water_low", "discharge_x", "discharge_y"};
 
 // x, y and rate of each, as save_document writes them.
-std::vector<Spring> springs_from(const std::string& text) {
+std::vector<Spring> springs_from(const fs::path& path, const std::string& text) {
     std::vector<Spring> springs;
     std::istringstream words(text);
-    Spring spring;
-    while (words >> spring.x_m >> spring.y_m >> spring.rate_m3_per_s) springs.push_back(spring);
+    std::vector<double> numbers;
+    for (double number = 0; words >> number;) numbers.push_back(number);
+    if (!words.eof() || numbers.size() % 3 != 0)
+        throw Error(fmt::format("'{}' holds springs '{}', each must be three numbers: x, y and rate",
+                                path.string(), text));
+    for (std::size_t i = 0; i < numbers.size(); i += 3)
+        springs.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
     return springs;
+}
+
+// Throws talus::Error for water that no run could leave and none can go on from.
+void check_water(const fs::path& path, const glm::vec4& water) {
+    const double speed = glm::length(water_velocity(water.x, {water.z, water.w}));
+    // The second word is at most half an ulp of the first.
+    if (water.x >= 0 && water.x <= 1e7F && std::abs(water.y) <= 6e-8F * water.x + 1e-44F && speed <= 1e5)
+        return;
+    throw Error(fmt::format(
+        "'{}' holds water of depth {} (and {}) m that runs at {:.3g} m/s: depths must be 0 to 1e7 "
+        "m, their second words below their last digit, speeds at most 1e5 m/s",
+        path.string(), water.x, water.y, speed));
 }
 
 bool is_document(const fs::path& path) {
@@ -51,6 +69,7 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
     state.clock.ticks =
         static_cast<std::int64_t>(std::clamp(number_attribute(path, spec, "talus:ticks", 0), 0.0, 1e15));
     state.clock.simulated_s = number_attribute(path, spec, "talus:simulated_s", 0);
+    state.edges_since_s = number_attribute(path, spec, "talus:edges_since_s", 0);
     document.parameters = spec.get_string_attribute("talus:parameters");
     const std::string transform = spec.get_string_attribute("talus:geotransform");
     if (!transform.empty()) {
@@ -89,14 +108,9 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
             read_channel(std::string("discharge") + separator + "x", state.water, 2);
             read_channel(std::string("discharge") + separator + "y", state.water, 3);
         }
-        for (const glm::vec4& water : state.water)
-            if (!(water.x >= 0 && water.x <= 1e5F && std::abs(water.z) <= 1e8F && std::abs(water.w) <= 1e8F))
-                throw Error(
-                    fmt::format("'{}' holds water of depth {} m and discharge ({}, {}) m²/s: depths must be "
-                                "0 to 1e5 m, discharges within 1e8 m²/s",
-                                path.string(), water.x, water.z, water.w));
+        for (const glm::vec4& water : state.water) check_water(path, water);
     }
-    state.springs = springs_from(spec.get_string_attribute("talus:springs"));
+    state.springs = springs_from(path, spec.get_string_attribute("talus:springs"));
     for (const Spring& spring : state.springs) check_spring(state.grid, spring);
     return document;
 }
@@ -129,6 +143,8 @@ void save_document(const fs::path& path, const Document& document) {
     std::string springs;
     for (const Spring& spring : state.springs)
         springs += fmt::format("{} {} {} ", spring.x_m, spring.y_m, spring.rate_m3_per_s);
+    if (state.edges_since_s != 0)
+        spec.attribute("talus:edges_since_s", fmt::format("{}", state.edges_since_s));
     if (!springs.empty()) spec.attribute("talus:springs", springs);
     if (!document.parameters.empty()) spec.attribute("talus:parameters", document.parameters);
     if (document.georeference) {

@@ -77,7 +77,7 @@ double number_attribute(const fs::path& path, const OIIO::ImageSpec& spec, const
     if (text.empty()) return fallback;
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
         throw Error(fmt::format("'{}': its attribute {} = '{}' is not a number", path.string(), name, text));
     return value;
 }

@@ -12,9 +12,6 @@
 namespace talus {
 namespace {
 
-// Points of the edges' time series in a tick, less one.
-constexpr int series_steps = 256;
-
 // The buffer that shaders/sim/water_images.glsl calls WaterClock.
 struct DeviceClock {
     float left_s;
@@ -93,6 +90,20 @@ double wave_at(const WaterSettings& settings, double time_s) {
     return height / (crest * crest);
 }
 
+std::vector<float> edge_series(const WaterSettings& settings, const Grid& grid, double tick_s,
+                               double start_s) {
+    std::vector<float> series;
+    series.reserve(2 * (edge_series_steps + 1));
+    const double length_m = inflow_length_m(settings, grid);
+    for (int i = 0; i <= edge_series_steps; ++i) {
+        const double at_s = start_s + tick_s * i / edge_series_steps;
+        series.push_back(length_m > 0 ? static_cast<float>(inflow_at(settings, at_s) / length_m) : 0.0F);
+    }
+    for (int i = 0; i <= edge_series_steps; ++i)
+        series.push_back(static_cast<float>(wave_at(settings, start_s + tick_s * i / edge_series_steps)));
+    return series;
+}
+
 Water::Water(const Terrain& terrain)
     : step_program_("sim/water_step.comp"),
       bed_program_("sim/water_bed.comp"),
@@ -101,7 +112,7 @@ Water::Water(const Terrain& terrain)
       speeds_("water speeds", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(std::uint32_t)),
       losses_("water losses", static_cast<std::size_t>(terrain.tiles.count()) * 4 * sizeof(double)),
       springs_("water springs", sizeof(glm::vec4)),
-      series_("water edge series", 2 * (series_steps + 1) * sizeof(float)),
+      series_("water edge series", 2 * (edge_series_steps + 1) * sizeof(float)),
       edge_books_("water edge books",
                   2 * static_cast<std::size_t>(terrain.grid().nx + terrain.grid().ny) * sizeof(glm::dvec2)) {
     clock_.fill(0);
@@ -113,13 +124,11 @@ Water::Water(const Terrain& terrain)
 gpu::Program& Water::stage_program(int stage) {
     const bool friction = settings_.manning_s_per_m13 > 0;
     const bool sources = has_sources(settings_);
-    // At order 1 both halves of a sub-step are the same.
-    const int shown_stage = settings_.order == 1 ? 1 : stage;
-    const int key = settings_.order + 4 * shown_stage + (friction ? 16 : 0) + (sources ? 32 : 0);
+    const int key = settings_.order + 4 * stage + (friction ? 16 : 0) + (sources ? 32 : 0);
     auto found = stage_programs_.find(key);
     if (found == stage_programs_.end()) {
         std::vector<std::string> defines = {"ORDER " + std::to_string(settings_.order),
-                                            "STAGE " + std::to_string(shown_stage)};
+                                            "STAGE " + std::to_string(stage)};
         if (friction) defines.emplace_back("FRICTION 1");
         if (sources && (settings_.order == 1 || stage == 2)) defines.emplace_back("SOURCES 1");
         found = stage_programs_.emplace(key, gpu::Program({"sim/water.comp"}, defines)).first;
@@ -139,15 +148,7 @@ void Water::begin_tick(Terrain& terrain, const WaterSettings& settings, const st
     const std::uint32_t none = 0;
     clock_.write(offsetof(DeviceClock, edge_fastest), std::as_bytes(std::span(&none, 1)));
 
-    std::vector<float> series;
-    series.reserve(2 * (series_steps + 1));
-    const double length_m = inflow_length_m(settings, grid);
-    for (int i = 0; i <= series_steps; ++i) {
-        const double at_s = start_s + tick_s * i / series_steps;
-        series.push_back(length_m > 0 ? static_cast<float>(inflow_at(settings, at_s) / length_m) : 0.0F);
-    }
-    for (int i = 0; i <= series_steps; ++i)
-        series.push_back(static_cast<float>(wave_at(settings, start_s + tick_s * i / series_steps)));
+    const std::vector<float> series = edge_series(settings, grid, tick_s, start_s);
     series_.write_all(series);
 
     std::vector<glm::vec4> placed;
@@ -235,12 +236,13 @@ void Water::substep(Terrain& terrain) {
         from.bind_image(0, gpu::Access::read_write);
         water.bed.bind_image(2, gpu::Access::read_write);
         ghosts.set("samples", samples);
+        ghosts.set("tiles", tiles);
         ghosts.set("stage", stage - 1);
         ghosts.set("kind_north", static_cast<int>(settings_.edges[0]));
         ghosts.set("kind_south", static_cast<int>(settings_.edges[1]));
         ghosts.set("kind_west", static_cast<int>(settings_.edges[2]));
         ghosts.set("kind_east", static_cast<int>(settings_.edges[3]));
-        ghosts.set("series_steps", series_steps);
+        ghosts.set("edge_series_steps", edge_series_steps);
         ghosts.set("edge_level_m", static_cast<float>(settings_.level_m));
         ghosts.set("gravity", gravity);
         ghosts.set("spring_count", spring_count_);

@@ -51,6 +51,14 @@ double inflow_at(const WaterSettings& settings, double time_s);
 /// The wave maker's height above the still level at a time since the start, m.
 double wave_at(const WaterSettings& settings, double time_s);
 
+/// Steps of the tables that edges read in a tick.
+constexpr int edge_series_steps = 256;
+
+/// Those tables over a tick: inflow, m²/s along the inflow edges, then the wave, m; a point more than steps
+/// each.
+std::vector<float> edge_series(const WaterSettings& settings, const Grid& grid, double tick_s,
+                               double start_s);
+
 /// Where the water came from and went, m³ since the start.
 struct WaterBooks {
     double rain_m3 = 0;

@@ -27,6 +27,7 @@ class WaterTwin {
           edge_level_m(static_cast<Real>(settings.level_m)),
           rain_m_per_s(static_cast<Real>(settings.rain_m_per_s)),
           loss_m_per_s(static_cast<Real>(settings.infiltration_m_per_s + settings.evaporation_m_per_s)),
+          grid_(grid),
           settings_(settings),
           front_(static_cast<std::size_t>(nx + 4) * (ny + 4), real4(0)),
           back_(front_),
@@ -41,13 +42,13 @@ class WaterTwin {
                                       settings.manning_s_per_m13);
     }
 
-    /// One tick; its edges' inflow and wave are those of its start.
+    /// One tick that begins at a time since the start.
     void tick(double tick_s, double start_s) {
-        edge_wave_m = static_cast<Real>(wave_at(settings_, start_s));
-        edge_inflow = 0;
+        series_ = edge_series(settings_, grid_, tick_s, start_s);
         edge_speed_ = 0;
-        real left = static_cast<Real>(tick_s);
-        while (left > 0) left = substep(left);
+        const real whole = static_cast<Real>(tick_s);
+        real left = whole;
+        while (left > 0) left = substep(left, whole);
     }
 
     std::vector<real4> read() const {
@@ -74,6 +75,7 @@ class WaterTwin {
     real rain_m_per_s;
     real loss_m_per_s;
 
+    real load_edge_series(int at) const { return series_[static_cast<std::size_t>(at)]; }
     static real inverse_cube_root_seed(real x) {
         const auto bits = static_cast<float>(std::bit_cast<std::int32_t>(static_cast<float>(x)));
         const float seed = bits * -0.33333333333333333F + 1419967116.0F;
@@ -89,7 +91,7 @@ class WaterTwin {
         return static_cast<std::size_t>(at.y + 2) * (nx + 4) + static_cast<std::size_t>(at.x + 2);
     }
 
-    real substep(real left) {
+    real substep(real left, real tick) {
         real speed = 0;
         for (int y = 0; y < ny; ++y)
             for (int x = 0; x < nx; ++x) speed = max(speed, water_speed(front_[texel(int2(x, y))]));
@@ -102,9 +104,10 @@ class WaterTwin {
         water_fastest = real2(real(0.5) / water_share.x, real(0.5) / water_share.y);
         water_drain = water_draining(dt);
         water_friction = dt * friction_;
-        fill_ghosts(front_);
+        const real at = real(1) - left / tick;
+        fill_ghosts(front_, at);
         stage(front_, back_, 1, dt);
-        fill_ghosts(back_);
+        fill_ghosts(back_, at + dt / tick);
         stage(back_, front_, 2, dt);
         return step.y;
     }
@@ -168,7 +171,9 @@ class WaterTwin {
         bed_[texel(at)] = ghost.bed;
     }
 
-    void fill_ghosts(std::vector<real4>& state) {
+    void fill_ghosts(std::vector<real4>& state, real share) {
+        edge_inflow = edge_series_at(0, share);
+        edge_wave_m = edge_series_at(1, share);
         for (int index = 0; index < 2 * (nx + ny); ++index) {
             const bool row_edge = index < 2 * nx;
             const int along = row_edge ? index % nx : (index - 2 * nx) % ny;
@@ -197,7 +202,9 @@ class WaterTwin {
         }
     }
 
+    Grid grid_;
     WaterSettings settings_;
+    std::vector<float> series_;
     real friction_ = 0;
     real edge_speed_ = 0;
     std::vector<real4> front_;

@@ -1,5 +1,6 @@
 #include "sim/terrain/terrain.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace talus {
@@ -96,6 +97,10 @@ TerrainState Terrain::read() const {
         state.water.resize(grid_.count());
         water->front.read(WaterLayer::texels({0, 0, grid_.nx, grid_.ny}),
                           std::as_writable_bytes(std::span(state.water)));
+        // A layer that is dry throughout is none.
+        if (std::all_of(state.water.begin(), state.water.end(),
+                        [](const glm::vec4& w) { return w == glm::vec4(0); }))
+            state.water.clear();
     }
     return state;
 }

@@ -37,6 +37,8 @@ struct TerrainState {
     /// Depth, m, two words, and discharge east and north, m²/s; empty: no water was ever here.
     std::vector<glm::vec4> water;
     std::vector<Spring> springs;
+    /// The simulated time from which inflow and wave maker count: when they were last set.
+    double edges_since_s = 0;
     Clock clock;
 
     /// Ground = bedrock + regolith, rounded to one float a sample.

@@ -29,9 +29,7 @@ WaterScene waves(int n, int order, double share) {
     const auto bed = scene.bed;
     scene.water = [=](double x, double y, double) {
         const double level = 20 + std::sin(x / 90) * std::sin(y / 110) + 0.5 * std::cos(x / 53 - y / 71);
-        return glm::dvec3(share == 0 ? std::max(0.0, 20 - static_cast<double>(static_cast<float>(bed(x, y))))
-                                     : std::max(0.0, level - bed(x, y)),
-                          0, 0);
+        return glm::dvec3(std::max(0.0, level - bed(x, y)), 0, 0);
     };
     if (share == 0) {
         // A lake at rest.

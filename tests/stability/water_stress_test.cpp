@@ -91,7 +91,9 @@ void check(const Stress& stress, const std::string& name) {
     fmt::print("{:<28} {:>6} sub-steps, drift {:+.1e}, energy at most {:.6f} of the start\n", name,
                work.substeps, ledger.water_drift_relative(), energy > 0 ? most / energy : 0);
     EXPECT_LE(std::abs(ledger.water_drift_relative()), stress.drift);
-    if (stress.closed) EXPECT_LE(most, energy * (1 + 1e-5) + 1e-9);
+    if (stress.closed) {
+        EXPECT_LE(most, energy * (1 + 1e-5) + 1e-9);
+    }
 }
 
 double rough(double x, double y, double size) {
