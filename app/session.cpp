@@ -8,6 +8,7 @@
 
 #include "app/calibration.h"
 #include "app/outputs.h"
+#include "app/wave_note.h"
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/preset.h"
@@ -41,6 +42,7 @@ void Session::start(Scene scene) {
     ++terrain_number_;
     simulation_ = std::move(simulation);
     renderer_ = std::move(renderer);
+    wave_note_ = talus::wave_note(scene_.document.state, simulation_->parameters());
     saved_operations_.clear();
     playing = false;
     stroking_ = false;
@@ -102,6 +104,8 @@ void Session::set(const std::string& name, const Value& value) {
     }
     while (simulation_->mid_tick()) simulation_->advance(1 << 20);
     simulation_->apply(SetParameter{name, value});
+    if (name.starts_with("water."))
+        wave_note_ = talus::wave_note(scene_.document.state, simulation_->parameters());
 }
 
 const Value& Session::value(const std::string& name) const {

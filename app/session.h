@@ -32,6 +32,10 @@ class Session {
     /// Heights at the last open or reset, for the camera and for legends.
     glm::dvec2 bounds() const { return bounds_; }
 
+    /// What is to be said of the wave maker's truth to nature (app/wave_note.h), of the ground that was
+    /// opened.
+    const std::string& wave_note() const { return wave_note_; }
+
     bool playing = false;
     /// Plays for this much wall time within this much work (seconds); measures the speed reached.
     void play(double wall_s, double budget_s);
@@ -79,6 +83,7 @@ class Session {
     Camera camera_;
     int terrain_number_ = 0;
     glm::dvec2 bounds_{0};
+    std::string wave_note_;
     std::string path_;
     std::vector<Operation> saved_operations_;
     double owed_s_ = 0;

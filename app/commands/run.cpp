@@ -7,6 +7,7 @@
 
 #include "app/gauges.h"
 #include "app/outputs.h"
+#include "app/wave_note.h"
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/terrain/state_hash.h"
@@ -55,6 +56,8 @@ void run(const RunOptions& options) {
     say(gpu::describe(context.device()));
     Scene scene = make_scene(options.scene);
     say_notes(scene);
+    const std::string waves = wave_note(scene.document.state, scene.simulation);
+    if (!waves.empty()) say(waves);
     scene.start.hash = state_hash(scene.document.state);
     std::int64_t ticks = options.ticks.value_or(default_ticks);
     if (options.time_s) {

@@ -93,6 +93,8 @@ void draw_main_panel(Session& session, FileDialog& dialog, PanelRequests& reques
         if (!ImGui::CollapsingHeader(s.title, s.open ? ImGuiTreeNodeFlags_DefaultOpen : 0)) continue;
         draw_section(session, s.section, s.parameters, requests);
         if (std::string(s.section) == "time") draw_section(session, "time", simulated, requests);
+        if (std::string(s.section) == "water" && !session.wave_note().empty())
+            ImGui::TextWrapped("%s", session.wave_note().c_str());
         if (std::string(s.section) == "terrain")
             ImGui::TextWrapped("Save the scene as a preset, or use --set, to generate anew with these.");
     }

@@ -90,6 +90,20 @@ double wave_at(const WaterSettings& settings, double time_s) {
     return height / (crest * crest);
 }
 
+double shallow_speed_excess(double depth_m, double period_s, double gravity_m_per_s2) {
+    const double omega = 2 * std::numbers::pi / period_s;
+    const double target = omega * omega * depth_m / gravity_m_per_s2;
+    // kd tanh kd = target: the left side rises with kd and lies between min(kd, kd²) / 2 and kd².
+    double low = std::sqrt(target);
+    double high = low + target + 1;
+    for (int i = 0; i < 100; ++i) {
+        const double middle = (low + high) / 2;
+        (middle * std::tanh(middle) < target ? low : high) = middle;
+    }
+    const double kd = (low + high) / 2;
+    return std::sqrt(kd / std::tanh(kd)) - 1;
+}
+
 std::vector<float> edge_series(const WaterSettings& settings, const Grid& grid, double tick_s,
                                double start_s) {
     std::vector<float> series;

@@ -51,6 +51,10 @@ double inflow_at(const WaterSettings& settings, double time_s);
 /// The wave maker's height above the still level at a time since the start, m.
 double wave_at(const WaterSettings& settings, double time_s);
 
+/// How much faster √(gd) is than a wave of this period (s) is in nature over this depth (m), as a share: the
+/// true relation is ω² = g k tanh kd.
+double shallow_speed_excess(double depth_m, double period_s, double gravity_m_per_s2);
+
 /// Steps of the tables that edges read in a tick.
 constexpr int edge_series_steps = 256;
 

@@ -66,12 +66,15 @@ void bench_waves() {
     Case lake(waves(n, 2, 0), 1);
     std::vector<Case*> cases = {&second, &first, &tenth, &lake};
     std::vector<double> before;
+    before.reserve(cases.size());
     for (const Case* c : cases) before.push_back(substeps_of(*c));
     std::vector<Contestant> contestants;
+    contestants.reserve(cases.size());
     for (Case* c : cases) contestants.push_back({"", [c] { c->run.tick(c->tick_s); }});
     constexpr int rounds = 9;
     const std::vector<double> seconds = interleave(contestants, rounds);
     std::vector<double> each;
+    each.reserve(cases.size());
     for (std::size_t i = 0; i < cases.size(); ++i)
         each.push_back(seconds[i] / ((substeps_of(*cases[i]) - before[i]) / (rounds + 1)));
     // CPU time of all cores together; a machine of two busy cores does twice this a second.

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <random>
 
+#include "app/wave_note.h"
 #include "sim/gpu/context.h"
 #include "sim/gpu/error.h"
 #include "sim/io/document.h"
@@ -274,6 +275,24 @@ TEST(WaterSimulation, NoWaterCostsNothingAndWaterOffStandsStill) {
     const std::vector<glm::vec4> before = flowing.read().water;
     flowing.apply(Ticks{3});
     EXPECT_EQ(before, flowing.read().water);
+}
+
+TEST(WaterSimulation, SaysHowTrueItsWavesAre) {
+    // kd = 0.1: c² differs by (kd)²/3, c by (kd)²/6. Deep water: c = g T / 2π.
+    const double d = 10;
+    const double k = 0.1 / d;
+    const double omega = std::sqrt(9.81 * k * std::tanh(k * d));
+    EXPECT_NEAR(shallow_speed_excess(d, 2 * std::acos(-1.0) / omega, 9.81), 0.01 / 6, 1e-5);
+    const double deep = std::sqrt(9.81 * 1000.0) / (9.81 * 5 / (2 * std::acos(-1.0))) - 1;
+    EXPECT_NEAR(shallow_speed_excess(1000, 5, 9.81), deep, 1e-6 * deep);
+    Parameters all = parameters();
+    all.set("water.wave_period", 300.0);
+    EXPECT_NE(wave_note(coast(), all).find("faster than in nature"), std::string::npos);
+    EXPECT_EQ(wave_note(coast(), all).find("warning"), std::string::npos);
+    all.set("water.wave_period", 4.0);
+    EXPECT_EQ(wave_note(coast(), all).find("warning"), 0U);
+    all.set("water.boundary.west", std::string("wall"));
+    EXPECT_EQ(wave_note(coast(), all), "");
 }
 
 TEST(WaterSimulation, RefusesSpringsOffTheMap) {
