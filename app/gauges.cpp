@@ -7,8 +7,8 @@
 
 namespace talus {
 
-Gauges::Gauges(const Grid& grid, std::vector<glm::dvec2> places_m) : places_m_(std::move(places_m)) {
-    csv_ = "time_s";
+Gauges::Gauges(const Grid& grid, std::vector<glm::dvec2> places_m)
+    : places_m_(std::move(places_m)), csv_("time_s") {
     for (std::size_t i = 0; i < places_m_.size(); ++i) {
         const glm::dvec2 place = places_m_[i];
         if (!(place.x >= 0 && place.x <= grid.width_m() && place.y >= 0 && place.y <= grid.height_m()))
