@@ -1,27 +1,55 @@
 #pragma once
 #include <glm/glm.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "sim/gpu/readback.h"
+#include "sim/terrain/gauge.h"
 #include "sim/terrain/terrain.h"
 
 namespace talus {
 
-/// Water at places on the map against time, as a table for people and programs: a row a tick with the time
-/// and, for each gauge, level (m), depth (m) and speed (m/s).
+/// A place on the map and what its water did since the gauge was placed.
+struct Gauge {
+    glm::dvec2 place_m{0};
+    std::size_t first_row = 0;  ///< of the table
+    std::vector<GaugeReading> readings;
+};
+
+/// Water at places on the map against time: rows of one time each, with a reading of every gauge that was
+/// there.
 class Gauges {
   public:
-    /// Throws talus::Error when a place (m) lies off the map.
-    Gauges(const Grid& grid, std::vector<glm::dvec2> places_m);
+    explicit Gauges(const Grid& grid) : grid_(grid) {}
 
-    bool empty() const { return places_m_.empty(); }
-    /// Takes a row. Waits for the device.
+    /// Throws talus::Error when the place (m) lies off the map.
+    void place(glm::dvec2 place_m);
+    void remove(std::size_t index);
+    const std::vector<Gauge>& all() const { return gauges_; }
+    const std::vector<double>& times_s() const { return times_s_; }
+
+    /// Takes a row at this simulated time. Waits for the device.
     void record(const Terrain& terrain, double time_s);
-    std::string to_csv() const { return csv_; }
+    /// The same without waiting, for a window's frames: asks for a row when the time has changed, and takes
+    /// it when it has come. Rows after a time that was gone back from are dropped.
+    void follow(const Terrain& terrain, double time_s);
+
+    /// time_s and, for each gauge, level (m), depth (m) and speed (m/s); empty fields before it was placed.
+    std::string to_csv() const;
 
   private:
-    std::vector<glm::dvec2> places_m_;
-    std::string csv_;
+    void append(double time_s, const std::vector<GaugeReading>& readings);
+
+    Grid grid_;
+    std::vector<Gauge> gauges_;
+    std::vector<double> times_s_;
+    // A row on its way: the water and the ground of each gauge's sample.
+    std::vector<std::unique_ptr<gpu::Readback>> water_;
+    std::vector<std::unique_ptr<gpu::Readback>> ground_;
+    std::vector<GaugeReading> coming_;
+    double asked_s_ = -1;
+    bool asking_ = false;
 };
 
 }  // namespace talus

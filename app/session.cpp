@@ -43,6 +43,7 @@ void Session::start(Scene scene) {
     simulation_ = std::move(simulation);
     renderer_ = std::move(renderer);
     wave_note_ = talus::wave_note(scene_.document.state, simulation_->parameters());
+    gauges_ = Gauges(grid());
     saved_operations_.clear();
     playing = false;
     stroking_ = false;
@@ -206,6 +207,11 @@ void Session::stroke(glm::dvec3 at, double wall_s) {
 void Session::end_stroke() {
     stroking_ = false;
     simulation_->end_entry();
+}
+
+void Session::follow_gauges() {
+    // Within a tick the water is at no time of the clock's.
+    if (!simulation_->mid_tick()) gauges_.follow(simulation_->terrain(), simulation_->clock().simulated_s);
 }
 
 void Session::undo() {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/gauges.h"
 #include "app/scene.h"
 #include "render/renderer.h"
 #include "sim/gpu/context.h"
@@ -70,6 +71,12 @@ class Session {
     void undo();
     void redo();
 
+    Gauges& gauges() { return gauges_; }
+    const Gauges& gauges() const { return gauges_; }
+    const Camera& camera() const { return camera_; }
+    /// Takes what gauges show, without waiting. Once a frame.
+    void follow_gauges();
+
   private:
     void start(Scene scene);
     std::string document_path() const;
@@ -83,6 +90,7 @@ class Session {
     Camera camera_;
     int terrain_number_ = 0;
     glm::dvec2 bounds_{0};
+    Gauges gauges_{Grid()};
     std::string wave_note_;
     std::string path_;
     std::vector<Operation> saved_operations_;

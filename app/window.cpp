@@ -346,7 +346,14 @@ class Window {
     void sculpt(double passed_s) {
         const bool held = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS &&
                           !ImGui::GetIO().WantCaptureMouse;
-        if (held && !session_.stroking() && cursor_) session_.begin_stroke(*cursor_);
+        if (held && placing_gauge_ && cursor_) {
+            attempt([&] { session_.gauges().place({cursor_->x, cursor_->y}); });
+            placing_gauge_ = false;
+            placed_ = true;
+        }
+        // The click that placed a gauge is no stroke.
+        placed_ = placed_ && held;
+        if (held && !placed_ && !session_.stroking() && cursor_) session_.begin_stroke(*cursor_);
         if (!held && session_.stroking()) {
             session_.end_stroke();
             title();
@@ -405,6 +412,7 @@ class Window {
         if (mouse != mouse_) wake();
         mouse_ = mouse;
         if (session_.playing) attempt([&] { session_.play(passed_s, frame_goal_s / 2); });
+        session_.follow_gauges();
 
         // While anything moves, the resolution gives way so that frames keep coming; at rest it is full.
         const bool moving = session_.playing || session_.stroking() || moving_s_ > 0;
@@ -450,7 +458,8 @@ class Window {
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
         ImGui::NewFrame();
-        draw_main_panel(session_, dialog_, requests_);
+        draw_main_panel(session_, dialog_, placing_gauge_, requests_);
+        draw_gauge_marks(session_, width, height);
         draw_import_panel(session_, import_panel_, requests_);
         draw_file_dialog(dialog_, requests_);
         draw_legend(legend_of(settings, session_.renderer().bounds().x, session_.renderer().bounds().y),
@@ -473,6 +482,8 @@ class Window {
     Session session_;
     std::string journal_path_;
     PanelRequests requests_;
+    bool placing_gauge_ = false;  // by the next click
+    bool placed_ = false;         // by the click that is held
     FileDialog dialog_;
     ImportPanel import_panel_;
     bool first_picture_shown_ = false;

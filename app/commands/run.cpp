@@ -69,17 +69,18 @@ void run(const RunOptions& options) {
     }
     const auto start = Clock_::now();
     const double cpu_start = process_cpu_s();
-    Gauges gauges(scene.document.state.grid, options.gauges);
+    Gauges gauges(scene.document.state.grid);
+    for (const glm::dvec2 place : options.gauges) gauges.place(place);
     Simulation simulation(scene.document.state, scene.simulation);
     for (const Spring& spring : options.springs) simulation.apply(spring);
-    if (!gauges.empty()) gauges.record(simulation.terrain(), simulation.clock().simulated_s);
+    if (!gauges.all().empty()) gauges.record(simulation.terrain(), simulation.clock().simulated_s);
     Progress progress(ticks);
     for (std::int64_t done = 0; done < ticks; ++done) {
         simulation.apply(Ticks{1});
-        if (!gauges.empty()) gauges.record(simulation.terrain(), simulation.clock().simulated_s);
+        if (!gauges.all().empty()) gauges.record(simulation.terrain(), simulation.clock().simulated_s);
         progress.show(done + 1);
     }
-    if (!gauges.empty()) {
+    if (!gauges.all().empty()) {
         write_atomically(options.gauge_table, gauges.to_csv());
         say(fmt::format("what the gauges showed is in {}", options.gauge_table));
     }

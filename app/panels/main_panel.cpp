@@ -49,7 +49,7 @@ void draw_section(const Session& session, const std::string& section, const Para
 
 }  // namespace
 
-void draw_main_panel(Session& session, FileDialog& dialog, PanelRequests& requests) {
+void draw_main_panel(Session& session, FileDialog& dialog, bool& placing_gauge, PanelRequests& requests) {
     ImGui::SetNextWindowPos({10, 10}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize({330, 600}, ImGuiCond_FirstUseEver);
     if (!ImGui::Begin("Talus", nullptr, ImGuiWindowFlags_MenuBar)) {
@@ -98,6 +98,7 @@ void draw_main_panel(Session& session, FileDialog& dialog, PanelRequests& reques
         if (std::string(s.section) == "terrain")
             ImGui::TextWrapped("Save the scene as a preset, or use --set, to generate anew with these.");
     }
+    if (ImGui::CollapsingHeader("Gauges")) draw_gauges_panel(session, placing_gauge, requests);
     ImGui::PopItemWidth();
     ImGui::End();
 }

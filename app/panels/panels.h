@@ -44,7 +44,7 @@ struct FileDialog {
 };
 
 /// Menu bar and main panel: play, undo, tools and every declared parameter.
-void draw_main_panel(Session& session, FileDialog& dialog, PanelRequests& requests);
+void draw_main_panel(Session& session, FileDialog& dialog, bool& placing_gauge, PanelRequests& requests);
 void draw_status_line(const Session& session, const StatusFigures& figures, int width, int height);
 void draw_file_dialog(FileDialog& dialog, PanelRequests& requests);
 /// How a file was read, kept by the window: what its reader guessed, and fields to read it again otherwise.
@@ -57,6 +57,11 @@ struct ImportPanel {
     void follow(const Session& session);
 };
 void draw_import_panel(const Session& session, ImportPanel& panel, PanelRequests& requests);
+
+/// Gauges: a button to place one by the next click, and for each its level and speed against time; marks
+/// where they stand in the picture.
+void draw_gauges_panel(Session& session, bool& placing, PanelRequests& requests);
+void draw_gauge_marks(const Session& session, int width, int height);
 
 /// A widget for a declared parameter: name, unit, tooltip with help and range; right click resets to the
 /// default. True when the value changed.

@@ -14,7 +14,13 @@ struct GaugeReading {
     double level_m() const { return ground_m + depth_m; }
 };
 
-/// The sample nearest to a place (m). Waits for the device.
+/// The sample nearest to a place (m).
+gpu::Region gauge_sample(const Grid& grid, double x_m, double y_m);
+
+/// Fills in depth and velocity from a texel of the water layer.
+void set_water(GaugeReading& reading, const glm::vec4& water);
+
+/// What a gauge there shows. Waits for the device.
 GaugeReading read_gauge(const Terrain& terrain, double x_m, double y_m);
 
 /// Velocity of water of this depth (m) and discharge (m²/s), docs/numerics.md (W2).

@@ -208,7 +208,7 @@ TEST_F(Program, RunsWaterWithGaugesSpringsAndItsReport) {
                       edge + "=" + kind)
                     .code,
                 0);
-    EXPECT_NE(refusal("run --preset still --ticks 1 --gauge 1e7,0").find("--gauge"), std::string::npos);
+    EXPECT_NE(refusal("run --preset still --ticks 1 --gauge 1e7,0").find("gauge at"), std::string::npos);
     EXPECT_NE(refusal("run --preset still --ticks 1 --gauge 5").find("--gauge"), std::string::npos);
     EXPECT_NE(refusal("run --preset still --ticks 1 --spring 1,1,-4").find("rate"), std::string::npos);
     EXPECT_NE(refusal("run --preset still --ticks 1 --spring -1,1,4").find("off the map"), std::string::npos);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <random>
 
+#include "app/gauges.h"
 #include "app/wave_note.h"
 #include "sim/gpu/context.h"
 #include "sim/gpu/error.h"
@@ -293,6 +294,35 @@ TEST(WaterSimulation, SaysHowTrueItsWavesAre) {
     EXPECT_EQ(wave_note(coast(), all).find("warning"), 0U);
     all.set("water.boundary.west", std::string("wall"));
     EXPECT_EQ(wave_note(coast(), all), "");
+}
+
+TEST(WaterSimulation, GaugesFollowWithoutWaitingWhatTheyReadByWaiting) {
+    const gpu::Context context;
+    Simulation simulation(coast(), parameters(), undo_bytes);
+    Gauges waiting(grid);
+    Gauges following(grid);
+    for (Gauges* gauges : {&waiting, &following}) {
+        gauges->place({200, 1200});
+        gauges->place({1500, 900});
+    }
+    for (int tick = 0; tick < 20; ++tick) {
+        if (tick == 12) {
+            waiting.place({2400, 400});
+            following.place({2400, 400});
+        }
+        simulation.apply(Ticks{1});
+        waiting.record(simulation.terrain(), simulation.clock().simulated_s);
+        // It asks, and takes what has come in a later frame.
+        for (int frame = 0; frame < 1000 && following.times_s().size() < waiting.times_s().size(); ++frame)
+            following.follow(simulation.terrain(), simulation.clock().simulated_s);
+    }
+    EXPECT_EQ(waiting.to_csv(), following.to_csv());
+    EXPECT_NE(waiting.to_csv().find(",,,\n"), std::string::npos) << "the third was placed later";
+    simulation.end_entry();
+    simulation.undo();
+    following.follow(simulation.terrain(), simulation.clock().simulated_s);
+    for (const double time_s : following.times_s()) EXPECT_LE(time_s, simulation.clock().simulated_s);
+    EXPECT_THROW(following.place({-5, 3}), Error);
 }
 
 TEST(WaterSimulation, RefusesSpringsOffTheMap) {
