@@ -44,6 +44,7 @@ void Session::start(Scene scene) {
     renderer_ = std::move(renderer);
     wave_note_ = talus::wave_note(scene_.document.state, simulation_->parameters());
     gauges_ = Gauges(grid());
+    balance_.reset();
     saved_operations_.clear();
     playing = false;
     stroking_ = false;
@@ -207,6 +208,11 @@ void Session::stroke(glm::dvec3 at, double wall_s) {
 void Session::end_stroke() {
     stroking_ = false;
     simulation_->end_entry();
+}
+
+void Session::balance() {
+    while (simulation_->mid_tick()) simulation_->advance(1 << 20);
+    balance_ = Balance{simulation_->ledger(), simulation_->clock().simulated_s};
 }
 
 void Session::follow_gauges() {

@@ -71,6 +71,15 @@ class Session {
     void undo();
     void redo();
 
+    /// Reads the ledger now. Waits for the device: an act, not part of a frame.
+    void balance();
+    /// As it was read last, and when; none since the terrain was opened.
+    struct Balance {
+        LedgerReading ledger;
+        double simulated_s = 0;
+    };
+    const std::optional<Balance>& last_balance() const { return balance_; }
+
     Gauges& gauges() { return gauges_; }
     const Gauges& gauges() const { return gauges_; }
     const Camera& camera() const { return camera_; }
@@ -90,6 +99,7 @@ class Session {
     Camera camera_;
     int terrain_number_ = 0;
     glm::dvec2 bounds_{0};
+    std::optional<Balance> balance_;
     Gauges gauges_{Grid()};
     std::string wave_note_;
     std::string path_;

@@ -346,14 +346,16 @@ class Window {
     void sculpt(double passed_s) {
         const bool held = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS &&
                           !ImGui::GetIO().WantCaptureMouse;
-        if (held && placing_gauge_ && cursor_) {
+        // A press counts from its second frame on: only then does the panel know whether it was meant for it.
+        const bool presses = std::exchange(held_before_, held) && held;
+        if (presses && placing_gauge_ && cursor_) {
             attempt([&] { session_.gauges().place({cursor_->x, cursor_->y}); });
             placing_gauge_ = false;
             placed_ = true;
         }
         // The click that placed a gauge is no stroke.
         placed_ = placed_ && held;
-        if (held && !placed_ && !session_.stroking() && cursor_) session_.begin_stroke(*cursor_);
+        if (presses && !placed_ && !session_.stroking() && cursor_) session_.begin_stroke(*cursor_);
         if (!held && session_.stroking()) {
             session_.end_stroke();
             title();
@@ -484,6 +486,7 @@ class Window {
     PanelRequests requests_;
     bool placing_gauge_ = false;  // by the next click
     bool placed_ = false;         // by the click that is held
+    bool held_before_ = false;    // the left button, in the frame before
     FileDialog dialog_;
     ImportPanel import_panel_;
     bool first_picture_shown_ = false;

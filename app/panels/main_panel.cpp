@@ -98,6 +98,7 @@ void draw_main_panel(Session& session, FileDialog& dialog, bool& placing_gauge, 
         if (std::string(s.section) == "terrain")
             ImGui::TextWrapped("Save the scene as a preset, or use --set, to generate anew with these.");
     }
+    if (ImGui::CollapsingHeader("Ledger")) draw_ledger_panel(session, requests);
     if (ImGui::CollapsingHeader("Gauges")) draw_gauges_panel(session, placing_gauge, requests);
     ImGui::PopItemWidth();
     ImGui::End();

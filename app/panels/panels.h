@@ -63,6 +63,9 @@ void draw_import_panel(const Session& session, ImportPanel& panel, PanelRequests
 void draw_gauges_panel(Session& session, bool& placing, PanelRequests& requests);
 void draw_gauge_marks(const Session& session, int width, int height);
 
+/// The ledger of rock and water, as it was read last, and a button to read it.
+void draw_ledger_panel(const Session& session, PanelRequests& requests);
+
 /// A widget for a declared parameter: name, unit, tooltip with help and range; right click resets to the
 /// default. True when the value changed.
 bool draw_parameter(const Parameter& parameter, Value& value);

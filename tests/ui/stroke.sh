@@ -23,6 +23,14 @@ open_window ground.exr --journal window.journal
 sleep 2
 import -window root 1_open.png
 
+# A click that jumps from the ground onto a panel is the panel's.
+xdotool mousemove 760 420
+sleep 1
+xdotool mousemove 150 585 click 1
+sleep 1
+save
+[ "$(hash_of ground.exr)" = "$(hash_of start.exr)" ] || fail "a click on the panel was a stroke on the ground"
+
 xdotool mousemove 760 420
 sleep 1
 xdotool mousedown 1
