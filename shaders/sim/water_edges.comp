@@ -1,5 +1,5 @@
 // Before a stage: the ghost samples beyond the map's edges, what passes the edges in this stage, booked in double, and
-// the springs. One group goes round the map; where no tile is awake there is nothing to do.
+// the springs. One group goes round the map; after the tick's time is over it does nothing.
 layout(local_size_x = 256) in;
 #include "sim/water_images.glsl"
 
