@@ -1,6 +1,7 @@
 #include "app/app_parameters.h"
 
 #include "render/view.h"
+#include "sim/passes/brush.h"
 #include "sim/simulation_parameters.h"
 
 namespace talus {
@@ -17,8 +18,10 @@ std::vector<Parameter> app_parameters() {
                "Smooth and flatten: share of the way a second in the middle."),
         number("brush.falloff", 1, 0, 1, "",
                "How much of the radius fades out: 0 a hard edge, 1 soft all the way."),
-        choice("brush.material", "bedrock", {"bedrock", "regolith", "water"},
-               "What raising adds; lowering takes water alone where it is water."),
+        choice("brush.material", "bedrock", material_names(),
+               "What raising adds; lowering takes water alone where it is water. Hardness, mask and rain are "
+               "painted: raise paints, lower wipes."),
+        number("brush.rain", 100, 0, 1e4, "mm/h", "Rain that the brush paints where its material is rain."),
         choice("camera.mode", "orbit", {"orbit", "fly", "walk"},
                "Orbit turns about a point on the ground; fly moves with W A S D, Q and E; walk keeps the eye "
                "over the "

@@ -31,8 +31,9 @@ TerrainState generated(const Parameters& p) {
     const std::vector<float> heights = generate_heights(
         grid, {p.choice("terrain.kind"), static_cast<std::uint32_t>(p.whole("terrain.seed")), relief_m});
     TerrainState state = bedrock_terrain(grid, heights);
-    for (const float depth : generate_water(grid, heights, p.choice("terrain.water"), relief_m))
-        state.water.emplace_back(depth, 0, 0, 0);
+    state.water = generate_water(grid, heights,
+                                 {p.choice("terrain.water"), relief_m, p.number("water.sea_level"),
+                                  p.number("water.wave_height"), p.number("water.gravity")});
     return state;
 }
 

@@ -125,21 +125,29 @@ void Session::play(double wall_s, double budget_s) {
     // What could not be simulated in time is dropped, not piled up.
     owed_s_ = std::min(owed_s_ + wall_s * speed, std::max(tick_s, 0.25 * speed));
     // The device tells how long earlier ticks took; where it runs behind our back, the clock here would not.
-    if (const auto ms = tick_timer_.milliseconds()) tick_ms_ = *ms / std::max(1, timed_ticks_);
+    if (const auto ms = tick_timer_.milliseconds()) {
+        if (timed_ticks_ > 0) tick_ms_ = *ms / timed_ticks_;
+        if (timed_substeps_ > 0) substep_ms_ = *ms / static_cast<double>(timed_substeps_);
+    }
     const double fitting = tick_ms_ > 0 ? std::floor(budget_s * 1000 / tick_ms_) : 1;
     const double begin = now_s();
     const bool timing = !tick_timer_.pending();
     if (timing) tick_timer_.begin();
+    const std::uint64_t sent_before = simulation_->substeps_sent();
+    // Sub-steps go out in batches that fit the budget: each question for what is left costs a device that is
+    // not this process more than a sub-step.
+    const int batch =
+        substep_ms_ > 0 ? static_cast<int>(std::clamp(budget_s * 1000 / substep_ms_, 1.0, 64.0)) : 1;
     int ticks = 0;
     while (owed_s_ >= tick_s * 0.999 && now_s() - begin < budget_s && ticks < std::max(1.0, fitting)) {
-        if (!simulation_->advance(1)) continue;
+        if (!simulation_->advance(batch)) continue;
         owed_s_ -= tick_s;
         ++ticks;
     }
     if (timing) {
-        // A span without a whole tick in it says nothing; its next one will.
         timed_ticks_ = ticks;
-        if (ticks > 0) tick_timer_.end();
+        timed_substeps_ = simulation_->substeps_sent() - sent_before;
+        if (timed_substeps_ > 0) tick_timer_.end();
     }
     if (wall_s > 0) {
         const double reached = (simulation_->clock().simulated_s - simulated_before) / wall_s;
@@ -193,6 +201,10 @@ void Session::stroke(glm::dvec3 at, double wall_s) {
     // does not depend on how many frames it took.
     const double way_m = std::hypot(at.x - stroke_at_.x, at.y - stroke_at_.y);
     const int dabs = std::clamp(static_cast<int>(std::ceil(way_m / (0.25 * dab.radius_m))), 1, 64);
+    if (dab.is_paint())
+        dab.target_m = dab.mode == BrushMode::lower     ? 0
+                       : dab.material == Material::rain ? view.number("brush.rain")
+                                                        : 1;
     const double dab_s = wall_s / dabs;
     dab.amount_m = view.number("brush.rate_m_per_s") * dab_s;
     dab.blend = -std::expm1(-view.number("brush.blend_per_s") * dab_s);

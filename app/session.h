@@ -109,6 +109,8 @@ class Session {
     double tick_ms_ = 0;
     gpu::Timestamp tick_timer_{"ticks"};
     int timed_ticks_ = 0;
+    double substep_ms_ = 0;
+    std::uint64_t timed_substeps_ = 0;
     bool stroking_ = false;
     double stroke_height_m_ = 0;
     glm::dvec3 stroke_at_{0};

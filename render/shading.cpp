@@ -27,7 +27,7 @@ void Shading::drape(int width, int height, std::span<const std::byte> rgba) {
     drape_.filter(gpu::Wrap::edge);
 }
 
-gpu::Program& Shading::program_of(const ViewSettings& settings, bool sky, bool water) {
+gpu::Program& Shading::program_of(const ViewSettings& settings, bool sky, bool there) {
     std::vector<std::string> defines = {"VIEW " + std::to_string(static_cast<int>(settings.view))};
     if (sky) {
         defines.emplace_back("SKY");
@@ -36,7 +36,9 @@ gpu::Program& Shading::program_of(const ViewSettings& settings, bool sky, bool w
         if (settings.shadows) defines.emplace_back("SHADOWS");
         if (settings.occlusion) defines.emplace_back("OCCLUSION");
         if (drape_.width() > 0) defines.emplace_back("DRAPED");
-    } else if (water && settings.view >= View::depth) {
+    } else if (there && settings.view >= View::hardness) {
+        defines.emplace_back("PAINTED");
+    } else if (there && settings.view >= View::depth) {
         defines.emplace_back("WATER");
     }
     std::string key;
@@ -65,6 +67,8 @@ void Shading::draw(const Terrain& terrain, const Pyramid& pyramid, const SkyView
         program.set("speed_scale", static_cast<float>(settings.speed_m_per_s));
         program.set("level_middle_m", static_cast<float>(settings.level_m));
         program.set("level_scale_m", static_cast<float>(settings.level_range_m));
+        program.set("arrival_scale_s", static_cast<float>(settings.arrival_s));
+        program.set("rain_scale", static_cast<float>(settings.rain_mm_per_h));
         program.set("froude_scale", static_cast<float>(froude_scale));
         program.set("hillshade_lights", settings.hillshade_lights);
         program.set("slope_scale_deg", static_cast<float>(slope_scale_deg));
@@ -94,7 +98,11 @@ void Shading::draw(const Terrain& terrain, const Pyramid& pyramid, const SkyView
     if (drape_.width() > 0) drape_.bind_sampled(7);
     sky.share().bind_sampled(8);
     if (terrain.water) terrain.water->front.bind_sampled(9);
-    gpu::Program& ground = program_of(settings, false, terrain.water.has_value());
+    if (terrain.inundation) terrain.inundation->bind_sampled(10);
+    if (terrain.painted) terrain.painted->bind_sampled(11);
+    const bool of_paint = settings.view >= View::hardness;
+    gpu::Program& ground =
+        program_of(settings, false, of_paint ? terrain.painted.has_value() : terrain.water.has_value());
     prepare(ground);
     if (redraw) {
         redraw->draw(ground, target, gpu::Depth::none);

@@ -26,8 +26,8 @@ class Shading {
               const gpu::Framebuffer& target, const Redraw* redraw);
 
   private:
-    // `sky`: for blocks where nothing was hit.
-    gpu::Program& program_of(const ViewSettings& settings, bool sky, bool water);
+    // `sky`: for blocks where nothing was hit; `there`: the layer that the view is of.
+    gpu::Program& program_of(const ViewSettings& settings, bool sky, bool there);
 
     std::map<std::string, gpu::Program> programs_;
     gpu::Program list_;

@@ -19,9 +19,10 @@ std::string number_text(double value) {
 }  // namespace
 
 const std::vector<std::string>& view_names() {
-    static const std::vector<std::string> names = {"shaded", "hillshade", "slope",    "bands",      "steps",
-                                                   "cells",  "aspect",    "contours", "difference", "depth",
-                                                   "speed",  "level",     "froude"};
+    static const std::vector<std::string> names = {
+        "shaded", "hillshade",     "slope",      "bands",    "steps", "cells",
+        "aspect", "contours",      "difference", "depth",    "speed", "level",
+        "froude", "largest depth", "arrival",    "hardness", "mask",  "rain"};
     return names;
 }
 
@@ -41,11 +42,15 @@ std::vector<Parameter> render_parameters() {
         toggle("render.occlusion", true, "Valleys get less of the sky's light than ridges."),
         number("render.band_m", 100, 1e-3, 1e5, "m", "Interval of the views of height bands and contours."),
         number("render.difference_m", 20, 1e-3, 1e5, "m", "End of the scale of the view of differences."),
-        number("render.depth_m", 10, 1e-3, 1e5, "m", "End of the scale of the view of the water's depth."),
+        number("render.depth_m", 10, 1e-3, 1e5, "m",
+               "End of the scale of the views of the water's depth, now and at its largest."),
         number("render.speed", 5, 1e-3, 1e5, "m/s", "End of the scale of the view of its speed."),
         number("render.level_m", 0, -1e6, 1e6, "m",
                "Middle of the scale of the view of its level. Unless set, it is the sea's."),
         number("render.level_range_m", 2, 1e-4, 1e5, "m", "From there to the ends of the scale."),
+        number("render.arrival_s", 600, 1e-3, 1e9, "s",
+               "End of the scale of the view of the time at which water arrived."),
+        number("render.rain", 200, 1e-3, 1e4, "mm/h", "End of the scale of the view of painted rain."),
         choice("render.hillshade", "sun", {"sun", "four sides"},
                "Light of the hillshade: the sun's, or from four sides, each where slopes need it."),
     };
@@ -70,6 +75,8 @@ ViewSettings view_settings(const Parameters& parameters) {
     settings.speed_m_per_s = parameters.number("render.speed");
     settings.level_m = parameters.number("render.level_m");
     settings.level_range_m = parameters.number("render.level_range_m");
+    settings.arrival_s = parameters.number("render.arrival_s");
+    settings.rain_mm_per_h = parameters.number("render.rain");
     settings.hillshade_lights = parameters.choice("render.hillshade") == "sun" ? 1 : 4;
     return settings;
 }
@@ -140,6 +147,16 @@ std::vector<Legend> legend_of(const ViewSettings& settings, double lowest_m, dou
                      {}}};
         case View::froude:
             return {{"Froude number", 0, froude_scale, "1: critical", Scale::map, 0, {}}};
+        case View::largest:
+            return {{"Largest depth so far", 0, settings.depth_m, "m", Scale::map, 0, {}}};
+        case View::arrival:
+            return {{"Water arrived at", 0, settings.arrival_s, "s", Scale::map, 0, {}}};
+        case View::hardness:
+            return {{"Hardness", 0, 1, "1: does not erode", Scale::map, 0, {}}};
+        case View::mask:
+            return {{"Mask", 0, 1, "share", Scale::map, 0, {}}};
+        case View::rain:
+            return {{"Painted rain", 0, settings.rain_mm_per_h, "mm/h", Scale::map, 0, {}}};
     }
     return {};
 }

@@ -21,7 +21,12 @@ enum class View {
     depth = 9,  // from here on of the water
     speed = 10,
     level = 11,
-    froude = 12
+    froude = 12,
+    largest = 13,
+    arrival = 14,
+    hardness = 15,  // from here on of what brushes painted
+    mask = 16,
+    rain = 17
 };
 const std::vector<std::string>& view_names();
 
@@ -54,6 +59,8 @@ struct ViewSettings {
     double speed_m_per_s = 5;
     double level_m = 0;        ///< the middle of the levels' scale
     double level_range_m = 2;  ///< from the middle to its ends
+    double arrival_s = 600;
+    double rain_mm_per_h = 200;
     int hillshade_lights = 1;
     glm::dvec3 ring_m{0};  ///< brush ring: world x, y, radius; radius 0: none
     bool operator==(const ViewSettings&) const = default;

@@ -15,7 +15,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::array<const char*, 4> mode_names = {"raise", "lower", "smooth", "flatten"};
-constexpr std::array<const char*, 3> material_names = {"bedrock", "regolith", "water"};
 
 json to_json(const Operation& operation) {
     if (const auto* ticks = std::get_if<Ticks>(&operation)) return {{"op", "ticks"}, {"count", ticks->count}};
@@ -39,7 +38,7 @@ json to_json(const Operation& operation) {
             {"amount_m", dab.amount_m},
             {"blend", dab.blend},
             {"target_m", dab.target_m},
-            {"material", material_names[static_cast<std::size_t>(dab.material)]}};
+            {"material", material_names()[static_cast<std::size_t>(dab.material)]}};
 }
 
 Operation to_operation(const json& line) {
@@ -73,9 +72,10 @@ Operation to_operation(const json& line) {
     // Journals of 0.1.0 say on_regolith.
     const bool on_regolith = line.value("on_regolith", false);
     const std::string material = line.value("material", on_regolith ? "regolith" : "bedrock");
-    const auto* of = std::find(material_names.begin(), material_names.end(), material);
-    if (of == material_names.end()) throw Error(fmt::format("unknown material '{}'", material));
-    dab.material = static_cast<Material>(of - material_names.begin());
+    const std::vector<std::string>& materials = material_names();
+    const auto of = std::find(materials.begin(), materials.end(), material);
+    if (of == materials.end()) throw Error(fmt::format("unknown material '{}'", material));
+    dab.material = static_cast<Material>(of - materials.begin());
     check_dab(dab);
     return dab;
 }

@@ -13,13 +13,14 @@ ThermalSettings thermal_settings(const Parameters& parameters) {
     return {parameters.number("thermal.repose_deg"), parameters.number("thermal.rate_m2_per_s")};
 }
 
-WaterSettings water_settings(const Parameters& parameters) {
+WaterSettings settings_of_water(const Parameters& parameters) {
     constexpr double m_per_s = 1e-3 / 3600;
     WaterSettings settings;
     settings.order = parameters.whole("water.order");
     settings.gravity_m_per_s2 = parameters.number("water.gravity");
     settings.manning_s_per_m13 = parameters.number("water.manning");
     settings.rain_m_per_s = parameters.number("water.rain") * m_per_s;
+    settings.rain_masked = parameters.choice("water.rain_over") == "mask";
     settings.infiltration_m_per_s = parameters.number("water.infiltration") * m_per_s;
     settings.evaporation_m_per_s = parameters.number("water.evaporation") * m_per_s;
     const std::vector<std::string>& kinds = edge_kinds();
@@ -61,7 +62,12 @@ Simulation::Simulation(const TerrainState& state, const Parameters& parameters, 
     moment_.parameters.suggest("thermal.rate_m2_per_s",
                                natural_thermal_rate(state.grid, parameters.number("time.tick_s")));
     check_tick(moment_.parameters);
-    if (terrain_.water) add_water();
+    if (terrain_.water) {
+        add_water();
+        inundation_->record(terrain_, moment_.clock.simulated_s);
+    }
+    rain_painted_ = std::any_of(state.painted.begin(), state.painted.end(),
+                                [](const glm::vec4& painted) { return painted.z > 0; });
     // What was saved midway holds what is left of its sea.
     if (state.clock.ticks == 0 && moment_.parameters.is_given("water.sea_level")) fill_sea_now();
     moment_.sea_m3 = 0;
@@ -81,7 +87,8 @@ bool Simulation::has_water() const {
     const Parameters& parameters = moment_.parameters;
     if (!parameters.toggle("water.on")) return false;
     if (water_ || !moment_.springs.empty() || parameters.number("water.rain") > 0) return true;
-    const WaterSettings settings = water_settings(parameters);
+    if (rain_painted_) return true;
+    const WaterSettings settings = settings_of_water(parameters);
     return std::any_of(settings.edges.begin(), settings.edges.end(), [&](EdgeKind kind) {
         return kind == EdgeKind::inflow || kind == EdgeKind::level || kind == EdgeKind::wave;
     });
@@ -92,6 +99,16 @@ void Simulation::add_water() {
     if (water_) return;
     water_ = std::make_unique<Water>(terrain_);
     water_brush_ = std::make_unique<WaterBrush>(terrain_);
+    inundation_ = std::make_unique<Inundation>(terrain_);
+}
+
+WaterSettings Simulation::water_settings() const {
+    WaterSettings settings = settings_of_water(moment_.parameters);
+    settings.rain_masked = settings.rain_masked && settings.rain_m_per_s > 0;
+    // Where nothing was painted the mask is 0, and no rain falls by it.
+    if (settings.rain_masked && !terrain_.painted) settings.rain_m_per_s = 0;
+    settings.rain_painted = rain_painted_ && terrain_.painted.has_value();
+    return settings;
 }
 
 void Simulation::fill_sea_now() {
@@ -99,6 +116,7 @@ void Simulation::fill_sea_now() {
     moment_.sea_m3 += fill_sea(state, moment_.parameters.number("water.sea_level"));
     add_water();
     terrain_.write_water({0, 0, state.grid.nx, state.grid.ny}, state.water);
+    inundation_->record(terrain_, moment_.clock.simulated_s);
 }
 
 void Simulation::apply(const Operation& operation) {
@@ -140,13 +158,18 @@ void Simulation::apply(const Operation& operation) {
     const auto& dab = std::get<Dab>(operation);
     check_dab(dab);
     if (dab.is_water()) add_water();
+    if (dab.is_paint() && dab.material == Material::rain) rain_painted_ = true;
     const bool entry = keeps_undo_ && !undo_.is_open();
     if (entry) undo_.open("dab", terrain_, books(), journal_, moment_);
     if (keeps_undo_) undo_.keep(terrain_, terrain_.tiles.touched_by(dab_region(terrain_.grid(), dab)));
-    if (dab.is_water())
+    if (dab.is_paint()) {
+        paint_.dab(terrain_, dab);
+    } else if (dab.is_water()) {
         water_brush_->dab(terrain_, dab);
-    else
+        inundation_->record(terrain_, moment_.clock.simulated_s);
+    } else {
         brush_.dab(terrain_, dab);
+    }
     journal_.record(operation);
     if (entry) end_entry();
 }
@@ -195,16 +218,18 @@ void Simulation::begin_tick() {
 
 bool Simulation::advance(int substeps) {
     if (!in_tick_) begin_tick();
-    for (; substeps > 0 && thermal_left_ > 0; --substeps, --thermal_left_) thermal_.substep(terrain_, step_);
+    for (; substeps > 0 && thermal_left_ > 0; --substeps, --thermal_left_, ++thermal_sent_)
+        thermal_.substep(terrain_, step_);
     if (thermal_left_ > 0) return false;
     const double tick_s = moment_.parameters.number("time.tick_s");
     if (has_water()) {
         // The water finds the ground as the tick's slides left it.
         if (!water_begun_)
-            water_->begin_tick(terrain_, water_settings(moment_.parameters), moment_.springs, tick_s,
+            water_->begin_tick(terrain_, water_settings(), moment_.springs, tick_s,
                                moment_.clock.simulated_s - moment_.edges_since_s);
         water_begun_ = true;
         if (!water_->advance(terrain_, substeps)) return false;
+        inundation_->record(terrain_, moment_.clock.simulated_s + tick_s);
     }
     in_tick_ = false;
     moment_.clock.ticks += 1;

@@ -8,6 +8,8 @@
 #include "sim/operation.h"
 #include "sim/parameters.h"
 #include "sim/passes/brush.h"
+#include "sim/passes/inundation.h"
+#include "sim/passes/paint.h"
 #include "sim/passes/thermal.h"
 #include "sim/passes/water.h"
 #include "sim/passes/water_brush.h"
@@ -44,6 +46,8 @@ class Simulation {
     /// whether a tick was completed (and recorded).
     bool advance(int substeps);
     bool mid_tick() const { return in_tick_; }
+    /// Sub-steps that advance() sent to the device so far. Does not wait.
+    std::uint64_t substeps_sent() const { return thermal_sent_ + (water_ ? water_->sent() : 0); }
 
     /// A stroke is one entry of undo; ticks between belong to it.
     void begin_stroke(const std::string& name);
@@ -71,6 +75,7 @@ class Simulation {
     void check_tick(const Parameters& parameters) const;
     void exchange(void (Undo::*way)(Terrain&, const Books&, Journal&, Moment&));
     Books books();
+    WaterSettings water_settings() const;
     /// Whether water is there, or may come in the next tick.
     bool has_water() const;
     void add_water();
@@ -84,13 +89,17 @@ class Simulation {
     Thermal thermal_;
     std::unique_ptr<Water> water_;             // none: no water was ever here
     std::unique_ptr<WaterBrush> water_brush_;  // with it
-    std::unique_ptr<Ledger> ledger_;           // since the sea was filled
+    std::unique_ptr<Inundation> inundation_;   // with it
+    Paint paint_;
+    bool rain_painted_ = false;       // once, though it may have been undone
+    std::unique_ptr<Ledger> ledger_;  // since the sea was filled
     Moment moment_;
     Journal journal_;
     Undo undo_;
     bool keeps_undo_;
     bool in_tick_ = false;
     int thermal_left_ = 0;  // sub-steps of this tick
+    std::uint64_t thermal_sent_ = 0;
     ThermalStep step_;
     bool water_begun_ = false;
 };

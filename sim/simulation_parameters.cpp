@@ -19,7 +19,8 @@ std::vector<Parameter> simulation_parameters() {
         choice("terrain.water", "none", starting_waters(),
                "Water that the generated terrain starts with: none; dam, behind a dam a third of the way "
                "east that "
-               "has just gone; bowl, Thacker's round wave."),
+               "has just gone; bowl, Thacker's round wave; wave, a sea with a single wave on its way "
+               "eastwards; cloudburst, a quarter of a metre everywhere."),
         number("time.tick_s", 1.0 / 60, 1e-6, 1e9, "s", "Simulated time of one tick."),
         toggle("thermal.on", true, "Thermal erosion: what is steeper than its angle of repose slides."),
         number("thermal.repose_deg", 33, 1, 80, "°",
@@ -31,7 +32,10 @@ std::vector<Parameter> simulation_parameters() {
         number("water.gravity", 9.81, 0.01, 100, "m/s²", "Acceleration of gravity."),
         number("water.manning", 0.03, 0, 1, "s/m^(1/3)",
                "Manning's roughness of the bed: 0 none, 0.03 a natural stream, 0.1 a wooded flood plain."),
-        number("water.rain", 0, 0, 1e4, "mm/h", "Rain, everywhere."),
+        number("water.rain", 0, 0, 1e4, "mm/h",
+               "Rain: everywhere, or by the mask; what a brush of rain painted falls besides."),
+        choice("water.rain_over", "everywhere", {"everywhere", "mask"},
+               "Where water.rain falls; by the mask: as much of it as the mask says."),
         number("water.infiltration", 0, 0, 1e4, "mm/h",
                "Water that the ground takes in, where there is any."),
         number("water.evaporation", 0, 0, 1e4, "mm/h", "Water that the air takes, where there is any."),

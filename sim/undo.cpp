@@ -7,29 +7,45 @@
 namespace talus {
 namespace {
 
-std::size_t layer_bytes(const gpu::Region& region) {
-    return static_cast<std::size_t>(region.width) * region.height * sizeof(glm::vec4);
+std::size_t layer_bytes(const gpu::Region& region, gpu::Format format) {
+    return static_cast<std::size_t>(region.width) * region.height * gpu::texel_bytes(format);
 }
 
-// The tile's solid, and behind it its water where there is a layer of it.
-gpu::Buffer copy_tile(const Terrain& terrain, int tile) {
+Undo::KeptTile copy_tile(Terrain& terrain, int tile) {
     const gpu::Region region = terrain.tiles.region(tile);
-    gpu::Buffer buffer("undo tile", layer_bytes(region) * (terrain.water ? 2 : 1));
-    terrain.solid.front.copy_to(buffer, 0, region);
-    if (terrain.water) terrain.water->front.copy_to(buffer, layer_bytes(region), WaterLayer::texels(region));
-    return buffer;
+    const auto layers = terrain.optional_layers();
+    Undo::KeptTile kept;
+    std::size_t bytes = layer_bytes(region, gpu::Format::rgba32f);
+    for (const OptionalLayer& layer : layers)
+        if (layer.front) bytes += layer_bytes(region, layer.format);
+    kept.texels = gpu::Buffer("undo tile", bytes);
+    terrain.solid.front.copy_to(kept.texels, 0, region);
+    std::size_t at = layer_bytes(region, gpu::Format::rgba32f);
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        if (!layers[i].front) continue;
+        layers[i].front->copy_to(kept.texels, at, layers[i].texels(region));
+        at += layer_bytes(region, layers[i].format);
+        kept.layers |= 1U << i;
+    }
+    return kept;
 }
 
-// Water that was not there yet when the tile was kept was none.
-void put_back(const gpu::Buffer& kept, Terrain& terrain, int tile) {
+// A layer that was not there yet when the tile was kept was zero.
+void put_back(const Undo::KeptTile& kept, Terrain& terrain, int tile) {
     const gpu::Region region = terrain.tiles.region(tile);
-    terrain.solid.front.copy_from(kept, 0, region);
-    if (terrain.water && kept.bytes() > layer_bytes(region)) {
-        terrain.water->front.copy_from(kept, layer_bytes(region), WaterLayer::texels(region));
-    } else if (terrain.water) {
-        const std::vector<glm::vec4> dry(static_cast<std::size_t>(region.width) * region.height,
-                                         glm::vec4(0));
-        terrain.water->front.write(WaterLayer::texels(region), std::as_bytes(std::span(dry)));
+    terrain.solid.front.copy_from(kept.texels, 0, region);
+    std::size_t at = layer_bytes(region, gpu::Format::rgba32f);
+    const auto layers = terrain.optional_layers();
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        if (!layers[i].front) continue;
+        const std::size_t bytes = layer_bytes(region, layers[i].format);
+        if ((kept.layers >> i & 1U) != 0) {
+            layers[i].front->copy_from(kept.texels, at, layers[i].texels(region));
+            at += bytes;
+        } else {
+            const std::vector<std::byte> zeros(bytes);
+            layers[i].front->write(layers[i].texels(region), zeros);
+        }
     }
     terrain.refresh(region);
 }
@@ -64,16 +80,16 @@ void Undo::set_capacity(std::size_t bytes) {
     trim();
 }
 
-void Undo::keep(const Terrain& terrain, const std::vector<int>& tiles) {
+void Undo::keep(Terrain& terrain, const std::vector<int>& tiles) {
     Entry& entry = done_.back();
     for (const int tile : tiles) {
         if (entry.tiles.contains(tile)) continue;
         const auto kept = entry.tiles.emplace(tile, copy_tile(terrain, tile)).first;
-        entry.bytes += kept->second.bytes();
+        entry.bytes += kept->second.texels.bytes();
     }
 }
 
-void Undo::keep_all(const Terrain& terrain) {
+void Undo::keep_all(Terrain& terrain) {
     if (all_kept_) return;
     std::vector<int> tiles(static_cast<std::size_t>(terrain.tiles.count()));
     std::iota(tiles.begin(), tiles.end(), 0);
@@ -96,7 +112,7 @@ void Undo::close(Terrain& terrain, const Journal& journal) {
         if (!all_kept_ || changed[static_cast<std::size_t>(tile->first)]) {
             ++tile;
         } else {
-            entry.bytes -= tile->second.bytes();
+            entry.bytes -= tile->second.texels.bytes();
             tile = entry.tiles.erase(tile);
         }
     }
@@ -120,7 +136,7 @@ std::size_t Undo::bytes() const {
 
 void Undo::swap(Entry& entry, Terrain& terrain, const Books& books, Moment& now) {
     for (auto& [tile, kept] : entry.tiles) {
-        gpu::Buffer present = copy_tile(terrain, tile);
+        KeptTile present = copy_tile(terrain, tile);
         put_back(kept, terrain, tile);
         std::swap(kept, present);
     }

@@ -37,8 +37,8 @@ class Undo {
     bool extends(const std::string& name);
     void set_capacity(std::size_t bytes);
     /// Keeps these tiles as they are now, once per entry. Call before they change.
-    void keep(const Terrain& terrain, const std::vector<int>& tiles);
-    void keep_all(const Terrain& terrain);
+    void keep(Terrain& terrain, const std::vector<int>& tiles);
+    void keep_all(Terrain& terrain);
     /// Ends the open entry, if there is one. Tiles that did not change are let go; an entry during which
     /// nothing was recorded vanishes.
     void close(Terrain& terrain, const Journal& journal);
@@ -54,10 +54,16 @@ class Undo {
 
     std::size_t bytes() const;
 
+    /// A tile as it was: its solid and, behind it, each optional layer whose bit is set.
+    struct KeptTile {
+        gpu::Buffer texels;
+        unsigned layers = 0;
+    };
+
   private:
     struct Entry {
         std::string name;
-        std::map<int, gpu::Buffer> tiles;
+        std::map<int, KeptTile> tiles;
         std::vector<gpu::Buffer> books;
         Moment moment;
         Journal::Mark mark;           // before the act

@@ -1,5 +1,6 @@
 // Rain, evaporation and infiltration at one sample. Needs maths/two_sum.glsl, and
-//   rain_m_per_s   real
+//   rain_m_per_s   real, everywhere, or by the mask
+//   rain_masked    int, 1: by the mask
 //   loss_m_per_s   real, evaporation and infiltration together
 
 // Metres that leave a sample in dt seconds: no more than it has.
@@ -8,10 +9,16 @@ real water_loss(real4 water, real dt) {
     return min(wanted, water.x);
 }
 
-// Rain adds; what a sample loses takes its share of the discharge with it. Rain below one ulp of the depth adds up in
-// the low word.
-real4 water_with_sources(real4 water, real dt, real loss) {
-    precise real rain = rain_m_per_s * dt;
+// Rain at a sample, m/s: what falls everywhere, or where the mask is, and what was painted there, mm/h.
+real water_rain(real mask, real painted_mm_per_h) {
+    real everywhere = rain_masked == 1 ? mask : real(1);
+    precise real rain = rain_m_per_s * everywhere + painted_mm_per_h * real(2.7777777777777776e-7);
+    return rain;
+}
+
+// Metres of rain are added; metres of loss take their share of the discharge with them. Rain below one ulp of the depth
+// adds up in the low word.
+real4 water_with_sources(real4 water, real rain, real loss) {
     real2 depth = add_increment(real2(water.x, water.y), -loss);
     precise real share = depth.x / water.x;
     if (!(loss > real(0))) share = real(1);

@@ -24,6 +24,8 @@ uniform real speed_scale;
 uniform real level_middle_m;
 uniform real level_scale_m;
 uniform real froude_scale;
+uniform real arrival_scale_s;
+uniform real rain_scale;       // mm/h
 uniform real difference_m;   // view of the difference: end of its scale
 uniform int hillshade_lights;  // 1: the sun; 4: from four sides
 
@@ -42,6 +44,11 @@ const int view_depth = 9;
 const int view_speed = 10;
 const int view_level = 11;
 const int view_froude = 12;
+const int view_largest = 13;
+const int view_arrival = 14;
+const int view_hardness = 15;
+const int view_mask = 16;
+const int view_rain = 17;
 
 #include "render/relief.glsl"
 #include "render/sky.glsl"
@@ -52,6 +59,7 @@ const int view_froude = 12;
 #include "render/occlusion.glsl"
 #ifdef WATER
 #include "render/flow.glsl"
+layout(binding = 10) uniform sampler2D inundation;  // largest depth, arrival
 
 // Streaks along the flow: noise smeared along it (line integral convolution, Cabral & Leedom 1993), about 1.
 float streaks(vec2 place, vec2 velocity) {
@@ -61,8 +69,30 @@ float streaks(vec2 place, vec2 velocity) {
     return clamp(1.0 + 2.2 * (sum / 21.0 - 0.5), 0.6, 1.4);
 }
 
+// The inundation map between its samples, m and s: of those where water arrived.
+vec2 inundation_at(vec2 place) {
+    ivec2 cell = clamp(origin_cell + ivec2(floor(place)), ivec2(0), patches - 1);
+    vec2 w = clamp(place - vec2(cell - origin_cell), 0.0, 1.0);
+    vec2 sum = vec2(0.0);
+    float weights = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        vec2 texel = texelFetch(inundation, cell + ivec2(i & 1, i >> 1), 0).rg;
+        float weight = ((i & 1) == 0 ? 1.0 - w.x : w.x) * (i < 2 ? 1.0 - w.y : w.y);
+        sum.x += weight * texel.x;
+        weight = texel.x > 0.0 ? weight : 0.0;
+        sum.y += weight * texel.y;
+        weights += weight;
+    }
+    return vec2(sum.x, sum.y / max(weights, 1e-6));
+}
+
 // What a view of the water shows at a place of the picture; dry ground is grey.
 vec3 water_view(vec2 place, vec2 absolute, float height_over_eye, float lit) {
+    if (VIEW == view_largest || VIEW == view_arrival) {
+        vec2 flood = inundation_at(place);
+        if (flood.x < seen_depth_m) return vec3(0.62) * lit;
+        return colour_map(VIEW == view_largest ? flood.x / depth_scale_m : flood.y / arrival_scale_s);
+    }
     Flow flow = flow_at(place);
     if (flow.depth_m < seen_depth_m) return vec3(0.62) * lit;
     float speed = length(flow.velocity);
@@ -71,6 +101,20 @@ vec3 water_view(vec2 place, vec2 absolute, float height_over_eye, float lit) {
     if (VIEW == view_froude) return colour_map(speed / sqrt(9.81 * flow.depth_m) / froude_scale);
     float level = (height_over_eye + flow.depth_m) + (origin_height_m.x - level_middle_m);
     return difference_map(0.5 + 0.5 * level / level_scale_m);
+}
+#endif
+
+#ifdef PAINTED
+layout(binding = 11) uniform sampler2D painted;  // hardness, mask, rain
+
+vec3 painted_view(vec2 place, float lit) {
+    ivec2 cell = clamp(origin_cell + ivec2(floor(place)), ivec2(0), patches - 1);
+    vec2 w = clamp(place - vec2(cell - origin_cell), 0.0, 1.0);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < 4; ++i)
+        sum += ((i & 1) == 0 ? 1.0 - w.x : w.x) * (i < 2 ? 1.0 - w.y : w.y) * texelFetch(painted, cell + ivec2(i & 1, i >> 1), 0).xyz;
+    float share = VIEW == view_hardness ? sum.x : (VIEW == view_mask ? sum.y : sum.z / rain_scale);
+    return (share > 0.0 ? colour_map(share) : vec3(0.62)) * lit;
 }
 #endif
 
@@ -183,6 +227,12 @@ void main() {
         colour = mix(vec3(0.6), direction_map(facing), smoothstep(0.0, 0.05, length(gradient))) * lit;
     } else if (VIEW == view_contours) {
         colour = mix(vec3(0.93, 0.91, 0.86) * lit, vec3(0.36, 0.22, 0.12), contour_ink(distance_m, ray));
+    } else if (VIEW >= view_hardness) {
+#ifdef PAINTED
+        colour = painted_view(place, lit);
+#else
+        colour = vec3(0.62) * lit;
+#endif
     } else if (VIEW >= view_depth) {
 #ifdef WATER
         colour = water_view(place, absolute, height_at(place), lit);

@@ -118,11 +118,13 @@ void main() {
     }
     vec3 colour = mix(body, reflection, fresnel);
     if (!through_side) colour += 3.0 * min(glitter, 1.0) * vec3(1.0, 0.92, 0.78) * max(sun.z, 0.0);
-    // White water where it shoots (Froude number above 1) down a slope of its own, deep enough to break.
+    // White water where it shoots (Froude number above 1) down a slope of its own, deep enough to break, and on the steep
+    // front of a wave that runs.
     Flow flow = flow_at(place);
     float froude = length(flow.velocity) / sqrt(9.81 * max(flow.depth_m, seen_depth_m));
     float foam = smoothstep(0.9, 1.8, froude) * smoothstep(0.05, 0.4, flow.depth_m) * smoothstep(0.03, 0.25, length(slope));
-    if (!through_side) colour = mix(colour, vec3(0.75, 0.80, 0.83) * light, 0.75 * foam);
+    float front = smoothstep(0.08, 0.25, length(slope)) * smoothstep(0.12, 0.35, froude) * smoothstep(0.3, 1.5, flow.depth_m);
+    if (!through_side) colour = mix(colour, vec3(0.75, 0.80, 0.83) * light, 0.75 * max(foam, front));
     // Towards the shore it fades into the ground; so do sheets that run down steep ground.
     colour = mix(bed, colour, 1.0 - exp(-depth / (0.08 + 0.5 * length(slope))));
     float haze = 1.0 - exp(-0.16 * distance_m / extent_m);

@@ -8,7 +8,7 @@ layout(binding = 2, r32f) uniform writeonly image2D ground_out;
 
 // Per tile, since each was last cleared: 1, the surface must be refreshed; 2, it is active; 4, undo must keep it; 8, what its
 // ground hides of the sky; 16, the bed of its water; 32, its water is active; 64, the
-// surface of its water; 128 to 1024, its water is active beside its north, south, west, east neighbour.
+// surface of its water; 128 to 1024, its water is active beside its north, south, west, east neighbour; 2048, its inundation.
 layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
 
 uniform int2 samples;    // columns, rows

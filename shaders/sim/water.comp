@@ -16,14 +16,18 @@ layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
 layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 layout(binding = 3, std430) buffer TileSpeeds { uint tile_speeds[]; };
 #ifdef SOURCES
-layout(binding = 4, std430) buffer TileLosses { double tile_losses[]; };  // metres, per tile and strip
-shared double column_losses[64];
+layout(binding = 4, std430) buffer TileSources { dvec2 tile_sources[]; };  // metres of loss and of rain by the map, per tile and strip
+shared dvec2 column_sources[64];
+#ifdef RAIN_MAP
+layout(binding = 3, rgba32f) uniform readonly image2D painted;
+#endif
 #endif
 
 uniform int2 samples;
 uniform int2 tiles;
 uniform real gravity;
 uniform real rain_m_per_s;
+uniform int rain_masked;
 uniform real loss_m_per_s;
 
 const int water_order = ORDER;
@@ -40,9 +44,9 @@ const real water_friction = real(0);
 #include "maths/water.glsl"
 #include "maths/water_sources.glsl"
 
-// Bits of a tile's flags: undo must keep it, its water is active, its picture is old; and its water is active within
+// Bits of a tile's flags: undo must keep it, its water is active, its picture and its inundation are old; and its water is active within
 // reach of the tile to its north, south, west, east.
-const uint water_moved = 4u | 32u | 64u;
+const uint water_moved = 4u | 32u | 64u | 2048u;
 const uint moved_north = 128u;
 const uint moved_south = 256u;
 const uint moved_west = 512u;
@@ -76,7 +80,7 @@ void main() {
     bool moved_low = false;
     real fastest = real(0);
 #ifdef SOURCES
-    double lost = 0.0lf;
+    dvec2 sources = dvec2(0.0);
 #endif
 
     if (first.x < samples.x && rows > 0) {
@@ -118,8 +122,15 @@ void main() {
 #endif
 #ifdef SOURCES
             real loss = water_loss(after, dt);
-            after = water_with_sources(after, dt, loss);
-            lost += double(loss);
+#ifdef RAIN_MAP
+            real4 paint = imageLoad(painted, at);
+            precise real rain = water_rain(paint.y, paint.z) * dt;
+            sources += dvec2(double(loss), double(rain));
+#else
+            precise real rain = rain_m_per_s * dt;
+            sources.x += double(loss);
+#endif
+            after = water_with_sources(after, rain, loss);
 #endif
 #if STAGE == 2
             // Of what stays: a run that is saved and loaded finds the same.
@@ -156,12 +167,12 @@ void main() {
     if (fastest > real(0)) atomicMax(tile_speeds[tile], floatBitsToUint(fastest));
 #endif
 #ifdef SOURCES
-    column_losses[gl_LocalInvocationIndex] = lost;
+    column_sources[gl_LocalInvocationIndex] = sources;
     barrier();
     if (gl_LocalInvocationIndex == 0u) {
-        double sum = 0.0lf;
-        for (int i = 0; i < 64; ++i) sum += column_losses[i];
-        tile_losses[tile * 4 + int(gl_WorkGroupID.x)] += sum;
+        dvec2 sum = dvec2(0.0);
+        for (int i = 0; i < 64; ++i) sum += column_sources[i];
+        tile_sources[tile * 4 + int(gl_WorkGroupID.x)] += sum;
     }
 #endif
 }

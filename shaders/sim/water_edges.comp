@@ -95,7 +95,7 @@ void main() {
             book_springs_m += double(gain);
             // Undo keeps the tile, its picture is old, also where so little comes that it rests.
             int2 tile = int2(springs[i].xy) / 64;
-            atomicOr(tile_flags[tile.y * tiles.x + tile.x], 4u | 64u);
+            atomicOr(tile_flags[tile.y * tiles.x + tile.x], 4u | 64u | 2048u);
         }
     memoryBarrierImage();
     barrier();

@@ -13,7 +13,7 @@ uniform int2 samples;
 uniform real2 cell_m;
 uniform real tick_s;
 uniform real friction;       // gravity * Manning's n²
-uniform real rain_m_per_s;
+uniform real rain_m_per_s;   // that falls everywhere; rain by the map is booked where it falls
 uniform int eulers;          // equal Euler steps that follow each other in a sub-step: 1 at order 2, 2 at order 1
 uniform int driven_north;    // 1: the edge wakes its tiles
 uniform int driven_south;

@@ -8,6 +8,7 @@
 
 #include "sim/gpu/error.h"
 #include "sim/io/picture.h"
+#include "sim/passes/paint.h"
 #include "sim/passes/water.h"
 #include "sim/terrain/gauge.h"
 
@@ -21,6 +22,9 @@ namespace fs = std::filesystem;
 const std::vector<std::string> channels = {"Y", "bedrock", "bedrock_low", "regolith", "regolith_low"};
 // Behind them where there is water.
 const std::vector<std::string> water_channels = {"water", "water_low", "discharge_x", "discharge_y"};
+// Where water ever was: the largest depth and when it came; and what brushes painted.
+const std::vector<std::string> inundation_channels = {"depth_max", "arrival_s"};
+const std::vector<std::string> painted_channels = {"hardness", "mask", "rain"};
 
 // x, y and rate of each, as save_document writes them.
 std::vector<Spring> springs_from(const fs::path& path, const std::string& text) {
@@ -46,6 +50,24 @@ void check_water(const fs::path& path, const glm::vec4& water) {
         "'{}' holds water of depth {} (and {}) m that runs at {:.3g} m/s: depths must be 0 to 1e7 "
         "m, their second words below their last digit, speeds at most 1e5 m/s",
         path.string(), water.x, water.y, speed));
+}
+
+// Throws talus::Error for what no brush could have painted and no run could have noted.
+void check_painted(const fs::path& path, const glm::vec4& painted) {
+    if (painted.x >= 0 && painted.x <= 1 && painted.y >= 0 && painted.y <= 1 && painted.z >= 0 &&
+        painted.z <= most_painted(PaintedLayer::rain))
+        return;
+    throw Error(
+        fmt::format("'{}' holds hardness {}, mask {} and rain {} mm/h in one sample: hardness and mask must "
+                    "be 0 to 1, rain 0 to {} mm/h",
+                    path.string(), painted.x, painted.y, painted.z, most_painted(PaintedLayer::rain)));
+}
+
+void check_inundation(const fs::path& path, const glm::vec2& inundation) {
+    if (inundation.x >= 0 && inundation.y >= 0) return;
+    throw Error(
+        fmt::format("'{}' holds a largest depth of {} m that came after {} s: neither can be less than 0",
+                    path.string(), inundation.x, inundation.y));
 }
 
 bool is_document(const fs::path& path) {
@@ -93,6 +115,10 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
             layer[i][word] = values[i];
         }
     };
+    const auto has_any = [&](const std::vector<std::string>& names) {
+        return std::any_of(names.begin(), names.end(),
+                           [&](const std::string& name) { return spec.channelindex(name) >= 0; });
+    };
     state.bedrock.assign(state.grid.count(), glm::vec2(0));
     state.regolith.assign(state.grid.count(), glm::vec2(0));
     read_channel("bedrock", state.bedrock, 0);
@@ -109,6 +135,18 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
             read_channel(std::string("discharge") + separator + "y", state.water, 3);
         }
         for (const glm::vec4& water : state.water) check_water(path, water);
+    }
+    if (has_any(inundation_channels)) {
+        state.inundation.assign(state.grid.count(), glm::vec2(0));
+        for (int i = 0; i < 2; ++i)
+            read_channel(inundation_channels[static_cast<std::size_t>(i)], state.inundation, i);
+        for (const glm::vec2& inundation : state.inundation) check_inundation(path, inundation);
+    }
+    if (has_any(painted_channels)) {
+        state.painted.assign(state.grid.count(), glm::vec4(0));
+        for (int i = 0; i < 3; ++i)
+            read_channel(painted_channels[static_cast<std::size_t>(i)], state.painted, i);
+        for (const glm::vec4& painted : state.painted) check_painted(path, painted);
     }
     state.springs = springs_from(path, spec.get_string_attribute("talus:springs"));
     for (const Spring& spring : state.springs) check_spring(state.grid, spring);
@@ -131,7 +169,12 @@ Document open_document(const fs::path& path, const ImportSettings& settings) {
 void save_document(const fs::path& path, const Document& document) {
     const TerrainState& state = document.state;
     std::vector<std::string> names = channels;
-    if (!state.water.empty()) names.insert(names.end(), water_channels.begin(), water_channels.end());
+    const auto add_names = [&](bool there, const std::vector<std::string>& more) {
+        if (there) names.insert(names.end(), more.begin(), more.end());
+    };
+    add_names(!state.water.empty(), water_channels);
+    add_names(!state.inundation.empty(), inundation_channels);
+    add_names(!state.painted.empty(), painted_channels);
     OIIO::ImageSpec spec(state.grid.nx, state.grid.ny, static_cast<int>(names.size()), OIIO::TypeDesc::FLOAT);
     spec.channelnames = names;
     spec.attribute("compression", "zip");
@@ -159,9 +202,12 @@ void save_document(const fs::path& path, const Document& document) {
     for (std::size_t i = 0; i < ground.size(); ++i) {
         pixels.insert(pixels.end(), {ground[i], state.bedrock[i].x, state.bedrock[i].y, state.regolith[i].x,
                                      state.regolith[i].y});
-        if (state.water.empty()) continue;
-        const glm::vec4& water = state.water[i];
-        pixels.insert(pixels.end(), {water.x, water.y, water.z, water.w});
+        const auto add = [&](const auto& layer, int components) {
+            for (int c = 0; c < components && !layer.empty(); ++c) pixels.push_back(layer[i][c]);
+        };
+        add(state.water, 4);
+        add(state.inundation, 2);
+        add(state.painted, 3);
     }
     write_encoded(path, spec, pixels.data());
 }
@@ -174,9 +220,20 @@ std::vector<float> layer_of(const TerrainState& state, const std::string& name) 
         for (std::size_t i = 0; i < state.water.size(); ++i) values[i] += state.water[i].x;
         return values;
     }
+    const auto component = [&](const auto& layer, int c) {
+        std::vector<float> values(state.bedrock.size());
+        for (std::size_t i = 0; i < layer.size(); ++i) values[i] = layer[i][c];
+        return values;
+    };
+    for (int c = 0; c < 2; ++c)
+        if (name == inundation_channels[static_cast<std::size_t>(c)]) return component(state.inundation, c);
+    for (int c = 0; c < 3; ++c)
+        if (name == painted_channels[static_cast<std::size_t>(c)]) return component(state.painted, c);
     if (name != "bedrock" && name != "regolith")
-        throw Error(fmt::format(
-            "--layer '{}' is not a layer, it must be one of: ground, bedrock, regolith, water, level", name));
+        throw Error(
+            fmt::format("--layer '{}' is not a layer, it must be one of: ground, bedrock, regolith, "
+                        "water, level, depth_max, arrival_s, hardness, mask, rain",
+                        name));
     const std::vector<glm::vec2>& words = name == "bedrock" ? state.bedrock : state.regolith;
     std::vector<float> values(words.size());
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = words[i].x + words[i].y;

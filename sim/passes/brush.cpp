@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/gpu/error.h"
+#include "sim/passes/paint.h"
 
 namespace talus {
 
@@ -26,6 +27,20 @@ void check_dab(const Dab& dab) {
         if (!(field.value >= field.low && field.value <= field.high))
             throw Error(fmt::format("a dab's {} cannot be {}, it must be {} to {}", field.name, field.value,
                                     field.low, field.high));
+    if (dab.is_paint() && !(dab.target_m >= 0 && dab.target_m <= most_painted(painted_layer(dab.material))))
+        throw Error(fmt::format("a dab of {} cannot paint {}, it must be 0 to {}",
+                                material_names()[static_cast<std::size_t>(dab.material)], dab.target_m,
+                                most_painted(painted_layer(dab.material))));
+}
+
+const std::vector<std::string>& material_names() {
+    static const std::vector<std::string> names = {"bedrock",  "regolith", "water",
+                                                   "hardness", "mask",     "rain"};
+    return names;
+}
+
+PaintedLayer painted_layer(Material material) {
+    return static_cast<PaintedLayer>(static_cast<int>(material) - static_cast<int>(Material::hardness));
 }
 
 DabStep dab_step(const Grid& grid, const Dab& dab) {
@@ -55,6 +70,23 @@ gpu::Region dab_region(const Grid& grid, const Dab& dab) {
     return {x0, y0, x1 - x0 + 1, y1 - y0 + 1};
 }
 
+TileBlock tile_block(const Tiles& tiles, const std::vector<int>& touched) {
+    const auto place = [&](int tile) { return glm::ivec2(tile % tiles.columns(), tile / tiles.columns()); };
+    const glm::ivec2 first = place(touched.front());
+    return {first, place(touched.back()) - first + 1};
+}
+
+void set_dab(gpu::Program& program, const Terrain& terrain, const Dab& dab) {
+    const DabStep step = dab_step(terrain.grid(), dab);
+    program.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
+    program.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
+    program.set("cell_m", step.cell_m);
+    program.set("dab_sample", step.sample);
+    program.set("dab_offset", step.offset);
+    program.set("dab_radius_m", step.radius_m);
+    program.set("dab_falloff", step.falloff);
+}
+
 Brush::Brush(const Terrain& terrain)
     : books("brush books", static_cast<std::size_t>(terrain.tiles.count()) * 2 * sizeof(double)),
       program_("sim/brush.comp") {
@@ -67,21 +99,15 @@ void Brush::dab(Terrain& terrain, const Dab& dab) {
     const DabStep step = dab_step(terrain.grid(), dab);
     terrain.bind(program_);
     books.bind_storage(1);
-    const int columns = terrain.tiles.columns();
-    const glm::ivec2 first(tiles.front() % columns, tiles.front() / columns);
-    const glm::ivec2 last(tiles.back() % columns, tiles.back() / columns);
-    program_.set("first_tile", first);
-    program_.set("cell_m", step.cell_m);
-    program_.set("dab_sample", step.sample);
-    program_.set("dab_offset", step.offset);
-    program_.set("dab_radius_m", step.radius_m);
-    program_.set("dab_falloff", step.falloff);
+    set_dab(program_, terrain, dab);
+    const TileBlock block = tile_block(terrain.tiles, tiles);
+    program_.set("first_tile", block.first);
     program_.set("dab_mode", step.mode);
     program_.set("dab_amount_m", step.amount_m);
     program_.set("dab_blend", step.blend);
     program_.set("dab_target_m", step.target_m);
     program_.set("dab_on_regolith", step.on_regolith);
-    program_.dispatch(last.x - first.x + 1, last.y - first.y + 1);
+    program_.dispatch(block.size.x, block.size.y);
     const gpu::Region low = terrain.tiles.region(tiles.front());
     const gpu::Region high = terrain.tiles.region(tiles.back());
     terrain.settle({low.x, low.y, high.x + high.width - low.x, high.y + high.height - low.y});

@@ -32,7 +32,13 @@ DeviceClock read_clock(const gpu::Buffer& buffer) {
 }
 
 bool has_sources(const WaterSettings& settings) {
-    return settings.rain_m_per_s > 0 || settings.infiltration_m_per_s > 0 || settings.evaporation_m_per_s > 0;
+    return settings.rain_m_per_s > 0 || settings.rain_painted || settings.infiltration_m_per_s > 0 ||
+           settings.evaporation_m_per_s > 0;
+}
+
+// Whether rain differs from place to place.
+bool has_rain_map(const WaterSettings& settings) {
+    return settings.rain_painted || (settings.rain_masked && settings.rain_m_per_s > 0);
 }
 
 // Samples along the inflow edges, as metres.
@@ -124,27 +130,30 @@ Water::Water(const Terrain& terrain)
       active_(terrain.tiles.count()),
       clock_("water clock", sizeof(DeviceClock)),
       speeds_("water speeds", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(std::uint32_t)),
-      losses_("water losses", static_cast<std::size_t>(terrain.tiles.count()) * 4 * sizeof(double)),
+      sources_("water sources", static_cast<std::size_t>(terrain.tiles.count()) * 4 * sizeof(glm::dvec2)),
       springs_("water springs", sizeof(glm::vec4)),
       series_("water edge series", 2 * (edge_series_steps + 1) * sizeof(float)),
       edge_books_("water edge books",
                   2 * static_cast<std::size_t>(terrain.grid().nx + terrain.grid().ny) * sizeof(glm::dvec2)) {
     clock_.fill(0);
     speeds_.fill(0);
-    losses_.fill(0);
+    sources_.fill(0);
     edge_books_.fill(0);
 }
 
 gpu::Program& Water::stage_program(int stage) {
     const bool friction = settings_.manning_s_per_m13 > 0;
     const bool sources = has_sources(settings_);
-    const int key = settings_.order + 4 * stage + (friction ? 16 : 0) + (sources ? 32 : 0);
+    const bool rain_map = has_rain_map(settings_);
+    const int key =
+        settings_.order + 4 * stage + (friction ? 16 : 0) + (sources ? 32 : 0) + (rain_map ? 64 : 0);
     auto found = stage_programs_.find(key);
     if (found == stage_programs_.end()) {
         std::vector<std::string> defines = {"ORDER " + std::to_string(settings_.order),
                                             "STAGE " + std::to_string(stage)};
         if (friction) defines.emplace_back("FRICTION 1");
         if (sources && (settings_.order == 1 || stage == 2)) defines.emplace_back("SOURCES 1");
+        if (rain_map) defines.emplace_back("RAIN_MAP 1");
         found = stage_programs_.emplace(key, gpu::Program({"sim/water.comp"}, defines)).first;
     }
     return found->second;
@@ -213,7 +222,7 @@ void Water::substep(Terrain& terrain) {
     active_.buffer.bind_storage(1);
     clock_.bind_storage(2);
     speeds_.bind_storage(3);
-    losses_.bind_storage(4);
+    sources_.bind_storage(4);
     springs_.bind_storage(5);
     series_.bind_storage(6);
     edge_books_.bind_storage(7);
@@ -225,13 +234,15 @@ void Water::substep(Terrain& terrain) {
     step_program_.set("friction",
                       static_cast<float>(settings_.gravity_m_per_s2 * settings_.manning_s_per_m13 *
                                          settings_.manning_s_per_m13));
-    step_program_.set("rain_m_per_s", rain);
+    const bool rain_map = has_rain_map(settings_);
+    step_program_.set("rain_m_per_s", rain_map ? 0.0F : rain);
     step_program_.set("eulers", eulers);
     step_program_.set("driven_north", driven(Edge::north));
     step_program_.set("driven_south", driven(Edge::south));
     step_program_.set("driven_west", driven(Edge::west));
     step_program_.set("driven_east", driven(Edge::east));
-    step_program_.set("every_tile", !settings_.skips_rest || periodic || rain > 0 ? 1 : 0);
+    step_program_.set("every_tile",
+                      !settings_.skips_rest || periodic || (rain > 0 && !settings_.rain_masked) ? 1 : 0);
     step_program_.set("spring_count", spring_count_);
     step_program_.dispatch(1);
 
@@ -271,6 +282,8 @@ void Water::substep(Terrain& terrain) {
         program.set("tiles", tiles);
         program.set("gravity", gravity);
         program.set("rain_m_per_s", rain);
+        program.set("rain_masked", settings_.rain_masked ? 1 : 0);
+        if (rain_map) terrain.painted->bind_image(3, gpu::Access::read);
         program.set("loss_m_per_s", static_cast<float>(loss));
         program.dispatch_indirect(active_.buffer);
     }
@@ -284,6 +297,7 @@ bool Water::advance(Terrain& terrain, int substeps) {
             // question costs a little too.
             const int batch = std::clamp(expected_, 1, substeps);
             for (int i = 0; i < batch; ++i) substep(terrain);
+            sent_ += static_cast<std::uint64_t>(batch);
             substeps -= batch;
             poll_.start(clock_, 2 * sizeof(float));
         }
@@ -312,7 +326,10 @@ WaterBooks Water::read_books(const Grid& grid) const {
         books.edges_in_m3 += sample.x * area;
         books.edges_out_m3 += sample.y * area;
     }
-    for (const double strip : losses_.read_all<double>()) books.losses_m3 += strip * area;
+    for (const glm::dvec2& strip : sources_.read_all<glm::dvec2>()) {
+        books.losses_m3 += strip.x * area;
+        books.rain_m3 += strip.y * area;
+    }
     return books;
 }
 

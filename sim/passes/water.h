@@ -28,6 +28,8 @@ struct WaterSettings {
     double gravity_m_per_s2 = 9.81;
     double manning_s_per_m13 = 0;  ///< Manning's n; 0: no friction
     double rain_m_per_s = 0;
+    bool rain_masked = false;   ///< rain falls where the mask is, not everywhere
+    bool rain_painted = false;  ///< rain was painted somewhere, and falls there too
     double infiltration_m_per_s = 0;
     double evaporation_m_per_s = 0;
     std::array<EdgeKind, 4> edges{};
@@ -99,6 +101,8 @@ class Water {
     bool advance(Terrain& terrain, int substeps);
     /// Of the present tick. Waits for the device.
     double time_left_s() const;
+    /// Sub-steps that were sent to the device so far, those after a tick's end included. Does not wait.
+    std::uint64_t sent() const { return sent_; }
 
     /// Waits for the device. Without what sea and brushes placed.
     WaterBooks read_books(const Grid& grid) const;
@@ -110,7 +114,7 @@ class Water {
     Work work() const;
 
     /// What undo keeps of the books.
-    std::vector<gpu::Buffer*> books() { return {&clock_, &edge_books_, &losses_}; }
+    std::vector<gpu::Buffer*> books() { return {&clock_, &edge_books_, &sources_}; }
 
   private:
     gpu::Program& stage_program(int stage);
@@ -122,12 +126,13 @@ class Water {
     TileList active_;
     gpu::Buffer clock_;
     gpu::Buffer speeds_;
-    gpu::Buffer losses_;
+    gpu::Buffer sources_;
     gpu::Buffer springs_;
     gpu::Buffer series_;
     gpu::Buffer edge_books_;
 
     gpu::Readback poll_;
+    std::uint64_t sent_ = 0;
     int expected_ = 1;  // sub-steps until the tick is over, as far as is known
     WaterSettings settings_;
     double tick_s_ = 0;

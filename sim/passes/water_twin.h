@@ -1,5 +1,6 @@
 #pragma once
 #include <bit>
+#include <utility>
 #include <vector>
 
 #include "shaders/maths/twin.h"
@@ -18,7 +19,7 @@ class WaterTwin {
 
     /// Rows of samples, as in TerrainState.
     WaterTwin(const Grid& grid, const std::vector<real>& beds, const std::vector<real4>& water,
-              const WaterSettings& settings)
+              const WaterSettings& settings, std::vector<glm::vec4> painted = {})
         : nx(grid.nx),
           ny(grid.ny),
           cell_m(static_cast<Real>(grid.dx), static_cast<Real>(grid.dy)),
@@ -26,12 +27,14 @@ class WaterTwin {
           water_gravity(static_cast<Real>(settings.gravity_m_per_s2)),
           edge_level_m(static_cast<Real>(settings.level_m)),
           rain_m_per_s(static_cast<Real>(settings.rain_m_per_s)),
+          rain_masked(settings.rain_masked ? 1 : 0),
           loss_m_per_s(static_cast<Real>(settings.infiltration_m_per_s + settings.evaporation_m_per_s)),
           grid_(grid),
           settings_(settings),
           front_(static_cast<std::size_t>(nx + 4) * (ny + 4), real4(0)),
           back_(front_),
-          bed_(front_.size(), 0) {
+          bed_(front_.size(), 0),
+          painted_(std::move(painted)) {
         for (int y = 0; y < ny; ++y)
             for (int x = 0; x < nx; ++x) {
                 const auto i = static_cast<std::size_t>(y) * nx + x;
@@ -73,6 +76,7 @@ class WaterTwin {
     real edge_inflow = 0;
     real edge_wave_m = 0;
     real rain_m_per_s;
+    int rain_masked;
     real loss_m_per_s;
 
     real load_edge_series(int at) const { return series_[static_cast<std::size_t>(at)]; }
@@ -129,10 +133,17 @@ class WaterTwin {
                     after = water_first_stage(here, change);
                 else
                     after = water_second_stage(to[texel(at)], here, change);
-                if ((rain_m_per_s > 0 || loss_m_per_s > 0) && (water_order == 1 || number == 2))
-                    after = water_with_sources(after, dt, water_loss(after, dt));
+                if ((rain_m_per_s > 0 || loss_m_per_s > 0 || settings_.rain_painted) &&
+                    (water_order == 1 || number == 2))
+                    after = water_with_sources(after, rain_at(at) * dt, water_loss(after, dt));
                 to[texel(at)] = after;
             }
+    }
+
+    real rain_at(int2 at) {
+        if (painted_.empty()) return rain_m_per_s;
+        const glm::vec4 painted = painted_[static_cast<std::size_t>(at.y) * nx + at.x];
+        return water_rain(real(painted.y), real(painted.z));
     }
 
     WaterCell cell_at(const std::vector<real4>& from, int2 at, bool turned) {
@@ -210,6 +221,7 @@ class WaterTwin {
     std::vector<real4> front_;
     std::vector<real4> back_;
     std::vector<real> bed_;
+    std::vector<glm::vec4> painted_;
 };
 
 }  // namespace talus::maths

@@ -157,35 +157,48 @@ const std::vector<std::string>& generator_kinds() {
 }
 
 const std::vector<std::string>& starting_waters() {
-    static const std::vector<std::string> waters = {"none", "dam", "bowl"};
+    static const std::vector<std::string> waters = {"none", "dam", "bowl", "wave", "cloudburst"};
     return waters;
 }
 
-std::vector<float> generate_water(const Grid& grid, const std::vector<float>& heights,
-                                  const std::string& water, double relief_m) {
-    if (water == "none") return {};
-    std::vector<float> depths(grid.count(), 0.0F);
+std::vector<glm::vec4> generate_water(const Grid& grid, const std::vector<float>& heights,
+                                      const StartingWater& water) {
+    if (water.kind == "none") return {};
+    std::vector<glm::vec4> samples(grid.count(), glm::vec4(0));
     // Thacker's A for a shore at 0.8 of the bowl's radius; the bowl's relief is 8 of its depths (to the
     // corners).
     constexpr double shore = 0.8;
     constexpr double A = (1 - shore * shore) / (1 + shore * shore);
     const double a = grid.width_m() / 4;
-    const double h_0 = relief_m / 8;
+    const double h_0 = water.relief_m / 8;
     for (int row = 0; row < grid.ny; ++row)
         for (int column = 0; column < grid.nx; ++column) {
             const std::size_t at = static_cast<std::size_t>(row) * grid.nx + column;
             double depth = 0;
-            if (water == "dam") {
-                if (3 * column < grid.nx) depth = 0.6 * relief_m - heights[at];
+            double speed = 0;
+            if (water.kind == "dam") {
+                if (3 * column < grid.nx) depth = 0.6 * water.relief_m - heights[at];
+            } else if (water.kind == "cloudburst") {
+                depth = 0.25;
+            } else if (water.kind == "wave") {
+                // A hump with the velocity of a simple wave, u = 2 (c - c0): it runs eastwards alone.
+                const double still = water.sea_level_m - heights[at];
+                const double s = (column * grid.dx - grid.width_m() / 6) / (grid.width_m() / 20);
+                const double hump = std::max(0.0, 1 - s * s);
+                depth = still + (still > 0 ? water.wave_height_m * hump * hump : 0);
+                if (still > 0)
+                    speed = 2 * (std::sqrt(water.gravity_m_per_s2 * depth) -
+                                 std::sqrt(water.gravity_m_per_s2 * still));
             } else {
                 const double x = column * grid.dx - grid.width_m() / 2;
                 const double y = row * grid.dy - grid.height_m() / 2;
                 const double D = 1 - A;
                 depth = h_0 * (std::sqrt(1 - A * A) / D - (x * x + y * y) / (a * a) * (1 - A * A) / (D * D));
             }
-            depths[at] = static_cast<float>(std::max(depth, 0.0));
+            samples[at].x = static_cast<float>(std::max(depth, 0.0));
+            samples[at].z = static_cast<float>(samples[at].x * speed);
         }
-    return depths;
+    return samples;
 }
 
 std::vector<float> generate_heights(const Grid& grid, const GeneratorSettings& settings) {

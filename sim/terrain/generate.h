@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/glm.hpp>
+
 #include "sim/terrain/grid.h"
 
 namespace talus {
@@ -24,11 +26,22 @@ const std::vector<std::string>& generator_kinds();
 std::vector<float> generate_heights(const Grid& grid, const GeneratorSettings& settings);
 
 /// What water a generated terrain can start with: none; dam, to a level of 0.6 of the relief in the western
-/// third; bowl, Thacker's round wave (1981) in a bowl a quarter of the width wide, at its lowest spread.
+/// third; bowl, Thacker's round wave (1981) in a bowl a quarter of the width wide, at its lowest spread;
+/// wave, a sea on which a single wave is on its way eastwards, its crest a sixth of the way; cloudburst, a
+/// quarter of a metre everywhere.
 const std::vector<std::string>& starting_waters();
 
-/// Depths in metres over the heights; empty for none.
-std::vector<float> generate_water(const Grid& grid, const std::vector<float>& heights_m,
-                                  const std::string& water, double relief_m);
+/// How that water stands.
+struct StartingWater {
+    std::string kind = "none";
+    double relief_m = 1000;  ///< of the terrain
+    double sea_level_m = 0;  ///< wave
+    double wave_height_m = 1;
+    double gravity_m_per_s2 = 9.81;
+};
+
+/// Depth (m, two words) and discharge (m²/s) over the heights; empty for none.
+std::vector<glm::vec4> generate_water(const Grid& grid, const std::vector<float>& heights_m,
+                                      const StartingWater& water);
 
 }  // namespace talus

@@ -49,12 +49,34 @@ Terrain::Terrain(const TerrainState& state)
         add_water();
         write_water(all, state.water);
     }
+    if (!state.inundation.empty()) {
+        add_water();
+        inundation->write(all, std::as_bytes(std::span(state.inundation)));
+    }
+    if (!state.painted.empty()) {
+        add_painted();
+        painted->write(all, std::as_bytes(std::span(state.painted)));
+    }
 }
 
 void Terrain::add_water() {
     if (water) return;
     water.emplace(grid_);
+    inundation.emplace("inundation", gpu::Format::rg32f, grid_.nx, grid_.ny);
+    inundation->fill(0);
     tiles.mark_all();
+}
+
+void Terrain::add_painted() {
+    if (painted) return;
+    painted.emplace("painted", gpu::Format::rgba32f, grid_.nx, grid_.ny);
+    painted->fill(0);
+}
+
+std::array<OptionalLayer, 3> Terrain::optional_layers() {
+    return {OptionalLayer{water ? &water->front : nullptr, gpu::Format::rgba32f, WaterLayer::ghosts},
+            OptionalLayer{inundation ? &*inundation : nullptr, gpu::Format::rg32f, 0},
+            OptionalLayer{painted ? &*painted : nullptr, gpu::Format::rgba32f, 0}};
 }
 
 void Terrain::write_water(const gpu::Region& samples, std::span<const glm::vec4> values) {
@@ -97,11 +119,18 @@ TerrainState Terrain::read() const {
         state.water.resize(grid_.count());
         water->front.read(WaterLayer::texels({0, 0, grid_.nx, grid_.ny}),
                           std::as_writable_bytes(std::span(state.water)));
-        // A layer that is dry throughout is none.
-        if (std::all_of(state.water.begin(), state.water.end(),
-                        [](const glm::vec4& w) { return w == glm::vec4(0); }))
-            state.water.clear();
     }
+    if (inundation) state.inundation = inundation->read_all<glm::vec2>();
+    if (painted) state.painted = painted->read_all<glm::vec4>();
+    // A layer that is zero throughout is none.
+    const auto drop_zeros = [](auto& layer) {
+        using Texel = typename std::remove_reference_t<decltype(layer)>::value_type;
+        if (std::all_of(layer.begin(), layer.end(), [](const Texel& texel) { return texel == Texel(0); }))
+            layer.clear();
+    };
+    drop_zeros(state.water);
+    drop_zeros(state.inundation);
+    drop_zeros(state.painted);
     return state;
 }
 

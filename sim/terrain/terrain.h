@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
@@ -36,6 +37,10 @@ struct TerrainState {
     std::vector<glm::vec2> regolith;
     /// Depth, m, two words, and discharge east and north, m²/s; empty: no water was ever here.
     std::vector<glm::vec4> water;
+    /// Largest depth so far, m, and the simulated time at which water arrived, s; empty: none ever did.
+    std::vector<glm::vec2> inundation;
+    /// What brushes painted, as PaintedLayer says; empty: nothing.
+    std::vector<glm::vec4> painted;
     std::vector<Spring> springs;
     /// The simulated time from which inflow and wave maker count: when they were last set.
     double edges_since_s = 0;
@@ -48,10 +53,25 @@ struct TerrainState {
 /// A terrain of one layer of bedrock. Throws talus::Error when the grid cannot be used.
 TerrainState bedrock_terrain(const Grid& grid, const std::vector<float>& heights_m);
 
+/// Components of the painted layer: hardness and mask, 0 to 1, and rain, mm/h.
+enum class PaintedLayer { hardness = 0, mask = 1, rain = 2 };
+
 /// A layer on the device: passes read `front` and write `back`. Both hold the same bits in tiles at rest.
 struct Layer {
     gpu::Texture front;
     gpu::Texture back;
+};
+
+/// A layer that is there once something needs it, and zero before: its image, if it is there, and the ghost
+/// samples around it.
+struct OptionalLayer {
+    gpu::Texture* front = nullptr;
+    gpu::Format format = gpu::Format::rgba32f;
+    int ghosts = 0;
+
+    gpu::Region texels(const gpu::Region& samples) const {
+        return {samples.x + ghosts, samples.y + ghosts, samples.width, samples.height};
+    }
 };
 
 /// The layers on the device, the ground that follows them, and the set of changed tiles.
@@ -64,7 +84,9 @@ class Terrain {
     gpu::Texture ground;  ///< m, one float: what the eye sees; every pass that writes layers writes it too
     gpu::Texture start;   ///< m, two words: the ground when the terrain was made, for the ledger
     Tiles tiles;
-    std::optional<WaterLayer> water;  ///< none: no water was ever here
+    std::optional<WaterLayer> water;         ///< none: no water was ever here
+    std::optional<gpu::Texture> inundation;  ///< largest depth so far, m, arrival time, s; none: no water was
+    std::optional<gpu::Texture> painted;     ///< as PaintedLayer says; none: nothing was painted
 
     /// Binds layers, ground and flags as shaders/sim/samples.glsl expects them, and sets its uniforms.
     void bind(gpu::Program& program);
@@ -75,8 +97,12 @@ class Terrain {
     /// After layers were written from outside in these samples: front and back hold them, ground follows.
     void refresh(const gpu::Region& samples);
 
-    /// From now on there is a water layer, dry where it was none.
+    /// From now on there is a water layer and its inundation map, dry where it was none.
     void add_water();
+    /// From now on there is a painted layer, zero where it was none.
+    void add_painted();
+    /// All layers beside the solid, in an order that stays: what undo keeps.
+    std::array<OptionalLayer, 3> optional_layers();
     /// Puts these samples, rows of depth (two words) and discharge, in place of the water there.
     void write_water(const gpu::Region& samples, std::span<const glm::vec4> water);
 

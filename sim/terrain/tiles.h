@@ -27,7 +27,8 @@ class Tiles {
         bed = 16,            ///< ground or water was changed by others than the water's own sub-steps
         wet = 32,            ///< its water is active; 128 to 1024 say beside which neighbours (water.comp)
         water_surface = 64,  ///< its water changed since it was last drawn
-        wet_sides = 128 | 256 | 512 | 1024
+        wet_sides = 128 | 256 | 512 | 1024,
+        inundation = 2048  ///< its water changed since the inundation map was last brought up to it
     };
 
     explicit Tiles(const Grid& grid);
@@ -49,7 +50,7 @@ class Tiles {
     std::uint64_t changes() const { return changes_; }
     void mark_all() {
         ++changes_;
-        flags_.fill(surface | activity | undo | sky | bed | wet | water_surface | wet_sides);
+        flags_.fill(surface | activity | undo | sky | bed | wet | water_surface | wet_sides | inundation);
     }
     /// Lists the tiles that carry the mark, or have a neighbour at an offset from reach_low to reach_high
     /// that does, then clears the mark everywhere. The list's dispatch is groups_per_tile x tiles x 1.

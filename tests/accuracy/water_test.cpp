@@ -218,7 +218,14 @@ TEST(Water, SkippingWhatRestsChangesNothing) {
             scene.settings.wave_period_s = 20;
             scene.settings.evaporation_m_per_s = 2e-6;
         }
-        const TerrainState start = scene.state();
+        TerrainState start = scene.state();
+        if (driven) {  // and rain that was painted over a square of 20 samples
+            scene.settings.rain_painted = true;
+            start.painted.assign(start.grid.count(), glm::vec4(0));
+            for (int row = 100; row < 120; ++row)
+                for (int column = 200; column < 220; ++column)
+                    start.painted[static_cast<std::size_t>(row) * 320 + column].z = 90;
+        }
         WaterRun sparse(start, scene.settings);
         WaterRun dense(start, scene.settings);
         dense.settings.skips_rest = false;
@@ -416,7 +423,7 @@ maths::WaterTwin<Real> twin_of(const TerrainState& state, const WaterSettings& s
     std::vector<glm::vec<4, Real>> water;
     for (const float height : state.ground()) beds.push_back(height);
     for (const glm::vec4& texel : state.water) water.emplace_back(texel);
-    return {state.grid, beds, water, settings};
+    return {state.grid, beds, water, settings, state.painted};
 }
 
 TEST(Water, AgreesWithItsFloatTwinToTheBit) {
@@ -448,7 +455,12 @@ TEST(Water, AgreesWithItsFloatTwinToTheBit) {
         scene.settings.wave_period_s = 4;
         scene.settings.inflow_m3_per_s = 900;
         scene.settings.inflow_rise_s = 6;
-        const TerrainState start = scene.state();
+        TerrainState start = scene.state();
+        if (c.manning > 0) {  // rain by a map
+            scene.settings.rain_painted = scene.settings.rain_masked = true;
+            for (std::size_t i = 0; i < start.grid.count(); ++i)
+                start.painted.emplace_back(0, 0.01F * static_cast<float>(i % 100), i % 7 * 100, 0);
+        }
         WaterRun run(start, scene.settings);
         auto twin = twin_of<float>(start, scene.settings);
         auto exact = twin_of<double>(start, scene.settings);

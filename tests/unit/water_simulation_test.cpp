@@ -1,11 +1,14 @@
 // Water in a session: undo, replay, saving midway and the frame rate change no bit, and its books close.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <random>
 
 #include "app/gauges.h"
+#include "app/scene.h"
 #include "app/wave_note.h"
+#include "render/renderer.h"
 #include "sim/gpu/context.h"
 #include "sim/gpu/error.h"
 #include "sim/io/document.h"
@@ -54,6 +57,14 @@ Dab water_dab(std::mt19937& random) {
     return dab;
 }
 
+Dab paint_dab(std::mt19937& random) {
+    Dab dab = water_dab(random);
+    dab.material = random() % 2 == 0 ? Material::rain : Material::mask;
+    dab.blend = 0.7;
+    dab.target_m = dab.mode == BrushMode::lower ? 0 : dab.material == Material::rain ? 400 : 1;
+    return dab;
+}
+
 void expect_same(const LedgerReading& a, const LedgerReading& b) {
     EXPECT_EQ(a.water_final, b.water_final);
     EXPECT_EQ(a.water_in, b.water_in);
@@ -92,6 +103,7 @@ TEST_P(EitherOrder, UndoesAndRedoesToTheBit) {
             simulation.begin_stroke("raise");
             for (int i = 0; i < 3; ++i) {
                 simulation.apply(water_dab(random));
+                simulation.apply(paint_dab(random));
                 simulation.apply(Ticks{1});
             }
             simulation.end_entry();
@@ -184,6 +196,8 @@ TEST_P(EitherOrder, FrameRateReplayAndSavingMidwayChangeNoBit) {
         std::mt19937 random(static_cast<unsigned>(first));
         for (int tick = first; tick < last; ++tick) {
             if (tick % 5 == 0) simulation.apply(water_dab(random));
+            if (tick % 5 == 1) simulation.apply(paint_dab(random));
+            if (tick == 12) simulation.apply(SetParameter{"water.rain_over", std::string("mask")});
             if (tick == 4) simulation.apply(PlaceSpring{700, 1300, 50});
             while (!simulation.advance(substeps)) {
             }
@@ -237,6 +251,8 @@ TEST(WaterSimulation, TheBooksClose) {
         simulation.apply(PlaceSpring{700, 1300, 50});
         for (int i = 0; i < 40; ++i) {
             simulation.apply(water_dab(random));
+            if (i > 10) simulation.apply(paint_dab(random));
+            if (i == 20) simulation.apply(SetParameter{"water.rain_over", std::string("mask")});
             simulation.apply(Ticks{3});
         }
         simulation.apply(SetParameter{"water.sea_level", 50.0});
@@ -249,6 +265,89 @@ TEST(WaterSimulation, TheBooksClose) {
         const double missing = ledger.water_final - ledger.water_initial - ledger.water_in + ledger.water_out;
         EXPECT_LE(std::abs(missing), 1e-6 * (ledger.water_in + ledger.water_out)) << "order " << order;
     }
+}
+
+TEST(WaterSimulation, KeepsTheLargestDepthAndWhenItCame) {
+    const gpu::Context context;
+    TerrainState start = coast();
+    start.water.assign(grid.count(), glm::vec4(0));
+    for (std::size_t i = 0; i < grid.count(); ++i) start.water[i].x = std::max(0.0F, 30 - start.bedrock[i].x);
+    Simulation simulation(start, parameters(), undo_bytes);
+    std::vector<glm::vec2> expected(grid.count(), glm::vec2(0));
+    std::mt19937 random(5);
+    const auto follow = [&] {
+        const TerrainState now = simulation.read();
+        for (std::size_t i = 0; i < grid.count(); ++i) {
+            const float depth = now.water[i].x;
+            if (depth < 0.01F || depth <= expected[i].x) continue;
+            if (expected[i].x == 0) expected[i].y = static_cast<float>(now.clock.simulated_s);
+            expected[i].x = depth;
+        }
+    };
+    follow();
+    for (int i = 0; i < 25; ++i) {
+        if (i % 6 == 2) simulation.apply(water_dab(random));
+        follow();
+        simulation.apply(Ticks{1});
+        follow();
+    }
+    EXPECT_EQ(simulation.read().inundation, expected);
+    std::size_t late = 0;
+    for (const glm::vec2& sample : expected) late += sample.y > 1 ? 1 : 0;
+    EXPECT_GT(late, grid.count() / 20) << "water must have reached new ground";
+}
+
+// What a brush painted falls there and nowhere else, and by the mask as much as it says.
+TEST(WaterSimulation, RainFallsWhereItWasPainted) {
+    const gpu::Context context;
+    const Grid plain{130, 70, 10, 10};
+    Parameters all(simulation_parameters());
+    for (const char* assignment : {"time.tick_s=1", "water.boundary.north=wall", "water.boundary.south=wall",
+                                   "water.boundary.west=wall", "water.boundary.east=wall"})
+        all.set_assignment(assignment);
+    Simulation simulation(bedrock_terrain(plain, std::vector<float>(plain.count(), 5.0F)), all);
+    Dab dab;
+    dab.x_m = 300;
+    dab.y_m = 350;
+    dab.radius_m = 120;
+    dab.falloff = 0;
+    dab.blend = 1;
+    dab.target_m = 360;
+    dab.material = Material::rain;
+    simulation.apply(dab);
+    simulation.apply(Ticks{1});
+    std::size_t wet = 0;
+    for (std::size_t i = 0; i < plain.count(); ++i) {
+        const double x = static_cast<double>(i % 130) * 10 - 300;
+        const double y = (69 - static_cast<double>(i / 130)) * 10 - 350;
+        const float depth = simulation.read().water[i].x;
+        const bool inside = x * x + y * y < 120 * 120;
+        wet += inside ? 1 : 0;
+        if (inside)
+            EXPECT_NEAR(depth, 1e-4, 1e-9);
+        else
+            EXPECT_EQ(depth, 0);
+        if (testing::Test::HasFailure()) break;
+    }
+    EXPECT_NEAR(simulation.ledger().water_in, static_cast<double>(wet) * 100 * 1e-4, 1e-6);
+    // Wiped, it stops; by a mask of one half, half of it falls.
+    dab.mode = BrushMode::lower;
+    dab.target_m = 0;
+    simulation.apply(dab);
+    const double before = simulation.ledger().water_in;
+    simulation.apply(Ticks{10});
+    EXPECT_EQ(simulation.ledger().water_in, before);
+    dab.mode = BrushMode::raise;
+    dab.material = Material::mask;
+    dab.target_m = 0.5;
+    simulation.apply(dab);
+    simulation.apply(SetParameter{"water.rain_over", std::string("mask")});
+    simulation.apply(SetParameter{"water.rain", 720.0});
+    simulation.apply(Ticks{10});
+    EXPECT_NEAR(simulation.ledger().water_in - before, static_cast<double>(wet) * 100 * 1e-3, 1e-5);
+    EXPECT_LE(std::abs(simulation.ledger().water_drift_relative()), 1e-6);
+    dab.target_m = 1.5;
+    EXPECT_THROW(simulation.apply(dab), Error);
 }
 
 TEST(WaterSimulation, TheSeaFillsWhatTheEdgeReaches) {
@@ -323,6 +422,37 @@ TEST(WaterSimulation, GaugesFollowWithoutWaitingWhatTheyReadByWaiting) {
     following.follow(simulation.terrain(), simulation.clock().simulated_s);
     for (const double time_s : following.times_s()) EXPECT_LE(time_s, simulation.clock().simulated_s);
     EXPECT_THROW(following.place({-5, 3}), Error);
+}
+
+// Five seconds of play at the speed that the preset asks for change the first look at it, as a person sees.
+TEST(WaterSimulation, PresetsAreSeenToMoveWithinFiveSeconds) {
+    const gpu::Context context;
+    for (const char* preset : {"flood", "island"}) {
+        SceneRequest request;
+        request.preset = preset;
+        const Scene scene = make_scene(request);
+        Simulation simulation(scene.document.state, scene.simulation);
+        Renderer renderer(simulation.terrain(), 8);
+        const Camera camera =
+            overview(scene.document.state.grid, 0, scene.simulation.number("terrain.relief_m"));
+        const ViewSettings settings = view_settings(scene.view);
+        const auto look = [&] {
+            renderer.draw(simulation.terrain(), camera, settings, 640, 360);
+            return renderer.read_rgb(640, 360);
+        };
+        const std::vector<std::uint8_t> before = look();
+        const double played_s = 5 * scene.view.number("time.speed");
+        simulation.apply(Ticks{static_cast<std::int64_t>(played_s / scene.simulation.number("time.tick_s"))});
+        const std::vector<std::uint8_t> after = look();
+        std::size_t changed = 0;
+        for (std::size_t i = 0; i < before.size(); i += 3)
+            if (std::max({std::abs(before[i] - after[i]), std::abs(before[i + 1] - after[i + 1]),
+                          std::abs(before[i + 2] - after[i + 2])}) > 12)
+                ++changed;
+        const double share = 3.0 * static_cast<double>(changed) / static_cast<double>(before.size());
+        fmt::print("{}: {:.2f} % of the picture changed\n", preset, 100 * share);
+        EXPECT_GT(share, 0.002) << preset;
+    }
 }
 
 TEST(WaterSimulation, RefusesSpringsOffTheMap) {

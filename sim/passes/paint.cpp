@@ -1,0 +1,24 @@
+#include "sim/passes/paint.h"
+
+namespace talus {
+
+double most_painted(PaintedLayer layer) {
+    return layer == PaintedLayer::rain ? 1e4 : 1;
+}
+
+void Paint::dab(Terrain& terrain, const Dab& dab) {
+    const std::vector<int> reached = terrain.tiles.touched_by(dab_region(terrain.grid(), dab));
+    if (reached.empty()) return;
+    terrain.add_painted();
+    terrain.painted->bind_image(0, gpu::Access::read_write);
+    terrain.tiles.bind_for_marking();
+    set_dab(program_, terrain, dab);
+    program_.set("painted_layer", static_cast<int>(painted_layer(dab.material)));
+    program_.set("dab_blend", static_cast<float>(dab.blend));
+    program_.set("dab_target", static_cast<float>(dab.target_m));
+    const TileBlock block = tile_block(terrain.tiles, reached);
+    program_.set("first_tile", block.first);
+    program_.dispatch(block.size.x, block.size.y);
+}
+
+}  // namespace talus

@@ -1,0 +1,22 @@
+#pragma once
+#include "sim/gpu/program.h"
+#include "sim/passes/brush.h"
+#include "sim/terrain/terrain.h"
+
+namespace talus {
+
+/// The largest value of a painted layer; the smallest is 0.
+double most_painted(PaintedLayer layer);
+
+/// Applies dabs of paint: they bring a painted layer nearer to the dab's target.
+class Paint {
+  public:
+    Paint() : program_("sim/paint.comp") {}
+    /// The dab must be one of paint; the terrain gets a painted layer where it has none.
+    void dab(Terrain& terrain, const Dab& dab);
+
+  private:
+    gpu::Program program_;
+};
+
+}  // namespace talus
