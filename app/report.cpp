@@ -33,10 +33,19 @@ std::string run_report(const RunFigures& figures, const TerrainState& state, Sim
     report["hash"] = fmt::format("{:016x}", state_hash(state));
     report["height_min"] = *low;
     report["height_max"] = *high;
-    report["ledger"] = {
-        {"solid_initial", ledger.solid_initial}, {"solid_final", ledger.solid_final},
-        {"solid_in", ledger.solid_in},           {"solid_out", ledger.solid_out},
-        {"moved_m3", ledger.moved_m3},           {"closing_error_of_moved", ledger.closing_error_of_moved()}};
+    report["ledger"] = {{"solid_initial", ledger.solid_initial},
+                        {"solid_final", ledger.solid_final},
+                        {"solid_in", ledger.solid_in},
+                        {"solid_out", ledger.solid_out},
+                        {"moved_m3", ledger.moved_m3()},
+                        {"closing_error_of_moved", ledger.closing_error_of_moved()},
+                        {"bedrock_m3", ledger.bedrock},
+                        {"regolith_m3", ledger.regolith},
+                        {"eroded_m3", ledger.eroded_m3},
+                        {"deposited_m3", ledger.deposited_m3},
+                        {"suspended_m3", ledger.suspended},
+                        {"out_m3", ledger.solid_edges_out},
+                        {"closing_error_of_eroded", ledger.closing_error_of_eroded()}};
     if (!state.water.empty()) {
         double fastest = 0;
         float lowest = state.water[0].x;

@@ -3,46 +3,76 @@
 #include <cmath>
 
 namespace talus {
+namespace {
+
+double error_of(double error, double of) {
+    return error == 0 ? 0 : std::abs(error) / of;
+}
+
+}  // namespace
 
 double LedgerReading::closing_error_of_moved() const {
-    const double error = std::abs(closing_error_m3());
-    return error == 0 ? 0 : error / moved_m3;
+    return error_of(closing_error_m3(), moved_m3());
 }
 
-Ledger::Ledger(const Terrain& terrain)
+double LedgerReading::closing_error_of_eroded() const {
+    return error_of(closing_error_m3(), eroded_m3);
+}
+
+Ledger::Ledger(const Terrain& terrain, const SolidWeights& weights)
     : program_("sim/ledger.comp"),
-      tile_sums_("ledger sums", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(glm::dvec4)),
-      water_program_({"sim/ledger.comp"}, {"WATER 1"}) {
-    initial_ = sum(terrain);
+      tile_sums_("ledger sums", static_cast<std::size_t>(terrain.tiles.count()) * 2 * sizeof(glm::dvec4)),
+      water_program_({"sim/ledger.comp"}, {"WATER 1"}),
+      loaded_program_({"sim/ledger.comp"}, {"WATER 1", "SEDIMENT 1"}) {
+    const Sums initial = sum(terrain);
+    solid_initial_ = initial.solid(weights);
+    water_initial_ = initial.water;
 }
 
-glm::dvec3 Ledger::sum(const Terrain& terrain) {
-    gpu::Program& program = terrain.water ? water_program_ : program_;
+Ledger::Sums Ledger::sum(const Terrain& terrain) {
+    gpu::Program& program = terrain.suspended ? loaded_program_ : terrain.water ? water_program_ : program_;
     terrain.solid.front.bind_image(0, gpu::Access::read);
     terrain.start.bind_image(1, gpu::Access::read);
     if (terrain.water) terrain.water->front.bind_image(2, gpu::Access::read);
+    if (terrain.suspended) terrain.suspended->front.bind_image(3, gpu::Access::read);
     tile_sums_.bind_storage(0);
     program.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
     program.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
     program.dispatch(terrain.tiles.columns(), terrain.tiles.rows());
-    glm::dvec3 total(0);
-    for (const glm::dvec4& tile : tile_sums_.read_all<glm::dvec4>()) total += glm::dvec3(tile);
-    return total * (terrain.grid().dx * terrain.grid().dy);
+    glm::dvec4 stores(0);
+    glm::dvec4 changes(0);
+    const std::vector<glm::dvec4> sums = tile_sums_.read_all<glm::dvec4>();
+    for (std::size_t tile = 0; tile < sums.size(); tile += 2) {
+        stores += sums[tile];
+        changes += sums[tile + 1];
+    }
+    const double area = terrain.grid().dx * terrain.grid().dy;
+    stores *= area;
+    changes *= area;
+    return {stores.x, stores.y, stores.z, stores.w, changes.x, changes.y};
 }
 
-LedgerReading Ledger::read(const Terrain& terrain, const Brush& brush, const WaterBooks& water) {
+LedgerReading Ledger::read(const Terrain& terrain, const SolidWeights& weights, const Brush& brush,
+                           const WaterBooks& water, glm::dvec2 solid_edges_m, double reweighed_m3) {
     const double area = terrain.grid().dx * terrain.grid().dy;
-    const glm::dvec3 now = sum(terrain);
+    const Sums now = sum(terrain);
     LedgerReading reading;
-    reading.solid_initial = initial_.x;
-    reading.solid_final = now.x;
-    reading.moved_m3 = now.y / 2;
-    for (const glm::dvec2& book : brush.books.read_all<glm::dvec2>()) {
-        reading.solid_in += book.x * area;
-        reading.solid_out += book.y * area;
+    reading.bedrock = now.bedrock;
+    reading.regolith = weights.regolith * now.regolith;
+    reading.suspended = weights.suspended * now.suspended;
+    reading.solid_initial = solid_initial_;
+    reading.solid_final = now.solid(weights);
+    reading.eroded_m3 = now.eroded;
+    reading.deposited_m3 = now.deposited;
+    for (const glm::dvec4& book : brush.books.read_all<glm::dvec4>()) {
+        reading.solid_in += (book.x + weights.regolith * book.z) * area;
+        reading.solid_out += (book.y + weights.regolith * book.w) * area;
     }
-    reading.water_initial = initial_.z;
-    reading.water_final = now.z;
+    reading.solid_edges_out = solid_edges_m.y * area;
+    reading.solid_in += solid_edges_m.x * area + std::max(reweighed_m3, 0.0);
+    reading.solid_out += reading.solid_edges_out + std::max(-reweighed_m3, 0.0);
+    reading.water_initial = water_initial_;
+    reading.water_final = now.water;
     reading.water_in = water.in_m3();
     reading.water_out = water.out_m3();
     return reading;

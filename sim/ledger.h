@@ -5,14 +5,24 @@
 
 namespace talus {
 
-/// Where rock and water are, in m³, summed in double. Solid = bedrock + regolith (regolith of porosity 0
-/// until sediment has its own).
+/// What a metre of each store counts as solid: bedrock 1, regolith 1 - porosity, suspended the acceleration.
+struct SolidWeights {
+    double regolith = 1;
+    double suspended = 1;
+};
+
+/// Where rock and water are, in m³, summed in double (law 3).
 struct LedgerReading {
+    double bedrock = 0;  ///< as solid, each
+    double regolith = 0;
+    double suspended = 0;
     double solid_initial = 0;
     double solid_final = 0;
-    double solid_in = 0;   ///< added by brushes
-    double solid_out = 0;  ///< taken by brushes
-    double moved_m3 = 0;   ///< sum of |ground - ground at the start| dx dy / 2
+    double solid_in = 0;  ///< by brushes and edges, and what changed its weight
+    double solid_out = 0;
+    double solid_edges_out = 0;  ///< of it, by edges
+    double eroded_m3 = 0;        ///< net: where the ground is lower than at the start
+    double deposited_m3 = 0;     ///< net: where it is higher
 
     double water_initial = 0;
     double water_final = 0;
@@ -24,25 +34,44 @@ struct LedgerReading {
         const double all = water_initial + water_in;
         return all > 0 ? (water_final - water_initial - water_in + water_out) / all : 0;
     }
+    /// Half of all that the ground changed by.
+    double moved_m3() const { return (eroded_m3 + deposited_m3) / 2; }
     double closing_error_m3() const { return solid_final - solid_initial - solid_in + solid_out; }
-    /// Against what moved (law 3); 0 where nothing moved and nothing is missing.
+    /// Against what moved (law 3), and against what was eroded; 0 where nothing is missing.
     double closing_error_of_moved() const;
+    double closing_error_of_eroded() const;
 };
 
 /// Sums the terrain on the device, tile by tile, and what came and went by its books.
 class Ledger {
   public:
-    explicit Ledger(const Terrain& terrain);
-    /// Waits for the device. Not for use within a frame (law 7).
-    LedgerReading read(const Terrain& terrain, const Brush& brush, const WaterBooks& water);
+    Ledger(const Terrain& terrain, const SolidWeights& weights);
+    /// `solid_edges_m`: metres of solid in and out by edges; `reweighed_m3`: what changes of the weights
+    /// brought. Waits for the device. Not for use within a frame (law 7).
+    LedgerReading read(const Terrain& terrain, const SolidWeights& weights, const Brush& brush,
+                       const WaterBooks& water, glm::dvec2 solid_edges_m, double reweighed_m3);
 
   private:
-    glm::dvec3 sum(const Terrain& terrain);
+    // m³ of each, regolith and suspended without their weights.
+    struct Sums {
+        double bedrock = 0;
+        double regolith = 0;
+        double suspended = 0;
+        double water = 0;
+        double eroded = 0;
+        double deposited = 0;
+        double solid(const SolidWeights& weights) const {
+            return bedrock + weights.regolith * regolith + weights.suspended * suspended;
+        }
+    };
+    Sums sum(const Terrain& terrain);
 
     gpu::Program program_;
     gpu::Buffer tile_sums_;
     gpu::Program water_program_;
-    glm::dvec3 initial_{0};
+    gpu::Program loaded_program_;
+    double solid_initial_ = 0;
+    double water_initial_ = 0;
 };
 
 }  // namespace talus

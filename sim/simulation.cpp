@@ -9,12 +9,46 @@
 namespace talus {
 namespace {
 
+constexpr double m_per_s = 1e-3 / 3600;  // a mm/h
+
 ThermalSettings thermal_settings(const Parameters& parameters) {
-    return {parameters.number("thermal.repose_deg"), parameters.number("thermal.rate_m2_per_s")};
+    ThermalSettings settings;
+    settings.repose_deg = parameters.number("thermal.repose_deg");
+    settings.rate_m2_per_s = parameters.number("thermal.rate_m2_per_s");
+    const auto angle = [&](const char* name) {
+        return parameters.is_given(name) ? parameters.number(name) : settings.repose_deg;
+    };
+    settings.wet_deg = angle("thermal.wet_deg");
+    settings.bedrock_deg = angle("thermal.bedrock_deg");
+    settings.porosity = parameters.number("erosion.porosity");
+    settings.weathering_m_per_s = parameters.number("thermal.weathering") * m_per_s;
+    return settings;
+}
+
+SedimentSettings settings_of_sediment(const Parameters& parameters) {
+    constexpr double m3_per_n_s = 1e-6;
+    SedimentSettings settings;
+    // Off, nothing new is taken; what is on its way settles.
+    const double taking = parameters.toggle("erosion.on") ? m3_per_n_s : 0;
+    settings.regolith_m_per_s_pa = parameters.number("erosion.erodibility") * taking;
+    settings.bedrock_m_per_s_pa = parameters.number("erosion.bedrock_erodibility") * taking;
+    settings.critical_pa = parameters.number("erosion.critical_shear");
+    settings.settling_m_per_s = parameters.number("erosion.settling") * 1e-3;
+    settings.porosity = parameters.number("erosion.porosity");
+    settings.acceleration = parameters.number("erosion.acceleration");
+    settings.inflow_concentration = parameters.number("erosion.inflow_concentration");
+    settings.strata_m = parameters.number("erosion.strata_m");
+    settings.strata_hardness = parameters.number("erosion.strata_hardness");
+    return settings;
+}
+
+// As the shaders count them, so that their roundings are not taken for solid.
+SolidWeights weights_of(const Parameters& parameters) {
+    return {1 / static_cast<double>(bulking_of(parameters.number("erosion.porosity"))),
+            static_cast<double>(static_cast<float>(parameters.number("erosion.acceleration")))};
 }
 
 WaterSettings settings_of_water(const Parameters& parameters) {
-    constexpr double m_per_s = 1e-3 / 3600;
     WaterSettings settings;
     settings.order = parameters.whole("water.order");
     settings.gravity_m_per_s2 = parameters.number("water.gravity");
@@ -42,6 +76,7 @@ WaterSettings settings_of_water(const Parameters& parameters) {
     settings.wave_height_m = parameters.number("water.wave_height");
     settings.wave_period_s = parameters.number("water.wave_period");
     settings.wave_depth_m = parameters.number("water.wave_depth");
+    settings.sediment = settings_of_sediment(parameters);
     return settings;
 }
 
@@ -60,7 +95,8 @@ Simulation::Simulation(const TerrainState& state, const Parameters& parameters, 
       undo_(undo_bytes),
       keeps_undo_(undo_bytes > 0) {
     moment_.parameters.suggest("thermal.rate_m2_per_s",
-                               natural_thermal_rate(state.grid, parameters.number("time.tick_s")));
+                               natural_thermal_rate(state.grid, parameters.number("time.tick_s"),
+                                                    parameters.number("erosion.porosity")));
     check_tick(moment_.parameters);
     if (terrain_.water) {
         add_water();
@@ -71,7 +107,7 @@ Simulation::Simulation(const TerrainState& state, const Parameters& parameters, 
     // What was saved midway holds what is left of its sea.
     if (state.clock.ticks == 0 && moment_.parameters.is_given("water.sea_level")) fill_sea_now();
     moment_.sea_m3 = 0;
-    ledger_ = std::make_unique<Ledger>(terrain_);
+    ledger_ = std::make_unique<Ledger>(terrain_, weights_of(moment_.parameters));
 }
 
 Books Simulation::books() {
@@ -107,6 +143,9 @@ WaterSettings Simulation::water_settings() const {
     settings.rain_masked = settings.rain_masked && settings.rain_m_per_s > 0;
     // Where nothing was painted the mask is 0, and no rain falls by it.
     if (settings.rain_masked && !terrain_.painted) settings.rain_m_per_s = 0;
+    const ThermalSettings slopes = thermal_settings(moment_.parameters);
+    settings.wakes_slopes = moment_.parameters.toggle("thermal.on") && slopes.wet_deg != slopes.repose_deg;
+    settings.sediment.carried = terrain_.suspended.has_value();
     settings.rain_painted = rain_painted_ && terrain_.painted.has_value();
     return settings;
 }
@@ -137,6 +176,7 @@ void Simulation::apply(const Operation& operation) {
         const bool entry = keeps_undo_ && !undo_.is_open() && (fills || !undo_.extends(set->name));
         if (entry) undo_.open(set->name, terrain_, books(), journal_, moment_);
         if (keeps_undo_ && fills) undo_.keep_all(terrain_);
+        if (set->name == "erosion.porosity" || set->name == "erosion.acceleration") reweigh(changed);
         moment_.parameters = changed;
         if (drives_edges(set->name)) moment_.edges_since_s = moment_.clock.simulated_s;
         if (fills) fill_sea_now();
@@ -202,6 +242,7 @@ void Simulation::begin_tick() {
     const Parameters& parameters = moment_.parameters;
     const double tick_s = parameters.number("time.tick_s");
     if (has_water()) add_water();
+    if (has_water() && parameters.toggle("erosion.on")) terrain_.add_suspended();
     if (keeps_undo_) {
         if (!undo_.is_open()) undo_.open("run", terrain_, books(), journal_, moment_);
         undo_.keep_all(terrain_);
@@ -275,7 +316,17 @@ LedgerReading Simulation::ledger() {
             water.brush_out_m3 += book.y * area;
         }
     }
-    return ledger_->read(terrain_, brush_, water);
+    const glm::dvec2 solid = water_ ? water_->read_solid_books() : glm::dvec2(0);
+    return ledger_->read(terrain_, weights_of(moment_.parameters), brush_, water, solid,
+                         moment_.reweighed_m3);
+}
+
+void Simulation::reweigh(const Parameters& changed) {
+    const double before = ledger().closing_error_m3();
+    Parameters present = changed;
+    std::swap(moment_.parameters, present);
+    moment_.reweighed_m3 += ledger().closing_error_m3() - before;
+    std::swap(moment_.parameters, present);
 }
 
 Water::Work Simulation::water_work() const {

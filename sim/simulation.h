@@ -76,6 +76,8 @@ class Simulation {
     void exchange(void (Undo::*way)(Terrain&, const Books&, Journal&, Moment&));
     Books books();
     WaterSettings water_settings() const;
+    /// A change of what a metre of regolith or load counts brings or takes no solid: it is booked.
+    void reweigh(const Parameters& changed);
     /// Whether water is there, or may come in the next tick.
     bool has_water() const;
     void add_water();

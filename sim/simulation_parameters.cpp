@@ -27,6 +27,37 @@ std::vector<Parameter> simulation_parameters() {
                "Angle of repose: the steepest slope at which loose ground rests."),
         number("thermal.rate_m2_per_s", 0, 0, 1e12, "m²/s",
                "How fast steep ground slides. Unless set, it follows the spacing: one sub-step a tick."),
+        number("thermal.bedrock_deg", 33, 1, 89, "°",
+               "Angle that bedrock fails at. Unless set, it slides at the angle of repose, like scree."),
+        number("thermal.wet_deg", 33, 1, 80, "°",
+               "Angle of repose of regolith under water. Unless set, the same as in the dry."),
+        number("thermal.weathering", 0, 0, 1e6, "mm/h",
+               "How fast bare bedrock turns into regolith; half a metre of regolith halves it."),
+        toggle(
+            "erosion.on", false,
+            "Running water takes solid from its bed, carries it, and lets it settle where it slackens. Off: "
+            "what is on its way still settles."),
+        number(
+            "erosion.erodibility", 1, 0, 1e6, "cm³/(N s)",
+            "Of regolith: a pascal above the critical stress takes so many millionths of a metre a second. "
+            "0.01 stiff clay, 1 to 100 loose ground (Hanson & Simon 2001)."),
+        number("erosion.bedrock_erodibility", 0.1, 0, 1e6, "cm³/(N s)", "Of bedrock."),
+        number(
+            "erosion.critical_shear", 5, 0, 1e6, "Pa",
+            "Shear stress of the water on its bed that takes nothing yet. The stress follows water.manning: "
+            "where that is 0, nothing erodes."),
+        number("erosion.settling", 10, 0, 1e4, "mm/s",
+               "How fast grains settle in still water: 0.01 silt, 10 fine sand, 100 gravel."),
+        number("erosion.porosity", 0, 0, 0.9, "",
+               "Share of voids in regolith: in what settles and in scree. 0.3 to 0.4 in sand."),
+        number("erosion.acceleration", 1, 1, 1000, "",
+               "How often each exchange counts for the ground: geology waits for no water (morphological "
+               "factor)."),
+        number("erosion.inflow_concentration", 0, 0, 0.3, "",
+               "Solid in the water that enters by edges of kind inflow, by volume."),
+        number("erosion.strata_m", 0, 0, 1e5, "m",
+               "Bedrock in level layers: thickness of a hard and a soft one together; 0: none."),
+        number("erosion.strata_hardness", 0.9, 0, 1, "", "Hardness of the hard ones; 1 does not erode."),
         toggle("water.on", true, "Water flows. Where there is none, and none comes, it costs nothing."),
         whole("water.order", 2, 1, 2, "", "Order of the scheme: 1 is cheaper, 2 far more exact."),
         number("water.gravity", 9.81, 0.01, 100, "m/s²", "Acceleration of gravity."),

@@ -16,7 +16,8 @@ struct Moment {
     Parameters parameters;
     std::vector<Spring> springs;
     double edges_since_s = 0;
-    double sea_m3 = 0;  ///< water that sea levels brought so far
+    double sea_m3 = 0;        ///< water that sea levels brought so far
+    double reweighed_m3 = 0;  ///< solid that changes of porosity and acceleration brought so far
 };
 
 /// Books of what passes brought and took, on the device. New ones may be added at the end.

@@ -23,7 +23,7 @@ void draw_ledger_panel(const Session& session, PanelRequests& requests) {
     line("Rock", ledger.solid_final, "m³");
     line("  brought", ledger.solid_in, "m³");
     line("  taken", ledger.solid_out, "m³");
-    line("  moved", ledger.moved_m3, "m³");
+    line("  moved", ledger.moved_m3(), "m³");
     line("  missing", ledger.closing_error_m3(), "m³");
     line("Water on the map", ledger.water_final, "m³");
     line("  at the start", ledger.water_initial, "m³");

@@ -39,5 +39,5 @@ real4 brush_sample(real4 c, real change) {
         real2 bedrock = add_increment(real2(c.x, c.y), change);
         return real4(bedrock.x, bedrock.y, c.z, c.w);
     }
-    return exchange_solid(c, max(change, real(0)), max(-change, real(0)));
+    return exchange_solid(c, max(change, real(0)), max(-change, real(0)), real(1));
 }

@@ -1,4 +1,5 @@
 // A sample's solid: real4(bedrock high, bedrock low, regolith high, regolith low), metres.
+#include "maths/ground_height.glsl"
 #include "maths/two_sum.glsl"
 
 // Ground height of b above a, metres. Words are subtracted like from like, so a datum of thousands of metres
@@ -10,23 +11,21 @@ real rise(real4 a, real4 b) {
     return sum;
 }
 
-// Ground height, metres.
-real ground_height(real4 solid) {
-    precise real sum = (solid.x + solid.z) + (solid.y + solid.w);
-    return sum;
-}
-
-// The sample after `gain` metres arrived as regolith and `loss` metres left: regolith first, bedrock for the rest.
-real4 exchange_solid(real4 solid, real gain, real loss) {
+// The sample after `gain` metres of solid arrived as regolith and `loss` metres left: regolith first, bedrock for the
+// rest. `bulking`: metres of regolith that a metre of solid makes.
+real4 exchange_solid(real4 solid, real gain, real loss, real bulking) {
     real2 bedrock = real2(solid.x, solid.y);
     real2 regolith = real2(solid.z, solid.w);
-    if (loss <= solid.z) {
-        precise real net = gain - loss;
+    precise real loss_loose = loss * bulking;
+    precise real gain_loose = gain * bulking;
+    if (loss_loose <= solid.z) {
+        precise real net = (gain - loss) * bulking;
         regolith = add_increment(regolith, net);
     } else {
-        precise real rest = (solid.z - loss) + solid.w;
-        bedrock = add_increment(bedrock, rest);
-        regolith = real2(gain, real(0));
+        precise real rest = (solid.z - loss_loose) + solid.w;
+        precise real rest_solid = rest / bulking;
+        bedrock = add_increment(bedrock, rest_solid);
+        regolith = real2(gain_loose, real(0));
     }
     return real4(bedrock.x, bedrock.y, regolith.x, regolith.y);
 }

@@ -2,21 +2,53 @@
 // gradient, q = -rate grad h max(0, 1 - S / |grad h|) (docs/numerics.md, "Thermal erosion"). The including side
 // gives real4 load_solid(int2) that repeats the edge's samples beyond the edge (walls: no flux leaves), and
 //   cell_m            real2, spacing of columns and of rows, metres
-//   repose_slope      real, tangent of the angle of repose
+//   load_repose(int2) real, tangent of the angle of repose of the regolith there
+//   bedrock_slope     real, tangent of the angle that bedrock fails at
 //   face_share        real2, rate * sub-step / spacing: square metres per second times seconds per metre
+//   thermal_bulking   real, metres of regolith that a metre of solid makes: 1 / (1 - porosity)
+//   weathering        real, metres of bare bedrock that weather in a sub-step
 #include "maths/solid.glsl"
+
+// Thinner regolith, m, does not slide by itself, so that bare slopes come to rest; regolith as deep as this, m, halves the
+// weathering below it.
+const real thermal_film = real(1e-5);
+const real weathering_depth = real(0.5);
+
+// The share of a slope that is above repose; a face less than 1/4096 above it rests, so that a slope comes to rest in
+// finite time.
+real slope_excess(real steepness, real repose) {
+    precise real excess = real(1) - repose / max(steepness, real(1e-30));
+    return steepness > repose * real(1.000244140625) ? excess : real(0);
+}
 
 // Metres of solid that slide through a face in one sub-step, from its higher to its lower side: > 0 into the
 // sample on the low side. `along` is the rise across the face, the two others the rises beside it, each over two
-// spacings. A face less than 1/4096 above repose rests, so that a slope comes to rest in finite time.
-real slide(real along, real spacing, real share, real beside_0, real beside_1, real spacing_beside) {
+// spacings. The higher side gives what is loose down to its angle of repose, a quarter of it at most, and what fails as
+// bedrock.
+real slide(real along, real spacing, real share, real beside_0, real beside_1, real spacing_beside, real4 here, real4 there, real repose_here, real repose_there) {
     precise real normal = along / spacing;
     precise real tangent = (beside_0 + beside_1) / (real(4) * spacing_beside);
     precise real square = normal * normal + tangent * tangent;
     precise real steepness = sqrt(square);
-    precise real excess = real(1) - repose_slope / max(steepness, real(1e-30));
-    precise real amount = (share / spacing) * (along * excess);
-    return steepness > repose_slope * real(1.000244140625) ? amount : real(0);
+    real loose = along > real(0) ? there.z : here.z;
+    real repose = along > real(0) ? repose_there : repose_here;
+    precise real whole = (share / spacing) * along;
+    precise real as_regolith = whole * slope_excess(steepness, repose);
+    precise real as_bedrock = whole * slope_excess(steepness, bedrock_slope);
+    precise real quarter = (loose * real(0.25)) / thermal_bulking;
+    real most = loose > thermal_film ? quarter : real(0);
+    real limited = min(max(as_regolith, -most), most);
+    return abs(as_bedrock) >= abs(limited) ? as_bedrock : limited;
+}
+
+// Bedrock that weathers becomes regolith: less the deeper it lies (after Heimsath et al. 1997, as a hyperbola).
+real4 weathered(real4 solid) {
+    precise real decay = real(1) + max(solid.z, real(0)) / weathering_depth;
+    precise real metres = weathering / decay;
+    precise real loose = metres * thermal_bulking;
+    real2 bedrock = add_increment(real2(solid.x, solid.y), -metres);
+    real2 regolith = add_increment(real2(solid.z, solid.w), loose);
+    return weathering > real(0) ? real4(bedrock.x, bedrock.y, regolith.x, regolith.y) : solid;
 }
 
 // The sample after one sub-step.
@@ -39,14 +71,16 @@ real4 thermal_sample(int2 at) {
     real east_c = rise(w, e);
     real east_s = rise(sw, se);
 
+    real repose_c = load_repose(at);
+
     // Positive: into this sample. Both sides of a face call slide() with the same bits but for the sign of `along`.
-    real from_e = slide(rise(c, e), cell_m.x, face_share.x, south_c, south_e, cell_m.y);
-    real from_w = slide(rise(c, w), cell_m.x, face_share.x, south_w, south_c, cell_m.y);
-    real from_s = slide(rise(c, s), cell_m.y, face_share.y, east_c, east_s, cell_m.x);
-    real from_n = slide(rise(c, n), cell_m.y, face_share.y, east_n, east_c, cell_m.x);
+    real from_e = slide(rise(c, e), cell_m.x, face_share.x, south_c, south_e, cell_m.y, c, e, repose_c, load_repose(at + int2(1, 0)));
+    real from_w = slide(rise(c, w), cell_m.x, face_share.x, south_w, south_c, cell_m.y, c, w, repose_c, load_repose(at + int2(-1, 0)));
+    real from_s = slide(rise(c, s), cell_m.y, face_share.y, east_c, east_s, cell_m.x, c, s, repose_c, load_repose(at + int2(0, 1)));
+    real from_n = slide(rise(c, n), cell_m.y, face_share.y, east_n, east_c, cell_m.x, c, n, repose_c, load_repose(at + int2(0, -1)));
 
     // Sums go in pairs of opposite faces: a turned terrain gives turned bits.
     precise real gain = (max(from_e, real(0)) + max(from_w, real(0))) + (max(from_s, real(0)) + max(from_n, real(0)));
     precise real loss = (max(-from_e, real(0)) + max(-from_w, real(0))) + (max(-from_s, real(0)) + max(-from_n, real(0)));
-    return exchange_solid(c, gain, loss);
+    return weathered(exchange_solid(c, gain, loss, thermal_bulking));
 }

@@ -2,7 +2,7 @@
 layout(local_size_x = 16, local_size_y = 16) in;
 #include "sim/samples.glsl"
 
-layout(binding = 1, std430) buffer TileBooks { dvec2 tile_books[]; };  // metres of solid in, out
+layout(binding = 1, std430) buffer TileBooks { dvec4 tile_books[]; };  // metres of bedrock in, out, of regolith in, out
 
 uniform int2 first_tile;
 uniform real2 cell_m;
@@ -17,12 +17,20 @@ uniform real2 dab_target_m;
 uniform int dab_on_regolith;
 #include "maths/brush.glsl"
 
-shared dvec2 column_books[16];
-shared dvec2 sample_books[256];
+shared dvec4 column_books[16];
+shared dvec4 sample_books[256];
+
+// What a change of the ground brings and takes, by layer (maths/brush.glsl).
+dvec4 book_of(real change, real4 before) {
+    double gain = max(double(change), 0.0lf);
+    double loss = max(-double(change), 0.0lf);
+    double loose = loss <= double(before.z) ? loss : double(before.z) + double(before.w);
+    return dab_on_regolith == 0 ? dvec4(gain, loss - loose, 0.0lf, loose) : dvec4(0.0lf, loss - loose, gain, loose);
+}
 
 void main() {
     int2 tile = first_tile + int2(gl_WorkGroupID.xy);
-    dvec2 book = dvec2(0.0);
+    dvec4 book = dvec4(0.0);
     bool changed = false;
     for (int block = 0; block < 16; ++block) {
         int2 at = tile * 64 + int2(block & 3, block >> 2) * 16 + int2(gl_LocalInvocationID.xy);
@@ -33,7 +41,7 @@ void main() {
         if (change != 0.0) {
             after = brush_sample(before, change);
             imageStore(ground_out, at, vec4(ground_height(after)));
-            book += dvec2(max(double(change), 0.0lf), max(-double(change), 0.0lf));
+            book += book_of(change, before);
             changed = true;
         }
         imageStore(solid_out, at, after);
@@ -42,13 +50,13 @@ void main() {
     sample_books[gl_LocalInvocationIndex] = book;
     barrier();
     if (gl_LocalInvocationID.y == 0u) {
-        dvec2 sum = dvec2(0.0);
+        dvec4 sum = dvec4(0.0);
         for (int row = 0; row < 16; ++row) sum += sample_books[row * 16 + int(gl_LocalInvocationID.x)];
         column_books[gl_LocalInvocationID.x] = sum;
     }
     barrier();
     if (gl_LocalInvocationIndex == 0u) {
-        dvec2 sum = dvec2(0.0);
+        dvec4 sum = dvec4(0.0);
         for (int column = 0; column < 16; ++column) sum += column_books[column];
         tile_books[tile.y * tiles.x + tile.x] += sum;
     }

@@ -5,8 +5,19 @@ layout(local_size_x = 16, local_size_y = 16) in;
 layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 
 uniform real2 cell_m;
-uniform real repose_slope;
+uniform real repose_slope;  // of regolith, dry
+uniform real wet_slope;     // under water
+uniform real bedrock_slope;
 uniform real2 face_share;
+uniform real thermal_bulking;
+uniform real weathering;
+
+#ifdef WET
+layout(binding = 3, rgba32f) uniform readonly image2D water;  // with two ghost samples around
+real load_repose(int2 at) { return imageLoad(water, at + 2).x >= real(0.01) ? wet_slope : repose_slope; }
+#else
+real load_repose(int2 at) { return repose_slope; }
+#endif
 #include "maths/thermal.glsl"
 
 void main() {

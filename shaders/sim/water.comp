@@ -15,6 +15,14 @@ layout(binding = 2, r32f) uniform readonly image2D bed_in;
 layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
 layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 layout(binding = 3, std430) buffer TileSpeeds { uint tile_speeds[]; };
+#ifdef SEDIMENT
+layout(binding = 4, rg32f) uniform readonly image2D load_in;
+#if ORDER == 2 && STAGE == 2
+layout(binding = 5, rg32f) uniform image2D load_out;
+#else
+layout(binding = 5, rg32f) uniform writeonly image2D load_out;
+#endif
+#endif
 #ifdef SOURCES
 layout(binding = 4, std430) buffer TileSources { dvec2 tile_sources[]; };  // metres of loss and of rain by the map, per tile and strip
 shared dvec2 column_sources[64];
@@ -29,6 +37,7 @@ uniform real gravity;
 uniform real rain_m_per_s;
 uniform int rain_masked;
 uniform real loss_m_per_s;
+uniform uint slope_mark;  // 2 where slopes hang on what is under water, else 0
 
 const int water_order = ORDER;
 real water_gravity = gravity;
@@ -43,6 +52,12 @@ const real water_friction = real(0);
 #include "sim/cube_root_seed.glsl"
 #include "maths/water.glsl"
 #include "maths/water_sources.glsl"
+#ifdef SEDIMENT
+#include "maths/sediment_transport.glsl"
+
+// A sample's load, and by the way its concentration.
+real load_concentration(int2 at, real depth) { return sediment_concentration(depth, imageLoad(load_in, at + water_ghosts).x); }
+#endif
 
 // Bits of a tile's flags: undo must keep it, its water is active, its picture and its inundation are old; and its water is active within
 // reach of the tile to its north, south, west, east.
@@ -93,6 +108,11 @@ void main() {
         WaterCell south = load_cell(first + int2(0, 1), below);
         WaterSlope slope = water_slope(south, cell, north);
         WaterFace face_north = face_between(south, cell, slope, north, water_slope(cell, north, north_2), north_2);
+#ifdef SEDIMENT
+        real solid_here = load_concentration(first, cell.depth);
+        real solid_south = load_concentration(first + int2(0, 1), south.depth);
+        real solid_north = sediment_flux(face_north.mass, solid_here, load_concentration(first + int2(0, -1), north.depth));
+#endif
         int row = 0;
         do {
             int2 at = first + int2(0, row);
@@ -146,6 +166,24 @@ void main() {
             moved_high = moved_high || (moves && row_in_tile < water_reach);
             moved_low = moved_low || (moves && row_in_tile >= 64 - water_reach);
             imageStore(water_out, at + water_ghosts, after);
+#ifdef SEDIMENT
+            real flux_south = sediment_flux(face_south.mass, solid_south, solid_here);
+            real flux_west = sediment_flux(face_west.mass, load_concentration(at + int2(-1, 0), west.depth), solid_here);
+            real flux_east = sediment_flux(face_east.mass, solid_here, load_concentration(at + int2(1, 0), east.depth));
+            real solid_gain = sediment_gain(flux_west, flux_east, flux_south, solid_north);
+            real2 load = imageLoad(load_in, at + water_ghosts).xy;
+#if ORDER == 1
+            load = add_increment(load, solid_gain);
+#elif STAGE == 1
+            load = sediment_first_stage(load, solid_gain);
+#else
+            load = sediment_second_stage(imageLoad(load_out, at + water_ghosts).xy, load, solid_gain);
+#endif
+            imageStore(load_out, at + water_ghosts, real4(load.x, load.y, 0.0, 0.0));
+            solid_north = flux_south;
+            solid_here = solid_south;
+            solid_south = load_concentration(at + int2(0, 2), south_2.depth);
+#endif
 
             north = cell;
             cell = south;
@@ -159,7 +197,7 @@ void main() {
     }
     if (moved) {
         int column = int(gl_LocalInvocationIndex);
-        uint marks = water_moved | (moved_high ? moved_north : 0u) | (moved_low ? moved_south : 0u) |
+        uint marks = water_moved | slope_mark | (moved_high ? moved_north : 0u) | (moved_low ? moved_south : 0u) |
                      (column < water_reach ? moved_west : 0u) | (column >= 64 - water_reach ? moved_east : 0u);
         if ((tile_flags[tile] & marks) != marks) atomicOr(tile_flags[tile], marks);
     }

@@ -1,4 +1,4 @@
-// Where the ground or the water was changed by others: the bed follows the ground, both images of the water agree, the
+// Where the ground or the water was changed by others: the bed follows the ground, both images of the water and of its load agree, the
 // tile's fastest wave is found anew, and its water wakes. A group per listed tile.
 layout(local_size_x = 64) in;
 #include "sim/water_images.glsl"
@@ -7,6 +7,10 @@ layout(binding = 0, rgba32f) uniform readonly image2D water_in;
 layout(binding = 1, rgba32f) uniform writeonly image2D water_out;
 layout(binding = 2, r32f) uniform writeonly image2D bed_out;
 layout(binding = 3, r32f) uniform readonly image2D ground_in;
+#ifdef SEDIMENT
+layout(binding = 4, rg32f) uniform readonly image2D load_in;
+layout(binding = 5, rg32f) uniform writeonly image2D load_out;
+#endif
 layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
 layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 layout(binding = 3, std430) buffer TileSpeeds { uint tile_speeds[]; };
@@ -38,6 +42,9 @@ void main() {
             real4 water = imageLoad(water_in, at + water_ghosts);
             imageStore(water_out, at + water_ghosts, water);
             imageStore(bed_out, at + water_ghosts, imageLoad(ground_in, at));
+#ifdef SEDIMENT
+            imageStore(load_out, at + water_ghosts, imageLoad(load_in, at + water_ghosts));
+#endif
             mine = max(mine, water_speed(water));
         }
     }

@@ -40,8 +40,8 @@ void main() {
             changed = true;
         }
     }
-    // Undo keeps the tile, its water is new to the sub-steps, its picture and its inundation are old.
-    if (changed) atomicOr(tile_flags[tile.y * tiles.x + tile.x], 4u | 16u | 64u | 2048u);
+    // Slopes may hang on what is under water, undo keeps the tile, its water is new to the sub-steps, its picture and its inundation are old.
+    if (changed) atomicOr(tile_flags[tile.y * tiles.x + tile.x], 2u | 4u | 16u | 64u | 2048u);
     column_books[gl_LocalInvocationIndex] = book;
     barrier();
     if (gl_LocalInvocationIndex == 0u) {

@@ -8,6 +8,12 @@ layout(binding = 2, r32f) uniform image2D bed;
 layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
 layout(binding = 5, std430) readonly buffer Springs { vec4 springs[]; };          // column, row, m/s
 layout(binding = 6, std430) readonly buffer EdgeSeries { float edge_series[]; };  // inflow, m²/s; then wave, m
+#ifdef SEDIMENT
+layout(binding = 3, rg32f) coherent uniform image2D load_state;
+layout(binding = 8, std430) buffer EdgeSolidBooks { dvec2 edge_solid_books[]; };  // metres in, out, as they count for the bed
+uniform real edge_concentration;  // of what flows in by edges of kind inflow
+uniform real sediment_speedup;
+#endif
 layout(binding = 7, std430) buffer EdgeBooks { dvec2 edge_books[]; };             // metres in, out, round the map
 
 uniform int2 samples;
@@ -76,6 +82,16 @@ WaterCell outward_cell(EdgeSample s) {
     return water_cell(real4(s.depth, 0.0, s.outward, s.beside), s.bed, water_velocity(s.depth, real2(s.outward, s.beside)));
 }
 
+#ifdef SEDIMENT
+#include "maths/sediment_transport.glsl"
+
+// The nearer ghost's concentration: that of the far side, of an inflow, or clear water.
+real ghost_concentration(int kind, int2 shown_at, real shown_depth) {
+    if (kind == edge_inflow_kind) return edge_concentration;
+    return kind == edge_periodic ? sediment_concentration(shown_depth, imageLoad(load_state, shown_at + water_ghosts).x) : real(0);
+}
+#endif
+
 void main() {
     if (clock_dt_s <= real(0)) return;
     int me = int(gl_LocalInvocationIndex);
@@ -95,7 +111,7 @@ void main() {
             book_springs_m += double(gain);
             // Undo keeps the tile, its picture is old, also where so little comes that it rests.
             int2 tile = int2(springs[i].xy) / 64;
-            atomicOr(tile_flags[tile.y * tiles.x + tile.x], 4u | 64u | 2048u);
+            atomicOr(tile_flags[tile.y * tiles.x + tile.x], 2u | 4u | 64u | 2048u);
         }
     memoryBarrierImage();
     barrier();
@@ -110,8 +126,10 @@ void main() {
         EdgeSample inside_2 = load_sample(at - outward, outward);
         EdgeSample shown = inside;
         EdgeSample shown_2 = inside_2;
+        int2 shown_at = at;
         if (kind == edge_periodic) {
             int2 far = outward.x != 0 ? int2(samples.x - 1 - at.x, at.y) : int2(at.x, samples.y - 1 - at.y);
+            shown_at = far;
             shown = load_sample(far, outward);
             shown_2 = load_sample(far + outward, outward);
         }
@@ -125,6 +143,11 @@ void main() {
         ghost_2.bed = bed_2;
         store_ghost(at + outward, outward, ghost);
         store_ghost(at + 2 * outward, outward, ghost_2);
+#ifdef SEDIMENT
+        real concentration = ghost_concentration(kind, shown_at, shown.depth);
+        precise real ghost_load = concentration * ghost.depth;
+        imageStore(load_state, at + outward + water_ghosts, real4(ghost_load, 0.0, 0.0, 0.0));
+#endif
         if (kind == edge_wall || kind == edge_periodic) continue;
 
         // What comes in counts for the length of the next sub-step.
@@ -138,6 +161,12 @@ void main() {
         WaterFace face = water_face(a, water_slope(a_2, a, b), b, water_slope(a, b, b_2), rests);
         real share_across = outward.x != 0 ? clock_share_x : clock_share_y;
         precise real metres = share_across * face.mass;
+#ifdef SEDIMENT
+        real within = sediment_concentration(inside.depth, imageLoad(load_state, at + water_ghosts).x);
+        real beyond = sediment_concentration(ghost.depth, ghost_load);
+        precise real solid = (share_across * sediment_flux(face.mass, within, beyond)) * sediment_speedup;
+        edge_solid_books[index] += weight * dvec2(max(-double(solid), 0.0lf), max(double(solid), 0.0lf));
+#endif
         edge_books[index] += weight * dvec2(max(-double(metres), 0.0lf), max(double(metres), 0.0lf));
     }
 }

@@ -24,6 +24,7 @@ const std::vector<std::string> channels = {"Y", "bedrock", "bedrock_low", "regol
 const std::vector<std::string> water_channels = {"water", "water_low", "discharge_x", "discharge_y"};
 // Where water ever was: the largest depth and when it came; and what brushes painted.
 const std::vector<std::string> inundation_channels = {"depth_max", "arrival_s"};
+const std::vector<std::string> suspended_channels = {"suspended", "suspended_low"};
 const std::vector<std::string> painted_channels = {"hardness", "mask", "rain"};
 
 // x, y and rate of each, as save_document writes them.
@@ -50,6 +51,14 @@ void check_water(const fs::path& path, const glm::vec4& water) {
         "'{}' holds water of depth {} (and {}) m that runs at {:.3g} m/s: depths must be 0 to 1e7 "
         "m, their second words below their last digit, speeds at most 1e5 m/s",
         path.string(), water.x, water.y, speed));
+}
+
+void check_suspended(const fs::path& path, const glm::vec2& load) {
+    if (load.x >= 0 && load.x <= 1e6F && std::abs(load.y) <= 6e-8F * load.x + 1e-44F) return;
+    throw Error(
+        fmt::format("'{}' holds suspended solid of {} (and {}) m: it must be 0 to 1e6, its second word below "
+                    "its last digit",
+                    path.string(), load.x, load.y));
 }
 
 // Throws talus::Error for what no brush could have painted and no run could have noted.
@@ -142,6 +151,12 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
             read_channel(inundation_channels[static_cast<std::size_t>(i)], state.inundation, i);
         for (const glm::vec2& inundation : state.inundation) check_inundation(path, inundation);
     }
+    if (has_any(suspended_channels)) {
+        state.suspended.assign(state.grid.count(), glm::vec2(0));
+        for (int i = 0; i < 2; ++i)
+            read_channel(suspended_channels[static_cast<std::size_t>(i)], state.suspended, i);
+        for (const glm::vec2& load : state.suspended) check_suspended(path, load);
+    }
     if (has_any(painted_channels)) {
         state.painted.assign(state.grid.count(), glm::vec4(0));
         for (int i = 0; i < 3; ++i)
@@ -174,6 +189,7 @@ void save_document(const fs::path& path, const Document& document) {
     };
     add_names(!state.water.empty(), water_channels);
     add_names(!state.inundation.empty(), inundation_channels);
+    add_names(!state.suspended.empty(), suspended_channels);
     add_names(!state.painted.empty(), painted_channels);
     OIIO::ImageSpec spec(state.grid.nx, state.grid.ny, static_cast<int>(names.size()), OIIO::TypeDesc::FLOAT);
     spec.channelnames = names;
@@ -207,6 +223,7 @@ void save_document(const fs::path& path, const Document& document) {
         };
         add(state.water, 4);
         add(state.inundation, 2);
+        add(state.suspended, 2);
         add(state.painted, 3);
     }
     write_encoded(path, spec, pixels.data());
@@ -227,12 +244,13 @@ std::vector<float> layer_of(const TerrainState& state, const std::string& name) 
     };
     for (int c = 0; c < 2; ++c)
         if (name == inundation_channels[static_cast<std::size_t>(c)]) return component(state.inundation, c);
+    if (name == suspended_channels[0]) return component(state.suspended, 0);
     for (int c = 0; c < 3; ++c)
         if (name == painted_channels[static_cast<std::size_t>(c)]) return component(state.painted, c);
     if (name != "bedrock" && name != "regolith")
         throw Error(
             fmt::format("--layer '{}' is not a layer, it must be one of: ground, bedrock, regolith, "
-                        "water, level, depth_max, arrival_s, hardness, mask, rain",
+                        "water, level, depth_max, arrival_s, suspended, hardness, mask, rain",
                         name));
     const std::vector<glm::vec2>& words = name == "bedrock" ? state.bedrock : state.regolith;
     std::vector<float> values(words.size());

@@ -88,7 +88,7 @@ void set_dab(gpu::Program& program, const Terrain& terrain, const Dab& dab) {
 }
 
 Brush::Brush(const Terrain& terrain)
-    : books("brush books", static_cast<std::size_t>(terrain.tiles.count()) * 2 * sizeof(double)),
+    : books("brush books", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(glm::dvec4)),
       program_("sim/brush.comp") {
     books.fill(0);
 }

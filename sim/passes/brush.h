@@ -80,7 +80,7 @@ class Brush {
     /// Touches only the tiles that the dab reaches.
     void dab(Terrain& terrain, const Dab& dab);
 
-    /// Metres of solid in and out, a pair of doubles a tile.
+    /// Metres of bedrock in and out, and of regolith, four doubles a tile.
     gpu::Buffer books;
 
   private:

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "sim/gpu/error.h"
+#include "sim/passes/sediment.h"
 
 namespace talus {
 namespace {
@@ -19,7 +20,8 @@ double inverse_squares(const Grid& grid) {
 }  // namespace
 
 int thermal_substeps(const Grid& grid, const ThermalSettings& settings, double span_s) {
-    const double needed = std::ceil(settings.rate_m2_per_s * span_s * inverse_squares(grid) / 0.5);
+    const double needed =
+        std::ceil(settings.rate_m2_per_s * span_s * inverse_squares(grid) / (0.5 * (1 - settings.porosity)));
     if (needed > max_substeps)
         throw Error(fmt::format(
             "thermal.rate_m2_per_s = {} needs {:.0f} sub-steps a tick on cells of {} m, at most {} are "
@@ -31,26 +33,43 @@ int thermal_substeps(const Grid& grid, const ThermalSettings& settings, double s
 ThermalStep thermal_step(const Grid& grid, const ThermalSettings& settings, double span_s, int substeps) {
     const double dt = span_s / substeps;
     ThermalStep step;
-    step.repose_slope = static_cast<float>(std::tan(settings.repose_deg * std::numbers::pi / 180));
+    const auto slope = [](double degrees) {
+        return static_cast<float>(std::tan(degrees * std::numbers::pi / 180));
+    };
+    step.repose_slope = slope(settings.repose_deg);
+    step.wet_slope = slope(settings.wet_deg);
+    step.bedrock_slope = slope(settings.bedrock_deg);
+    step.bulking = bulking_of(settings.porosity);
+    step.weathering_m = static_cast<float>(settings.weathering_m_per_s * dt);
     step.cell_m = glm::vec2(grid.dx, grid.dy);
     step.face_share = glm::vec2(settings.rate_m2_per_s * dt / grid.dx, settings.rate_m2_per_s * dt / grid.dy);
     return step;
 }
 
-double natural_thermal_rate(const Grid& grid, double span_s) {
-    return 0.4 / (span_s * inverse_squares(grid));
+double natural_thermal_rate(const Grid& grid, double span_s, double porosity) {
+    return 0.4 * (1 - porosity) / (span_s * inverse_squares(grid));
 }
 
-Thermal::Thermal(const Terrain& terrain) : program_("sim/thermal.comp"), active_(terrain.tiles.count()) {}
+Thermal::Thermal(const Terrain& terrain)
+    : program_("sim/thermal.comp"),
+      wet_program_({"sim/thermal.comp"}, {"WET 1"}),
+      active_(terrain.tiles.count()) {}
 
 void Thermal::substep(Terrain& terrain, const ThermalStep& step) {
     terrain.tiles.take(Tiles::activity, -1, 1, 16, active_);
-    terrain.bind(program_);
+    const bool wet = terrain.water && step.wet_slope != step.repose_slope;
+    gpu::Program& program = wet ? wet_program_ : program_;
+    if (wet) terrain.water->front.bind_image(3, gpu::Access::read);
+    terrain.bind(program);
     active_.buffer.bind_storage(1);
-    program_.set("cell_m", step.cell_m);
-    program_.set("repose_slope", step.repose_slope);
-    program_.set("face_share", step.face_share);
-    program_.dispatch_indirect(active_.buffer);
+    program.set("cell_m", step.cell_m);
+    program.set("repose_slope", step.repose_slope);
+    program.set("wet_slope", step.wet_slope);
+    program.set("bedrock_slope", step.bedrock_slope);
+    program.set("face_share", step.face_share);
+    program.set("thermal_bulking", step.bulking);
+    program.set("weathering", step.weathering_m);
+    program.dispatch_indirect(active_.buffer);
     terrain.swap();
 }
 

@@ -7,7 +7,11 @@ namespace talus {
 /// What a sub-step of thermal erosion is made with, in the units of shaders/maths/thermal.glsl. The twin
 /// takes the same numbers.
 struct ThermalStep {
-    float repose_slope = 0;  ///< tangent of the angle of repose
+    float repose_slope = 0;  ///< tangents: of regolith, dry; under water; of bedrock
+    float wet_slope = 0;
+    float bedrock_slope = 0;
+    float bulking = 1;       ///< metres of regolith that a metre of solid makes
+    float weathering_m = 0;  ///< of bare bedrock in a sub-step
     glm::vec2 cell_m{1};
     glm::vec2 face_share{0};  ///< rate (m²/s) * sub-step (s) / spacing (m)
 };
@@ -16,17 +20,21 @@ struct ThermalStep {
 struct ThermalSettings {
     double repose_deg = 33;
     double rate_m2_per_s = 0;
+    double wet_deg = repose_deg;      ///< angle of repose of regolith under water
+    double bedrock_deg = repose_deg;  ///< angle that bedrock fails at
+    double porosity = 0;              ///< of regolith
+    double weathering_m_per_s = 0;    ///< bare bedrock that turns into regolith
 };
 
-/// Sub-steps that a span of time needs: rate * dt * (1/dx² + 1/dy²) <= 1/2 in each (docs/numerics.md).
-/// Throws talus::Error when there would be more than 10,000.
+/// Sub-steps that a span of time needs: rate * dt * (1/dx² + 1/dy²) <= (1 - porosity)/2 in each
+/// (docs/numerics.md). Throws talus::Error when there would be more than 10,000.
 int thermal_substeps(const Grid& grid, const ThermalSettings& settings, double span_s);
 
 /// One of `substeps` equal parts of the span.
 ThermalStep thermal_step(const Grid& grid, const ThermalSettings& settings, double span_s, int substeps);
 
 /// The largest rate (m²/s) whose tick is a single sub-step at four fifths of the stable length.
-double natural_thermal_rate(const Grid& grid, double span_s);
+double natural_thermal_rate(const Grid& grid, double span_s, double porosity = 0);
 
 /// Runs thermal erosion on the tiles that changed in the last sub-step, and their neighbours: the others
 /// would keep their bits (law 2).
@@ -37,6 +45,7 @@ class Thermal {
 
   private:
     gpu::Program program_;
+    gpu::Program wet_program_;
     TileList active_;
 };
 

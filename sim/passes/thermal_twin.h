@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "shaders/maths/twin.h"
+#include "sim/passes/thermal.h"
 #include "sim/terrain/grid.h"
 
 namespace talus::maths {
@@ -17,8 +18,29 @@ struct ThermalTwin {
     int ny = 0;
     real2 cell_m{1};
     real repose_slope{1};
+    real wet_slope{1};
+    real bedrock_slope{1};
     real2 face_share{0};
+    real thermal_bulking{1};
+    real weathering{0};
     std::vector<real4> samples;
+    std::vector<bool> wet;  ///< samples under water; empty: none
+
+    ThermalTwin(const Grid& grid, const ThermalStep& step)
+        : nx(grid.nx),
+          ny(grid.ny),
+          cell_m(step.cell_m),
+          repose_slope(step.repose_slope),
+          wet_slope(step.wet_slope),
+          bedrock_slope(step.bedrock_slope),
+          face_share(step.face_share),
+          thermal_bulking(step.bulking),
+          weathering(step.weathering_m) {}
+
+    real load_repose(int2 at) const {
+        if (wet.empty() || at.x < 0 || at.y < 0 || at.x >= nx || at.y >= ny) return repose_slope;
+        return wet[static_cast<std::size_t>(at.y) * nx + at.x] ? wet_slope : repose_slope;
+    }
 
     real4 load_solid(int2 at) const {
         const int x = at.x < 0 ? 0 : (at.x >= nx ? nx - 1 : at.x);

@@ -127,6 +127,7 @@ std::vector<float> edge_series(const WaterSettings& settings, const Grid& grid, 
 Water::Water(const Terrain& terrain)
     : step_program_("sim/water_step.comp"),
       bed_program_("sim/water_bed.comp"),
+      loaded_bed_program_({"sim/water_bed.comp"}, {"SEDIMENT 1"}),
       active_(terrain.tiles.count()),
       clock_("water clock", sizeof(DeviceClock)),
       speeds_("water speeds", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(std::uint32_t)),
@@ -134,7 +135,8 @@ Water::Water(const Terrain& terrain)
       springs_("water springs", sizeof(glm::vec4)),
       series_("water edge series", 2 * (edge_series_steps + 1) * sizeof(float)),
       edge_books_("water edge books",
-                  2 * static_cast<std::size_t>(terrain.grid().nx + terrain.grid().ny) * sizeof(glm::dvec2)) {
+                  2 * static_cast<std::size_t>(terrain.grid().nx + terrain.grid().ny) * sizeof(glm::dvec2)),
+      sediment_(terrain.grid()) {
     clock_.fill(0);
     speeds_.fill(0);
     sources_.fill(0);
@@ -145,8 +147,8 @@ gpu::Program& Water::stage_program(int stage) {
     const bool friction = settings_.manning_s_per_m13 > 0;
     const bool sources = has_sources(settings_);
     const bool rain_map = has_rain_map(settings_);
-    const int key =
-        settings_.order + 4 * stage + (friction ? 16 : 0) + (sources ? 32 : 0) + (rain_map ? 64 : 0);
+    const int key = settings_.order + 4 * stage + (friction ? 16 : 0) + (sources ? 32 : 0) +
+                    (rain_map ? 64 : 0) + (settings_.sediment.carried ? 128 : 0);
     auto found = stage_programs_.find(key);
     if (found == stage_programs_.end()) {
         std::vector<std::string> defines = {"ORDER " + std::to_string(settings_.order),
@@ -154,7 +156,20 @@ gpu::Program& Water::stage_program(int stage) {
         if (friction) defines.emplace_back("FRICTION 1");
         if (sources && (settings_.order == 1 || stage == 2)) defines.emplace_back("SOURCES 1");
         if (rain_map) defines.emplace_back("RAIN_MAP 1");
+        if (settings_.sediment.carried) defines.emplace_back("SEDIMENT 1");
         found = stage_programs_.emplace(key, gpu::Program({"sim/water.comp"}, defines)).first;
+    }
+    return found->second;
+}
+
+gpu::Program& Water::edge_program() {
+    const bool carried = settings_.sediment.carried;
+    const int key = settings_.order + (carried ? 16 : 0);
+    auto found = edge_programs_.find(key);
+    if (found == edge_programs_.end()) {
+        std::vector<std::string> defines = {"ORDER " + std::to_string(settings_.order)};
+        if (carried) defines.emplace_back("SEDIMENT 1");
+        found = edge_programs_.emplace(key, gpu::Program({"sim/water_edges.comp"}, defines)).first;
     }
     return found->second;
 }
@@ -198,10 +213,15 @@ void Water::begin_tick(Terrain& terrain, const WaterSettings& settings, const st
     active_.buffer.bind_storage(1);
     clock_.bind_storage(2);
     speeds_.bind_storage(3);
-    bed_program_.set("samples", glm::ivec2(grid.nx, grid.ny));
-    bed_program_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
-    bed_program_.set("gravity", static_cast<float>(settings.gravity_m_per_s2));
-    bed_program_.dispatch_indirect(active_.buffer);
+    gpu::Program& bed = terrain.suspended ? loaded_bed_program_ : bed_program_;
+    if (terrain.suspended) {
+        terrain.suspended->front.bind_image(4, gpu::Access::read);
+        terrain.suspended->back.bind_image(5, gpu::Access::write);
+    }
+    bed.set("samples", glm::ivec2(grid.nx, grid.ny));
+    bed.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
+    bed.set("gravity", static_cast<float>(settings.gravity_m_per_s2));
+    bed.dispatch_indirect(active_.buffer);
 }
 
 void Water::substep(Terrain& terrain) {
@@ -246,18 +266,27 @@ void Water::substep(Terrain& terrain) {
     step_program_.set("spring_count", spring_count_);
     step_program_.dispatch(1);
 
-    auto edges = edge_programs_.find(settings_.order);
-    if (edges == edge_programs_.end())
-        edges = edge_programs_
-                    .emplace(settings_.order, gpu::Program({"sim/water_edges.comp"},
-                                                           {"ORDER " + std::to_string(settings_.order)}))
-                    .first;
+    const bool carried = settings_.sediment.carried;
+    gpu::Program& ghosts = edge_program();
+    const SedimentStep sediment =
+        sediment_step(settings_.sediment, settings_.gravity_m_per_s2, settings_.manning_s_per_m13);
+    if (carried) {
+        sediment_.edge_books.bind_storage(8);
+        ghosts.set("edge_concentration", static_cast<float>(settings_.sediment.inflow_concentration));
+        ghosts.set("sediment_speedup", sediment.speedup);
+    }
     const double loss = settings_.infiltration_m_per_s + settings_.evaporation_m_per_s;
     WaterLayer& water = *terrain.water;
     for (int stage = 1; stage <= 2; ++stage) {
         const gpu::Texture& from = stage == 1 ? water.front : water.back;
         const gpu::Texture& to = stage == 1 ? water.back : water.front;
-        gpu::Program& ghosts = edges->second;
+        gpu::Texture* load_from = nullptr;
+        gpu::Texture* load_to = nullptr;
+        if (carried) {
+            load_from = stage == 1 ? &terrain.suspended->front : &terrain.suspended->back;
+            load_to = stage == 1 ? &terrain.suspended->back : &terrain.suspended->front;
+            load_from->bind_image(3, gpu::Access::read_write);
+        }
         from.bind_image(0, gpu::Access::read_write);
         water.bed.bind_image(2, gpu::Access::read_write);
         ghosts.set("samples", samples);
@@ -284,9 +313,15 @@ void Water::substep(Terrain& terrain) {
         program.set("rain_m_per_s", rain);
         program.set("rain_masked", settings_.rain_masked ? 1 : 0);
         if (rain_map) terrain.painted->bind_image(3, gpu::Access::read);
+        if (carried) {
+            load_from->bind_image(4, gpu::Access::read);
+            load_to->bind_image(5, gpu::Access::read_write);
+        }
+        program.set("slope_mark", settings_.wakes_slopes ? 2U : 0U);
         program.set("loss_m_per_s", static_cast<float>(loss));
         program.dispatch_indirect(active_.buffer);
     }
+    if (carried) sediment_.exchange(terrain, sediment, settings_.gravity_m_per_s2, eulers, active_.buffer);
 }
 
 bool Water::advance(Terrain& terrain, int substeps) {
@@ -331,6 +366,12 @@ WaterBooks Water::read_books(const Grid& grid) const {
         books.rain_m3 += strip.y * area;
     }
     return books;
+}
+
+glm::dvec2 Water::read_solid_books() const {
+    glm::dvec2 sum(0);
+    for (const glm::dvec2& sample : sediment_.edge_books.read_all<glm::dvec2>()) sum += sample;
+    return sum;
 }
 
 Water::Work Water::work() const {

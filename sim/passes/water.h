@@ -7,6 +7,7 @@
 #include "sim/gpu/buffer.h"
 #include "sim/gpu/program.h"
 #include "sim/gpu/readback.h"
+#include "sim/passes/sediment.h"
 #include "sim/terrain/terrain.h"
 
 namespace talus {
@@ -41,6 +42,8 @@ struct WaterSettings {
     double wave_height_m = 0;   ///< sine: amplitude; solitary: crest above the still level
     double wave_period_s = 10;  ///< sine
     double wave_depth_m = 10;   ///< solitary: still depth that gives the wave its length
+    SedimentSettings sediment;
+    bool wakes_slopes = false;  ///< thermal erosion hangs on what is under water
     bool skips_rest = true;     ///< false: every tile every sub-step, to compare with (law 2)
 };
 
@@ -106,6 +109,8 @@ class Water {
 
     /// Waits for the device. Without what sea and brushes placed.
     WaterBooks read_books(const Grid& grid) const;
+    /// Metres of solid that passed the edges, in and out, as they count for the bed. Waits for the device.
+    glm::dvec2 read_solid_books() const;
     /// Sub-steps so far, and tiles computed in them together. Waits for the device.
     struct Work {
         std::uint64_t substeps = 0;
@@ -114,15 +119,17 @@ class Water {
     Work work() const;
 
     /// What undo keeps of the books.
-    std::vector<gpu::Buffer*> books() { return {&clock_, &edge_books_, &sources_}; }
+    std::vector<gpu::Buffer*> books() { return {&clock_, &edge_books_, &sources_, &sediment_.edge_books}; }
 
   private:
     gpu::Program& stage_program(int stage);
+    gpu::Program& edge_program();
 
     gpu::Program step_program_;
     gpu::Program bed_program_;
-    std::map<int, gpu::Program> edge_programs_;   // by order
-    std::map<int, gpu::Program> stage_programs_;  // by order, stage, friction, sources
+    gpu::Program loaded_bed_program_;
+    std::map<int, gpu::Program> edge_programs_;   // by order and load
+    std::map<int, gpu::Program> stage_programs_;  // by order, stage, friction, sources, load
     TileList active_;
     gpu::Buffer clock_;
     gpu::Buffer speeds_;
@@ -130,6 +137,8 @@ class Water {
     gpu::Buffer springs_;
     gpu::Buffer series_;
     gpu::Buffer edge_books_;
+
+    Sediment sediment_;
 
     gpu::Readback poll_;
     std::uint64_t sent_ = 0;

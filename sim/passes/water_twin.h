@@ -19,7 +19,7 @@ class WaterTwin {
 
     /// Rows of samples, as in TerrainState.
     WaterTwin(const Grid& grid, const std::vector<real>& beds, const std::vector<real4>& water,
-              const WaterSettings& settings, std::vector<glm::vec4> painted = {})
+              const WaterSettings& settings, const std::vector<glm::vec4>& painted = {})
         : nx(grid.nx),
           ny(grid.ny),
           cell_m(static_cast<Real>(grid.dx), static_cast<Real>(grid.dy)),
@@ -34,7 +34,7 @@ class WaterTwin {
           front_(static_cast<std::size_t>(nx + 4) * (ny + 4), real4(0)),
           back_(front_),
           bed_(front_.size(), 0),
-          painted_(std::move(painted)) {
+          painted_(painted) {
         for (int y = 0; y < ny; ++y)
             for (int x = 0; x < nx; ++x) {
                 const auto i = static_cast<std::size_t>(y) * nx + x;
@@ -45,6 +45,29 @@ class WaterTwin {
                                       settings.manning_s_per_m13);
     }
 
+    /// From now on the water carries a load and exchanges it with this solid: rows of (bedrock, its low word,
+    /// regolith, its low word) and of loads, m. The settings' sediment must be carried.
+    void carry(const std::vector<real4>& solid, const std::vector<real2>& load) {
+        solid_ = solid;
+        load_front_.assign(front_.size(), real2(0));
+        load_back_ = load_front_;
+        for (int y = 0; y < ny; ++y)
+            for (int x = 0; x < nx; ++x)
+                load_front_[texel(int2(x, y))] = load[static_cast<std::size_t>(y) * nx + x];
+        const SedimentStep step =
+            sediment_step(settings_.sediment, settings_.gravity_m_per_s2, settings_.manning_s_per_m13);
+        sediment_drag = step.drag;
+        sediment_critical = step.critical;
+        sediment_regolith = step.regolith;
+        sediment_bedrock = step.bedrock;
+        sediment_settling = step.settling;
+        sediment_bulking = step.bulking;
+        sediment_speedup = step.speedup;
+        sediment_strata = real2(step.strata);
+    }
+    const std::vector<real4>& solid() const { return solid_; }
+    std::vector<real2> read_load() const { return samples_of(load_front_); }
+
     /// One tick that begins at a time since the start.
     void tick(double tick_s, double start_s) {
         series_ = edge_series(settings_, grid_, tick_s, start_s);
@@ -54,13 +77,7 @@ class WaterTwin {
         while (left > 0) left = substep(left, whole);
     }
 
-    std::vector<real4> read() const {
-        std::vector<real4> water;
-        water.reserve(static_cast<std::size_t>(nx) * ny);
-        for (int y = 0; y < ny; ++y)
-            for (int x = 0; x < nx; ++x) water.push_back(front_[texel(int2(x, y))]);
-        return water;
-    }
+    std::vector<real4> read() const { return samples_of(front_); }
 
   private:
     int nx;
@@ -79,6 +96,16 @@ class WaterTwin {
     int rain_masked;
     real loss_m_per_s;
 
+    real sediment_dt = 0;
+    real sediment_drag = 0;
+    real sediment_critical = 0;
+    real sediment_regolith = 0;
+    real sediment_bedrock = 0;
+    real sediment_settling = 0;
+    real sediment_bulking = 1;
+    real sediment_speedup = 1;
+    real2 sediment_strata{0};
+
     real load_edge_series(int at) const { return series_[static_cast<std::size_t>(at)]; }
     static real inverse_cube_root_seed(real x) {
         const auto bits = static_cast<float>(std::bit_cast<std::int32_t>(static_cast<float>(x)));
@@ -86,10 +113,22 @@ class WaterTwin {
         return static_cast<real>(std::bit_cast<float>(static_cast<std::int32_t>(seed)));
     }
 
+#include "maths/ground_height.glsl"
+#include "maths/sediment_exchange.glsl"
+#include "maths/sediment_transport.glsl"
 #include "maths/water.glsl"
 #include "maths/water_edge.glsl"
 #include "maths/water_sources.glsl"
 #include "maths/water_step.glsl"
+
+    template <typename Texel>
+    std::vector<Texel> samples_of(const std::vector<Texel>& texels) const {
+        std::vector<Texel> samples;
+        samples.reserve(static_cast<std::size_t>(nx) * ny);
+        for (int y = 0; y < ny; ++y)
+            for (int x = 0; x < nx; ++x) samples.push_back(texels[texel(int2(x, y))]);
+        return samples;
+    }
 
     std::size_t texel(int2 at) const {
         return static_cast<std::size_t>(at.y + 2) * (nx + 4) + static_cast<std::size_t>(at.x + 2);
@@ -109,14 +148,32 @@ class WaterTwin {
         water_drain = water_draining(dt);
         water_friction = dt * friction_;
         const real at = real(1) - left / tick;
-        fill_ghosts(front_, at);
-        stage(front_, back_, 1, dt);
-        fill_ghosts(back_, at + dt / tick);
-        stage(back_, front_, 2, dt);
+        fill_ghosts(front_, load_front_, at);
+        stage(front_, back_, load_front_, load_back_, 1, dt);
+        fill_ghosts(back_, load_back_, at + dt / tick);
+        stage(back_, front_, load_back_, load_front_, 2, dt);
+        if (!solid_.empty()) exchange(dt * real(eulers));
         return step.y;
     }
 
-    void stage(const std::vector<real4>& from, std::vector<real4>& to, int number, real dt) {
+    void exchange(real span) {
+        sediment_dt = span;
+        for (int y = 0; y < ny; ++y)
+            for (int x = 0; x < nx; ++x) {
+                const auto i = static_cast<std::size_t>(y) * nx + x;
+                const std::size_t at = texel(int2(x, y));
+                const real hardness = painted_.empty() ? real(0) : real(painted_[i].x);
+                const SedimentSample after =
+                    sediment_exchange(front_[at], SedimentSample{solid_[i], load_front_[at]}, hardness);
+                load_front_[at] = after.load;
+                if (after.solid == solid_[i]) continue;
+                solid_[i] = after.solid;
+                bed_[at] = ground_height(after.solid);
+            }
+    }
+
+    void stage(const std::vector<real4>& from, std::vector<real4>& to, const std::vector<real2>& load_from,
+               std::vector<real2>& load_to, int number, real dt) {
         for (int y = 0; y < ny; ++y)
             for (int x = 0; x < nx; ++x) {
                 const int2 at(x, y);
@@ -137,6 +194,23 @@ class WaterTwin {
                     (water_order == 1 || number == 2))
                     after = water_with_sources(after, rain_at(at) * dt, water_loss(after, dt));
                 to[texel(at)] = after;
+                if (solid_.empty()) continue;
+                const auto concentration = [&](int2 place) {
+                    return sediment_concentration(from[texel(place)].x, load_from[texel(place)].x);
+                };
+                const real mine = concentration(at);
+                const real gain =
+                    sediment_gain(sediment_flux(west.mass, concentration(at + int2(-1, 0)), mine),
+                                  sediment_flux(east.mass, mine, concentration(at + int2(1, 0))),
+                                  sediment_flux(south.mass, concentration(at + int2(0, 1)), mine),
+                                  sediment_flux(north.mass, mine, concentration(at + int2(0, -1))));
+                const real2 load = load_from[texel(at)];
+                real2& load_after = load_to[texel(at)];
+                if (water_order == 1)
+                    load_after = add_increment(load, gain);
+                else
+                    load_after = number == 1 ? sediment_first_stage(load, gain)
+                                             : sediment_second_stage(load_after, load, gain);
             }
     }
 
@@ -182,7 +256,7 @@ class WaterTwin {
         bed_[texel(at)] = ghost.bed;
     }
 
-    void fill_ghosts(std::vector<real4>& state, real share) {
+    void fill_ghosts(std::vector<real4>& state, std::vector<real2>& loads, real share) {
         edge_inflow = edge_series_at(0, share);
         edge_wave_m = edge_series_at(1, share);
         for (int index = 0; index < 2 * (nx + ny); ++index) {
@@ -194,8 +268,10 @@ class WaterTwin {
             const int kind = static_cast<int>(settings_.edges[(row_edge ? 0U : 2U) + (first ? 0U : 1U)]);
             EdgeSample shown = edge_sample_at(state, at, outward);
             EdgeSample shown_2 = edge_sample_at(state, at - outward, outward);
+            int2 shown_at = at;
             if (kind == edge_periodic) {
                 const int2 far = row_edge ? int2(at.x, ny - 1 - at.y) : int2(nx - 1 - at.x, at.y);
+                shown_at = far;
                 shown = edge_sample_at(state, far, outward);
                 shown_2 = edge_sample_at(state, far + outward, outward);
             }
@@ -207,6 +283,14 @@ class WaterTwin {
             ghost_2.bed -= fall + fall;
             store_ghost(state, at + outward, outward, ghost);
             store_ghost(state, at + 2 * outward, outward, ghost_2);
+            if (!solid_.empty()) {
+                real concentration = 0;
+                if (kind == edge_inflow_kind)
+                    concentration = static_cast<float>(settings_.sediment.inflow_concentration);
+                if (kind == edge_periodic)
+                    concentration = sediment_concentration(shown.depth, loads[texel(shown_at)].x);
+                loads[texel(at + outward)] = real2(concentration * ghost.depth, 0);
+            }
             if (!mirrors)
                 edge_speed_ =
                     max(edge_speed_, water_speed(real4(ghost.depth, 0, ghost.outward, ghost.beside)));
@@ -222,6 +306,9 @@ class WaterTwin {
     std::vector<real4> back_;
     std::vector<real> bed_;
     std::vector<glm::vec4> painted_;
+    std::vector<real4> solid_;  // empty: no load is carried
+    std::vector<real2> load_front_;
+    std::vector<real2> load_back_;
 };
 
 }  // namespace talus::maths

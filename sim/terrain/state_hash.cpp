@@ -17,6 +17,7 @@ std::uint64_t state_hash(const TerrainState& state) {
     XXH3_64bits_update(hash, state.regolith.data(), state.regolith.size() * sizeof(glm::vec2));
     XXH3_64bits_update(hash, state.water.data(), state.water.size() * sizeof(glm::vec4));
     XXH3_64bits_update(hash, state.inundation.data(), state.inundation.size() * sizeof(glm::vec2));
+    XXH3_64bits_update(hash, state.suspended.data(), state.suspended.size() * sizeof(glm::vec2));
     XXH3_64bits_update(hash, state.painted.data(), state.painted.size() * sizeof(glm::vec4));
     XXH3_64bits_update(hash, state.springs.data(), state.springs.size() * sizeof(Spring));
     if (state.edges_since_s != 0) XXH3_64bits_update(hash, &state.edges_since_s, sizeof(state.edges_since_s));

@@ -53,6 +53,10 @@ Terrain::Terrain(const TerrainState& state)
         add_water();
         inundation->write(all, std::as_bytes(std::span(state.inundation)));
     }
+    if (!state.suspended.empty()) {
+        add_suspended();
+        suspended->front.write(WaterLayer::texels(all), std::as_bytes(std::span(state.suspended)));
+    }
     if (!state.painted.empty()) {
         add_painted();
         painted->write(all, std::as_bytes(std::span(state.painted)));
@@ -67,15 +71,28 @@ void Terrain::add_water() {
     tiles.mark_all();
 }
 
+void Terrain::add_suspended() {
+    if (suspended) return;
+    add_water();
+    const auto image = [&](const char* label) {
+        gpu::Texture texture(label, gpu::Format::rg32f, grid_.nx + 2 * WaterLayer::ghosts,
+                             grid_.ny + 2 * WaterLayer::ghosts);
+        texture.fill(0);
+        return texture;
+    };
+    suspended = Layer{image("suspended front"), image("suspended back")};
+}
+
 void Terrain::add_painted() {
     if (painted) return;
     painted.emplace("painted", gpu::Format::rgba32f, grid_.nx, grid_.ny);
     painted->fill(0);
 }
 
-std::array<OptionalLayer, 3> Terrain::optional_layers() {
+std::array<OptionalLayer, 4> Terrain::optional_layers() {
     return {OptionalLayer{water ? &water->front : nullptr, gpu::Format::rgba32f, WaterLayer::ghosts},
             OptionalLayer{inundation ? &*inundation : nullptr, gpu::Format::rg32f, 0},
+            OptionalLayer{suspended ? &suspended->front : nullptr, gpu::Format::rg32f, WaterLayer::ghosts},
             OptionalLayer{painted ? &*painted : nullptr, gpu::Format::rgba32f, 0}};
 }
 
@@ -121,6 +138,11 @@ TerrainState Terrain::read() const {
                           std::as_writable_bytes(std::span(state.water)));
     }
     if (inundation) state.inundation = inundation->read_all<glm::vec2>();
+    if (suspended) {
+        state.suspended.resize(grid_.count());
+        suspended->front.read(WaterLayer::texels({0, 0, grid_.nx, grid_.ny}),
+                              std::as_writable_bytes(std::span(state.suspended)));
+    }
     if (painted) state.painted = painted->read_all<glm::vec4>();
     // A layer that is zero throughout is none.
     const auto drop_zeros = [](auto& layer) {
@@ -130,6 +152,7 @@ TerrainState Terrain::read() const {
     };
     drop_zeros(state.water);
     drop_zeros(state.inundation);
+    drop_zeros(state.suspended);
     drop_zeros(state.painted);
     return state;
 }

@@ -39,6 +39,8 @@ struct TerrainState {
     std::vector<glm::vec4> water;
     /// Largest depth so far, m, and the simulated time at which water arrived, s; empty: none ever did.
     std::vector<glm::vec2> inundation;
+    /// Solid in the water above a sample, m, two words; empty: none.
+    std::vector<glm::vec2> suspended;
     /// What brushes painted, as PaintedLayer says; empty: nothing.
     std::vector<glm::vec4> painted;
     std::vector<Spring> springs;
@@ -86,7 +88,9 @@ class Terrain {
     Tiles tiles;
     std::optional<WaterLayer> water;         ///< none: no water was ever here
     std::optional<gpu::Texture> inundation;  ///< largest depth so far, m, arrival time, s; none: no water was
-    std::optional<gpu::Texture> painted;     ///< as PaintedLayer says; none: nothing was painted
+    /// Solid in the water, m, two words, texels as the water's; none: nothing was ever eroded by water.
+    std::optional<Layer> suspended;
+    std::optional<gpu::Texture> painted;  ///< as PaintedLayer says; none: nothing was painted
 
     /// Binds layers, ground and flags as shaders/sim/samples.glsl expects them, and sets its uniforms.
     void bind(gpu::Program& program);
@@ -99,10 +103,12 @@ class Terrain {
 
     /// From now on there is a water layer and its inundation map, dry where it was none.
     void add_water();
+    /// From now on there is a suspended layer, and water; zero where it was none.
+    void add_suspended();
     /// From now on there is a painted layer, zero where it was none.
     void add_painted();
     /// All layers beside the solid, in an order that stays: what undo keeps.
-    std::array<OptionalLayer, 3> optional_layers();
+    std::array<OptionalLayer, 4> optional_layers();
     /// Puts these samples, rows of depth (two words) and discharge, in place of the water there.
     void write_water(const gpu::Region& samples, std::span<const glm::vec4> water);
 

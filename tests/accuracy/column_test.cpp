@@ -32,7 +32,7 @@ TEST(Column, CollapsesIntoTheConeOfItsAngleOfRepose) {
     const double peak = radius * slope;
     Terrain terrain(bedrock_terrain(grid, heights));
     Thermal thermal(terrain);
-    Ledger ledger(terrain);
+    Ledger ledger(terrain, {});
     const Brush brush(terrain);
     const ThermalSettings settings{33, 0.25};
     const ThermalStep step = thermal_step(grid, settings, 1, 1);
@@ -62,7 +62,7 @@ TEST(Column, CollapsesIntoTheConeOfItsAngleOfRepose) {
     const double axis = contour(1, 0);
     const double diagonal = contour(1, 1);
     const double angle = std::atan(steepest) * 180 / std::numbers::pi;
-    const LedgerReading books = ledger.read(terrain, brush, {});
+    const LedgerReading books = ledger.read(terrain, {}, brush, {}, glm::dvec2(0), 0);
     std::printf(
         "column: %d ticks, steepest %.2f degrees, radii %.3f (axis) %.3f (diagonal) of %.3f, peak %.3f of "
         "%.3f, ledger %.2g of moved\n",

@@ -306,7 +306,9 @@ WaterScene radial_dam(int n, bool rough) {
 }
 
 WaterRun::WaterRun(const TerrainState& state, const WaterSettings& s)
-    : terrain(state), settings(s), water((terrain.add_water(), terrain)) {}
+    : terrain(state), settings(s), water((terrain.add_water(), terrain)) {
+    if (settings.sediment.carried) terrain.add_suspended();
+}
 
 void WaterRun::tick(double tick_s) {
     water.begin_tick(terrain, settings, springs, tick_s, time_s_);

@@ -176,7 +176,7 @@ TEST(Simulation, SleepingTilesChangeNothing) {
         dense.apply(Ticks{1});
     }
     EXPECT_EQ(hash_of(sparse), hash_of(dense));
-    EXPECT_GT(sparse.ledger().moved_m3, 1e5);
+    EXPECT_GT(sparse.ledger().moved_m3(), 1e5);
     // And they did sleep: tiles far from the hill were not active in the last tick.
     const std::vector<bool> active = sparse.terrain().tiles.read(Tiles::activity);
     EXPECT_LT(std::count(active.begin(), active.end(), true), static_cast<std::ptrdiff_t>(active.size() / 2));
@@ -219,7 +219,7 @@ TEST(Simulation, LedgerClosesWithBrushAndErosion) {
     const LedgerReading ledger = simulation.ledger();
     EXPECT_GT(ledger.solid_in, 0);
     EXPECT_GT(ledger.solid_out, 0);
-    EXPECT_GT(ledger.moved_m3, 1e6);
+    EXPECT_GT(ledger.moved_m3(), 1e6);
     EXPECT_LE(ledger.closing_error_of_moved(), 1e-6);
 }
 

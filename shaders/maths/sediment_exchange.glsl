@@ -1,0 +1,89 @@
+// Suspended sediment and the bed exchange solid (docs/numerics.md, "Sediment"). A load is metres of solid in the water
+// above a sample, two words. Needs maths/water.glsl and
+//   sediment_dt        real, s: the span of an exchange
+//   sediment_drag      real, Pa s²/m^(5/3): density of water * gravity * Manning's n²
+//   sediment_critical  real, Pa: shear stress below which nothing is entrained
+//   sediment_regolith  real, m/(s Pa): erodibility of regolith
+//   sediment_bedrock   real, m/(s Pa): of bedrock
+//   sediment_settling  real, m/s
+//   sediment_bulking   real, metres of regolith that a metre of solid makes: 1 / (1 - porosity)
+//   sediment_speedup   real, how often an exchange counts for the bed (morphological factor)
+//   sediment_strata    real2, m: thickness of a pair of bedrock layers, 0: none; and hardness of the harder one
+
+// What a sub-step may change the bed by, as a share of the water's depth; how dense water can become, by volume; and a
+// load that settles at once, m.
+const real sediment_most_change = real(0.1);
+const real sediment_densest = real(0.3);
+const real sediment_least = real(1e-9);
+
+// Shear stress of the water on its bed by Manning's law, Pa.
+real sediment_shear(real4 water) {
+    real2 velocity = water_velocity(water.x, real2(water.z, water.w));
+    precise real square = velocity.x * velocity.x + velocity.y * velocity.y;
+    precise real shear = (sediment_drag * square) * inverse_cube_root(max(water.x, water_film));
+    return water.x > water_film ? shear : real(0);
+}
+
+// The load after the exchange with a bed that gives `entrained` metres in its span, x = settling * span / depth:
+// d load / dt = entrainment - settling load / depth, exponentials by 1 / (1 + x + x²/2), which is above 0 for any span.
+real sediment_relaxed(real load, real entrained, real x) {
+    precise real divisor = real(1) + x + real(0.5) * (x * x);
+    precise real after = (load + entrained * (real(1) + real(0.5) * x)) / divisor;
+    return after;
+}
+
+// Hardness of bedrock at a height: layers in pairs, the lower one of each the harder.
+real sediment_stratum(real height) {
+    precise real pairs = height / max(sediment_strata.x, real(1e-6));
+    precise real part = pairs - floor(pairs);
+    return sediment_strata.x > real(0) && part < real(0.5) ? sediment_strata.y : real(0);
+}
+
+struct SedimentSample {
+    real4 solid;
+    real2 load;
+};
+
+// The sample after an exchange. Painted hardness, 0 to 1, holds for regolith and bedrock; layers for bedrock.
+SedimentSample sediment_exchange(real4 water, SedimentSample before, real hardness) {
+    real depth = water.x;
+    real load = before.load.x;
+    precise real span = sediment_dt * sediment_settling;
+    precise real x = span / max(depth, water_film);
+    precise real excess = max(sediment_shear(water) - sediment_critical, real(0)) * (sediment_dt * (real(1) - hardness));
+    precise real from_regolith = sediment_regolith * excess;
+    precise real from_bedrock = sediment_bedrock * (excess * (real(1) - sediment_stratum(before.solid.x)));
+    // How much the load may grow: the bed's share of the depth, and no denser than water can be.
+    precise real step = sediment_most_change * depth / sediment_speedup;
+    precise real dense = sediment_densest * depth - load;
+    real most = min(step, max(dense, real(0)));
+
+    // Regolith first; bedrock in the part of the span that is left when there is none any more.
+    precise real wanted = sediment_relaxed(load, from_regolith, x) - load;
+    // A touch less than there is: the second word may be below 0.
+    precise real there = (max(before.solid.z, real(0)) * real(0.9999998)) / (sediment_speedup * sediment_bulking);
+    real loose = min(max(min(wanted, most), real(0)), there);
+    precise real rest = wanted > loose ? real(1) - loose / wanted : real(0);
+    precise real wanted_rock = (sediment_relaxed(load, from_bedrock, x) - load) * rest;
+    precise real room = most - loose;
+    real rock = wanted > real(0) ? min(max(wanted_rock, real(0)), max(room, real(0))) : real(0);
+
+    // What settles; all of it from water that no longer flows, or that carries next to nothing.
+    real settled = max(-wanted, real(0));
+    precise real left = load - settled;
+    precise real slowest = step / sediment_bulking;
+    bool all = depth <= water_film || (wanted <= real(0) && left < sediment_least);
+    settled = all ? load : min(settled, slowest);
+
+    precise real metres_settled = (settled + (all ? before.load.y : real(0))) * (sediment_speedup * sediment_bulking);
+    precise real metres_loose = min(loose * (sediment_speedup * sediment_bulking), before.solid.z);
+    precise real metres_rock = rock * sediment_speedup;
+    SedimentSample after;
+    real2 bedrock = add_increment(real2(before.solid.x, before.solid.y), -metres_rock);
+    real2 regolith = add_increment(real2(before.solid.z, before.solid.w), metres_settled > real(0) ? metres_settled : -metres_loose);
+    precise real gain = loose + rock;
+    real2 grown = add_increment(before.load, settled > real(0) ? -settled : gain);
+    after.solid = real4(bedrock.x, bedrock.y, regolith.x, regolith.y);
+    after.load = all ? real2(real(0), real(0)) : grown;
+    return after;
+}

@@ -1,0 +1,89 @@
+// After a sub-step: the water's load and the bed exchange solid, on the listed tiles, 4 groups of 16 rows a tile. A sample
+// looks at itself alone, so everything is in place.
+layout(local_size_x = 64) in;
+#include "sim/water_images.glsl"
+
+layout(binding = 0, rgba32f) uniform readonly image2D water_in;
+layout(binding = 1, rg32f) uniform image2D load;
+layout(binding = 2, r32f) uniform writeonly image2D bed_out;
+#ifdef PAINTED
+layout(binding = 3, rgba32f) uniform readonly image2D painted;
+#endif
+layout(binding = 4, rgba32f) uniform image2D solid;
+layout(binding = 5, r32f) uniform image2D ground;
+layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
+layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
+
+uniform int2 samples;
+uniform int2 tiles;
+uniform real gravity;
+uniform int eulers;             // Euler steps in a sub-step, as in water_step.comp
+uniform real sediment_drag;
+uniform real sediment_critical;
+uniform real sediment_regolith;
+uniform real sediment_bedrock;
+uniform real sediment_settling;
+uniform real sediment_bulking;
+uniform real sediment_speedup;
+uniform real2 sediment_strata;
+
+const int water_order = 1;
+real water_gravity = gravity;
+const real2 water_share = real2(0.0);
+const real2 water_fastest = real2(0.0);
+const real water_drain = real(0);
+const real water_friction = real(0);
+precise real sediment_dt = clock_dt_s * real(eulers);
+#include "sim/cube_root_seed.glsl"
+#include "maths/water.glsl"
+#include "maths/ground_height.glsl"
+#include "maths/sediment_exchange.glsl"
+
+// Bits of a tile's flags: what follows the ground, but for the water's bed, which is brought up to it here; and what keeps
+// its water awake, in itself and within reach of its neighbours (sim/water.comp).
+const uint ground_changed = 1u | 2u | 4u | 8u | 64u;
+const uint stays_awake = 32u;
+const int water_reach = 4;
+
+bool differs(real4 a, real4 b) {
+    return any(notEqual(floatBitsToUint(a), floatBitsToUint(b)));
+}
+
+void main() {
+    int tile = int(listed_tiles[gl_WorkGroupID.y]);
+    int column = int(gl_LocalInvocationIndex);
+    int first_row = int(gl_WorkGroupID.x) * 16;
+    int2 first = int2(tile % tiles.x, tile / tiles.x) * 64 + int2(column, first_row);
+    if (first.x >= samples.x) return;
+    uint marks = 0u;
+    for (int row = 0; row < min(16, samples.y - first.y); ++row) {
+        int2 at = first + int2(0, row);
+        real4 water = imageLoad(water_in, at + water_ghosts);
+        SedimentSample before;
+        before.load = imageLoad(load, at + water_ghosts).xy;
+        // Where nothing is carried and nothing taken, nothing is read.
+        if (before.load == real2(0.0) && sediment_shear(water) <= sediment_critical) continue;
+        before.solid = imageLoad(solid, at);
+#ifdef PAINTED
+        real hardness = imageLoad(painted, at).x;
+#else
+        real hardness = real(0);
+#endif
+        SedimentSample after = sediment_exchange(water, before, hardness);
+        bool carries = any(notEqual(floatBitsToUint(after.load), floatBitsToUint(before.load)));
+        if (carries) imageStore(load, at + water_ghosts, real4(after.load.x, after.load.y, 0.0, 0.0));
+        if (carries) marks |= stays_awake | 4u;
+        if (!differs(after.solid, before.solid)) continue;
+        imageStore(solid, at, after.solid);
+        marks |= stays_awake | ground_changed;
+        real height = ground_height(after.solid);
+        if (height == imageLoad(ground, at).x) continue;
+        imageStore(ground, at, real4(height));
+        imageStore(bed_out, at + water_ghosts, real4(height));
+        marks |= first_row + row < water_reach ? 128u : 0u;
+        marks |= first_row + row >= 64 - water_reach ? 256u : 0u;
+        marks |= column < water_reach ? 512u : 0u;
+        marks |= column >= 64 - water_reach ? 1024u : 0u;
+    }
+    if (marks != 0u && (tile_flags[tile] & marks) != marks) atomicOr(tile_flags[tile], marks);
+}

@@ -1,0 +1,55 @@
+#include "sim/passes/sediment.h"
+
+namespace talus {
+
+float bulking_of(double porosity) {
+    return static_cast<float>(1 / (1 - porosity));
+}
+
+SedimentStep sediment_step(const SedimentSettings& settings, double gravity_m_per_s2, double manning) {
+    constexpr double water_kg_per_m3 = 1000;
+    SedimentStep step;
+    step.drag = static_cast<float>(water_kg_per_m3 * gravity_m_per_s2 * manning * manning);
+    step.critical = static_cast<float>(settings.critical_pa);
+    step.regolith = static_cast<float>(settings.regolith_m_per_s_pa);
+    step.bedrock = static_cast<float>(settings.bedrock_m_per_s_pa);
+    step.settling = static_cast<float>(settings.settling_m_per_s);
+    step.bulking = bulking_of(settings.porosity);
+    step.speedup = static_cast<float>(settings.acceleration);
+    step.strata = glm::vec2(settings.strata_m, settings.strata_hardness);
+    return step;
+}
+
+Sediment::Sediment(const Grid& grid)
+    : edge_books("sediment edge books", 2 * static_cast<std::size_t>(grid.nx + grid.ny) * sizeof(glm::dvec2)),
+      program_("sim/sediment.comp"),
+      painted_program_({"sim/sediment.comp"}, {"PAINTED 1"}) {
+    edge_books.fill(0);
+}
+
+void Sediment::exchange(Terrain& terrain, const SedimentStep& step, double gravity_m_per_s2, int eulers,
+                        const gpu::Buffer& list) {
+    gpu::Program& program = terrain.painted ? painted_program_ : program_;
+    terrain.water->front.bind_image(0, gpu::Access::read);
+    terrain.suspended->front.bind_image(1, gpu::Access::read_write);
+    terrain.water->bed.bind_image(2, gpu::Access::write);
+    if (terrain.painted) terrain.painted->bind_image(3, gpu::Access::read);
+    terrain.solid.front.bind_image(4, gpu::Access::read_write);
+    terrain.ground.bind_image(5, gpu::Access::read_write);
+    terrain.tiles.bind_for_marking();
+    program.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
+    program.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
+    program.set("gravity", static_cast<float>(gravity_m_per_s2));
+    program.set("eulers", eulers);
+    program.set("sediment_drag", step.drag);
+    program.set("sediment_critical", step.critical);
+    program.set("sediment_regolith", step.regolith);
+    program.set("sediment_bedrock", step.bedrock);
+    program.set("sediment_settling", step.settling);
+    program.set("sediment_bulking", step.bulking);
+    program.set("sediment_speedup", step.speedup);
+    program.set("sediment_strata", step.strata);
+    program.dispatch_indirect(list);
+}
+
+}  // namespace talus

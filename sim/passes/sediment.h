@@ -1,0 +1,60 @@
+#pragma once
+#include <map>
+
+#include "sim/gpu/buffer.h"
+#include "sim/gpu/program.h"
+#include "sim/terrain/terrain.h"
+
+namespace talus {
+
+/// Settings of erosion by water, with units (docs/numerics.md, "Sediment").
+struct SedimentSettings {
+    bool carried = false;            ///< the water has a load: the terrain has a suspended layer
+    double regolith_m_per_s_pa = 0;  ///< erodibility: metres a second for a pascal above the critical stress
+    double bedrock_m_per_s_pa = 0;
+    double critical_pa = 0;
+    double settling_m_per_s = 0.01;
+    double porosity = 0;              ///< of what settled
+    double acceleration = 1;          ///< how often an exchange counts for the bed
+    double inflow_concentration = 0;  ///< by volume, of what enters by edges of kind inflow
+    double strata_m = 0;              ///< thickness of a pair of bedrock layers; 0: none
+    double strata_hardness = 0;       ///< of the harder one
+};
+
+/// Settings in the units of shaders/maths/sediment_exchange.glsl, for a gravity (m/s²) and Manning's n. The
+/// twin takes the same numbers.
+struct SedimentStep {
+    float drag = 0;
+    float critical = 0;
+    float regolith = 0;
+    float bedrock = 0;
+    float settling = 0;
+    float bulking = 1;
+    float speedup = 1;
+    glm::vec2 strata{0};
+};
+SedimentStep sediment_step(const SedimentSettings& settings, double gravity_m_per_s2, double manning);
+
+/// Metres of regolith that a metre of solid makes, as the shaders count it.
+float bulking_of(double porosity);
+
+/// The exchange between bed and water after each of the water's sub-steps, and the books of solid that passes
+/// the edges. The transport itself is part of the water's stages (sim/passes/water.h).
+class Sediment {
+  public:
+    explicit Sediment(const Grid& grid);
+
+    /// On the tiles of the list; the water's clock must be bound to storage 2. `eulers`: how many of the
+    /// clock's spans.
+    void exchange(Terrain& terrain, const SedimentStep& step, double gravity_m_per_s2, int eulers,
+                  const gpu::Buffer& list);
+
+    /// Metres of solid in and out round the map, as they count for the bed, pairs of doubles.
+    gpu::Buffer edge_books;
+
+  private:
+    gpu::Program program_;
+    gpu::Program painted_program_;
+};
+
+}  // namespace talus
