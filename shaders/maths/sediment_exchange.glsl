@@ -44,19 +44,23 @@ struct SedimentSample {
     real2 load;
 };
 
-// The sample after an exchange. Painted hardness, 0 to 1, holds for regolith and bedrock; layers for bedrock.
-SedimentSample sediment_exchange(real4 water, SedimentSample before, real hardness) {
+// The sample after an exchange. Painted hardness, 0 to 1, holds for regolith and bedrock; layers for bedrock. `is_base`:
+// on the map's edge bedrock stays, for beyond it lies the base level that all erosion works towards. `drop`: how far the
+// lowest neighbour's ground lies below this one's, m; a sub-step erodes half of that at most, so that water digs no pits.
+SedimentSample sediment_exchange(real4 water, SedimentSample before, real hardness, bool is_base, real drop) {
     real depth = water.x;
     real load = before.load.x;
     precise real span = sediment_dt * sediment_settling;
     precise real x = span / max(depth, water_film);
     precise real excess = max(sediment_shear(water) - sediment_critical, real(0)) * (sediment_dt * (real(1) - hardness));
     precise real from_regolith = sediment_regolith * excess;
-    precise real from_bedrock = sediment_bedrock * (excess * (real(1) - sediment_stratum(before.solid.x)));
+    real softness = is_base ? real(0) : real(1) - sediment_stratum(before.solid.x);
+    precise real from_bedrock = sediment_bedrock * (excess * softness);
     // How much the load may grow: the bed's share of the depth, and no denser than water can be.
     precise real step = sediment_most_change * depth / sediment_speedup;
     precise real dense = sediment_densest * depth - load;
-    real most = min(step, max(dense, real(0)));
+    precise real lower = max(drop, real(0)) * real(0.5) / (sediment_speedup * sediment_bulking);
+    real most = min(min(step, lower), max(dense, real(0)));
 
     // Regolith first; bedrock in the part of the span that is left when there is none any more.
     precise real wanted = sediment_relaxed(load, from_regolith, x) - load;

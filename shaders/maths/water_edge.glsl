@@ -46,6 +46,14 @@ real edge_celerity(real depth) {
     return celerity;
 }
 
+// What an edge acts as: an open one is a wall for water that runs from it down into the map, faster than a quarter of its
+// waves, where no sea stands beyond. A copy of it would be a spring that feeds itself.
+int edge_acts_as(int kind, EdgeSample inner) {
+    real velocity = water_velocity(inner.depth, real2(inner.outward, inner.beside)).x;
+    bool runs_in = velocity < real(-0.25) * edge_celerity(inner.depth);
+    return kind == edge_open && runs_in && inner.bed >= edge_level_m ? edge_wall : kind;
+}
+
 // A depth that is held: the wave that leaves brings its own velocity, u + 2c; none enters faster than critical.
 EdgeSample edge_at_level(EdgeSample inner, real velocity) {
     precise real held = edge_level_m - inner.bed;

@@ -1,11 +1,11 @@
-// After a sub-step: the water's load and the bed exchange solid, on the listed tiles, 4 groups of 16 rows a tile. A sample
-// looks at itself alone, so everything is in place.
+// After a sub-step: the water's load and the bed exchange solid, on the listed tiles, 4 groups of 16 rows a tile. Of its
+// neighbours a sample looks at the bed alone, so that all else is in place.
 layout(local_size_x = 64) in;
 #include "sim/water_images.glsl"
 
 layout(binding = 0, rgba32f) uniform readonly image2D water_in;
 layout(binding = 1, rg32f) uniform image2D load;
-layout(binding = 2, r32f) uniform writeonly image2D bed_out;
+layout(binding = 2, r32f) uniform readonly image2D bed;  // the ground before, which sediment_bed.comp brings up to it
 #ifdef PAINTED
 layout(binding = 3, rgba32f) uniform readonly image2D painted;
 #endif
@@ -49,6 +49,18 @@ bool differs(real4 a, real4 b) {
     return any(notEqual(floatBitsToUint(a), floatBitsToUint(b)));
 }
 
+bool is_edge(int2 at) {
+    return at.x == 0 || at.y == 0 || at.x == samples.x - 1 || at.y == samples.y - 1;
+}
+
+real bed_at(int2 at) { return imageLoad(bed, at + water_ghosts).x; }
+
+real drop_at(int2 at) {
+    real lowest = min(min(bed_at(at + int2(-1, 0)), bed_at(at + int2(1, 0))), min(bed_at(at + int2(0, -1)), bed_at(at + int2(0, 1))));
+    precise real drop = bed_at(at) - lowest;
+    return drop;
+}
+
 void main() {
     int tile = int(listed_tiles[gl_WorkGroupID.y]);
     int column = int(gl_LocalInvocationIndex);
@@ -69,7 +81,7 @@ void main() {
 #else
         real hardness = real(0);
 #endif
-        SedimentSample after = sediment_exchange(water, before, hardness);
+        SedimentSample after = sediment_exchange(water, before, hardness, is_edge(at), drop_at(at));
         bool carries = any(notEqual(floatBitsToUint(after.load), floatBitsToUint(before.load)));
         if (carries) imageStore(load, at + water_ghosts, real4(after.load.x, after.load.y, 0.0, 0.0));
         if (carries) marks |= stays_awake | 4u;
@@ -79,7 +91,6 @@ void main() {
         real height = ground_height(after.solid);
         if (height == imageLoad(ground, at).x) continue;
         imageStore(ground, at, real4(height));
-        imageStore(bed_out, at + water_ghosts, real4(height));
         marks |= first_row + row < water_reach ? 128u : 0u;
         marks |= first_row + row >= 64 - water_reach ? 256u : 0u;
         marks |= column < water_reach ? 512u : 0u;

@@ -124,6 +124,7 @@ void main() {
         edge_at(index, at, outward, kind);
         EdgeSample inside = load_sample(at, outward);
         EdgeSample inside_2 = load_sample(at - outward, outward);
+        kind = edge_acts_as(kind, inside);
         EdgeSample shown = inside;
         EdgeSample shown_2 = inside_2;
         int2 shown_at = at;

@@ -23,7 +23,8 @@ SedimentStep sediment_step(const SedimentSettings& settings, double gravity_m_pe
 Sediment::Sediment(const Grid& grid)
     : edge_books("sediment edge books", 2 * static_cast<std::size_t>(grid.nx + grid.ny) * sizeof(glm::dvec2)),
       program_("sim/sediment.comp"),
-      painted_program_({"sim/sediment.comp"}, {"PAINTED 1"}) {
+      painted_program_({"sim/sediment.comp"}, {"PAINTED 1"}),
+      bed_program_("sim/sediment_bed.comp") {
     edge_books.fill(0);
 }
 
@@ -32,7 +33,7 @@ void Sediment::exchange(Terrain& terrain, const SedimentStep& step, double gravi
     gpu::Program& program = terrain.painted ? painted_program_ : program_;
     terrain.water->front.bind_image(0, gpu::Access::read);
     terrain.suspended->front.bind_image(1, gpu::Access::read_write);
-    terrain.water->bed.bind_image(2, gpu::Access::write);
+    terrain.water->bed.bind_image(2, gpu::Access::read);
     if (terrain.painted) terrain.painted->bind_image(3, gpu::Access::read);
     terrain.solid.front.bind_image(4, gpu::Access::read_write);
     terrain.ground.bind_image(5, gpu::Access::read_write);
@@ -50,6 +51,12 @@ void Sediment::exchange(Terrain& terrain, const SedimentStep& step, double gravi
     program.set("sediment_speedup", step.speedup);
     program.set("sediment_strata", step.strata);
     program.dispatch_indirect(list);
+
+    terrain.ground.bind_image(0, gpu::Access::read);
+    terrain.water->bed.bind_image(1, gpu::Access::write);
+    bed_program_.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
+    bed_program_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
+    bed_program_.dispatch_indirect(list);
 }
 
 }  // namespace talus

@@ -55,6 +55,7 @@ class Sediment {
   private:
     gpu::Program program_;
     gpu::Program painted_program_;
+    gpu::Program bed_program_;
 };
 
 }  // namespace talus

@@ -158,13 +158,17 @@ class WaterTwin {
 
     void exchange(real span) {
         sediment_dt = span;
+        const std::vector<real> beds = bed_;
         for (int y = 0; y < ny; ++y)
             for (int x = 0; x < nx; ++x) {
                 const auto i = static_cast<std::size_t>(y) * nx + x;
                 const std::size_t at = texel(int2(x, y));
                 const real hardness = painted_.empty() ? real(0) : real(painted_[i].x);
-                const SedimentSample after =
-                    sediment_exchange(front_[at], SedimentSample{solid_[i], load_front_[at]}, hardness);
+                const auto bed = [&](int dx, int dy) { return beds[texel(int2(x + dx, y + dy))]; };
+                const real drop = bed(0, 0) - min(min(bed(-1, 0), bed(1, 0)), min(bed(0, -1), bed(0, 1)));
+                const bool is_base = x == 0 || y == 0 || x == nx - 1 || y == ny - 1;
+                const SedimentSample after = sediment_exchange(
+                    front_[at], SedimentSample{solid_[i], load_front_[at]}, hardness, is_base, drop);
                 load_front_[at] = after.load;
                 if (after.solid == solid_[i]) continue;
                 solid_[i] = after.solid;
@@ -265,8 +269,9 @@ class WaterTwin {
             const bool first = row_edge ? index < nx : index - 2 * nx < ny;
             const int2 at = row_edge ? int2(along, first ? 0 : ny - 1) : int2(first ? 0 : nx - 1, along);
             const int2 outward = row_edge ? int2(0, first ? -1 : 1) : int2(first ? -1 : 1, 0);
-            const int kind = static_cast<int>(settings_.edges[(row_edge ? 0U : 2U) + (first ? 0U : 1U)]);
             EdgeSample shown = edge_sample_at(state, at, outward);
+            const int kind = edge_acts_as(
+                static_cast<int>(settings_.edges[(row_edge ? 0U : 2U) + (first ? 0U : 1U)]), shown);
             EdgeSample shown_2 = edge_sample_at(state, at - outward, outward);
             int2 shown_at = at;
             if (kind == edge_periodic) {

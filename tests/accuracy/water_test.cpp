@@ -399,6 +399,31 @@ TEST(Water, SmallWavesTravelAtTheirSpeed) {
     }
 }
 
+// Water that runs from an open edge down into the map must not draw more of itself in (it did: a copy beyond the edge is
+// a spring that feeds itself, 38 % of the rain on a mountain).
+TEST(Water, OpenEdgesBringNothingToGroundThatFallsInwards) {
+    const gpu::Context context;
+    for (const int order : {1, 2}) {
+        WaterScene scene;
+        scene.grid = {128, 96, 20, 20};
+        scene.settings.order = order;
+        scene.settings.edges.fill(EdgeKind::open);
+        scene.settings.manning_s_per_m13 = 0.035;
+        scene.settings.rain_m_per_s = 0.2 / 3600;
+        scene.bed = [](double x, double y) {
+            const double from_middle = std::hypot(x - 1280, y - 960);
+            return 100 + 0.15 * from_middle + 4 * std::sin(x / 70) * std::cos(y / 90);
+        };
+        scene.water = [](double, double, double) { return glm::dvec3(0); };
+        WaterRun run(scene.state(), scene.settings);
+        run.run(2, 900);
+        const WaterBooks books = run.water.read_books(scene.grid);
+        fmt::print("rain on a bowl, order {}: {:.2e} of the rain came in by open edges\n", order,
+                   books.edges_in_m3 / books.rain_m3);
+        EXPECT_LE(books.edges_in_m3, 1e-3 * books.rain_m3);
+    }
+}
+
 // 1 mm/h on 100 m of water at 1/60 s: 4.6e-9 m a tick, a thousandth of the depth's last digit.
 TEST(Water, RainBelowTheLastDigitAddsUp) {
     const gpu::Context context;
