@@ -399,8 +399,8 @@ TEST(Water, SmallWavesTravelAtTheirSpeed) {
     }
 }
 
-// Water that runs from an open edge down into the map must not draw more of itself in (it did: a copy beyond the edge is
-// a spring that feeds itself, 38 % of the rain on a mountain).
+// Water that runs from an open edge down into the map must not draw more of itself in (it did: a copy beyond
+// the edge is a spring that feeds itself, 38 % of the rain on a mountain).
 TEST(Water, OpenEdgesBringNothingToGroundThatFallsInwards) {
     const gpu::Context context;
     for (const int order : {1, 2}) {
