@@ -46,10 +46,11 @@ real edge_celerity(real depth) {
     return celerity;
 }
 
-// What an edge acts as: an open one is a wall for water that runs from it down into the map, faster than a quarter of its
+// What an edge acts as: one of no inflow is a wall; an open one is a wall for water that runs from it down into the map, faster than a quarter of its
 // waves, where no sea stands beyond. A copy of it would be a spring that feeds itself.
 int edge_acts_as(int kind, EdgeSample inner) {
     real velocity = water_velocity(inner.depth, real2(inner.outward, inner.beside)).x;
+    if (kind == edge_inflow_kind && edge_inflow <= real(0)) return edge_wall;
     bool runs_in = velocity < real(-0.25) * edge_celerity(inner.depth);
     return kind == edge_open && runs_in && inner.bed >= edge_level_m ? edge_wall : kind;
 }
@@ -65,9 +66,8 @@ EdgeSample edge_at_level(EdgeSample inner, real velocity) {
     return edge_sample(inner, depth, min(max(reached, -c), c));
 }
 
-// A discharge that is given, or a wall where it is none: c solves -q g / c² + 2c = u + 2c of the wave that leaves, by Newton from below.
+// A discharge that is given, above 0: c solves -q g / c² + 2c = u + 2c of the wave that leaves, by Newton from below.
 EdgeSample edge_with_inflow(EdgeSample inner, real velocity) {
-    if (edge_inflow <= real(0)) return edge_sample(inner, inner.depth, -velocity);
     precise real outgoing = velocity + real(2) * edge_celerity(inner.depth);
     precise real weight = edge_inflow * water_gravity;
     precise real half_weight = real(0.5) * weight;
