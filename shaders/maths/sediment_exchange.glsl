@@ -6,8 +6,10 @@
 //   sediment_regolith  real, m/(s Pa): erodibility of regolith
 //   sediment_bedrock   real, m/(s Pa): of bedrock
 //   sediment_settling  real, m/s
-//   sediment_bulking   real, metres of regolith that a metre of solid makes: 1 / (1 - porosity)
 //   sediment_speedup   real, how often an exchange counts for the bed (morphological factor)
+//   sediment_bulking   real, metres of regolith that a metre of solid makes: 1 / (1 - porosity)
+//   sediment_per_rock  real, 1 / speedup
+//   sediment_per_loose real, 1 / (speedup * bulking)
 //   sediment_strata    real2, m: thickness of a pair of bedrock layers, 0: none; and hardness of the harder one
 
 // What a sub-step may change the bed by, as a share of the water's depth; how dense water can become, by volume; and a
@@ -24,19 +26,12 @@ real sediment_shear(real4 water) {
     return water.x > water_film ? shear : real(0);
 }
 
-// The load after the exchange with a bed that gives `entrained` metres in its span, x = settling * span / depth:
-// d load / dt = entrainment - settling load / depth, exponentials by 1 / (1 + x + x²/2), which is above 0 for any span.
-real sediment_relaxed(real load, real entrained, real x) {
-    precise real divisor = real(1) + x + real(0.5) * (x * x);
-    precise real after = (load + entrained * (real(1) + real(0.5) * x)) / divisor;
-    return after;
-}
-
 // Hardness of bedrock at a height: layers in pairs, the lower one of each the harder.
 real sediment_stratum(real height) {
-    precise real pairs = height / max(sediment_strata.x, real(1e-6));
+    if (sediment_strata.x <= real(0)) return real(0);
+    precise real pairs = height / sediment_strata.x;
     precise real part = pairs - floor(pairs);
-    return sediment_strata.x > real(0) && part < real(0.5) ? sediment_strata.y : real(0);
+    return part < real(0.5) ? sediment_strata.y : real(0);
 }
 
 struct SedimentSample {
@@ -47,47 +42,51 @@ struct SedimentSample {
 // The sample after an exchange. Painted hardness, 0 to 1, holds for regolith and bedrock; layers for bedrock. `is_base`:
 // on the map's edge bedrock stays, for beyond it lies the base level that all erosion works towards. `drop`: how far the
 // lowest neighbour's ground lies below this one's, m; a sub-step erodes half of that at most, so that water digs no pits.
-SedimentSample sediment_exchange(real4 water, SedimentSample before, real hardness, bool is_base, real drop) {
+SedimentSample sediment_exchange(real4 water, real shear, SedimentSample before, real hardness, bool is_base, real drop) {
     real depth = water.x;
     real load = before.load.x;
-    precise real span = sediment_dt * sediment_settling;
-    precise real x = span / max(depth, water_film);
-    precise real excess = max(sediment_shear(water) - sediment_critical, real(0)) * (sediment_dt * (real(1) - hardness));
-    precise real from_regolith = sediment_regolith * excess;
+    // d load / dt = entrainment - settling load / depth over the span, its exponential by 1 / (1 + x + x²/2), which is above
+    // 0 for any span: after it, load = kept load + grown entrainment span.
+    precise real x = (sediment_dt * sediment_settling) / max(depth, water_film);
+    precise real kept = real(1) / (real(1) + x + real(0.5) * (x * x));
+    precise real grown = (real(1) + real(0.5) * x) * kept;
+    precise real excess = max(shear - sediment_critical, real(0)) * (sediment_dt * (real(1) - hardness));
     real softness = is_base ? real(0) : real(1) - sediment_stratum(before.solid.x);
-    precise real from_bedrock = sediment_bedrock * (excess * softness);
+    precise real lost = load * (kept - real(1));
+    precise real wanted = lost + grown * (sediment_regolith * excess);
+    precise real wanted_rock = lost + grown * (sediment_bedrock * (excess * softness));
     // How much the load may grow: the bed's share of the depth, and no denser than water can be.
-    precise real step = sediment_most_change * depth / sediment_speedup;
+    precise real step = sediment_most_change * depth;
+    precise real most_rock = step * sediment_per_rock;
+    precise real lower = (max(drop, real(0)) * real(0.5)) * sediment_per_loose;
     precise real dense = sediment_densest * depth - load;
-    precise real lower = max(drop, real(0)) * real(0.5) / (sediment_speedup * sediment_bulking);
-    real most = min(min(step, lower), max(dense, real(0)));
+    real most = min(min(most_rock, lower), max(dense, real(0)));
 
-    // Regolith first; bedrock in the part of the span that is left when there is none any more.
-    precise real wanted = sediment_relaxed(load, from_regolith, x) - load;
-    // A touch less than there is: the second word may be below 0.
-    precise real there = (max(before.solid.z, real(0)) * real(0.9999998)) / (sediment_speedup * sediment_bulking);
+    // Regolith first, a touch less than there is, for its second word may be below 0; bedrock in the part of the span that
+    // is left when there is none any more.
+    precise real there = (max(before.solid.z, real(0)) * real(0.9999998)) * sediment_per_loose;
     real loose = min(max(min(wanted, most), real(0)), there);
     precise real rest = wanted > loose ? real(1) - loose / wanted : real(0);
-    precise real wanted_rock = (sediment_relaxed(load, from_bedrock, x) - load) * rest;
+    precise real rock_left = max(wanted_rock, real(0)) * rest;
     precise real room = most - loose;
-    real rock = wanted > real(0) ? min(max(wanted_rock, real(0)), max(room, real(0))) : real(0);
+    real rock = wanted > real(0) ? min(rock_left, max(room, real(0))) : real(0);
 
     // What settles; all of it from water that no longer flows, or that carries next to nothing.
     real settled = max(-wanted, real(0));
     precise real left = load - settled;
-    precise real slowest = step / sediment_bulking;
+    precise real slowest = step * sediment_per_loose;
     bool all = depth <= water_film || (wanted <= real(0) && left < sediment_least);
     settled = all ? load : min(settled, slowest);
 
-    precise real metres_settled = (settled + (all ? before.load.y : real(0))) * (sediment_speedup * sediment_bulking);
-    precise real metres_loose = min(loose * (sediment_speedup * sediment_bulking), before.solid.z);
+    precise real metres_settled = ((settled + (all ? before.load.y : real(0))) * sediment_speedup) * sediment_bulking;
+    precise real metres_loose = min((loose * sediment_speedup) * sediment_bulking, before.solid.z);
     precise real metres_rock = rock * sediment_speedup;
     SedimentSample after;
     real2 bedrock = add_increment(real2(before.solid.x, before.solid.y), -metres_rock);
     real2 regolith = add_increment(real2(before.solid.z, before.solid.w), metres_settled > real(0) ? metres_settled : -metres_loose);
     precise real gain = loose + rock;
-    real2 grown = add_increment(before.load, settled > real(0) ? -settled : gain);
+    real2 carried = add_increment(before.load, settled > real(0) ? -settled : gain);
     after.solid = real4(bedrock.x, bedrock.y, regolith.x, regolith.y);
-    after.load = all ? real2(real(0), real(0)) : grown;
+    after.load = all ? real2(real(0), real(0)) : carried;
     return after;
 }

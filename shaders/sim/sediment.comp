@@ -10,7 +10,7 @@ layout(binding = 2, r32f) uniform readonly image2D bed;  // the ground before, w
 layout(binding = 3, rgba32f) uniform readonly image2D painted;
 #endif
 layout(binding = 4, rgba32f) uniform image2D solid;
-layout(binding = 5, r32f) uniform image2D ground;
+layout(binding = 5, r32f) uniform writeonly image2D ground;
 layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
 layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 
@@ -23,8 +23,10 @@ uniform real sediment_critical;
 uniform real sediment_regolith;
 uniform real sediment_bedrock;
 uniform real sediment_settling;
-uniform real sediment_bulking;
 uniform real sediment_speedup;
+uniform real sediment_bulking;
+uniform real sediment_per_rock;
+uniform real sediment_per_loose;
 uniform real2 sediment_strata;
 
 const int water_order = 1;
@@ -55,12 +57,6 @@ bool is_edge(int2 at) {
 
 real bed_at(int2 at) { return imageLoad(bed, at + water_ghosts).x; }
 
-real drop_at(int2 at) {
-    real lowest = min(min(bed_at(at + int2(-1, 0)), bed_at(at + int2(1, 0))), min(bed_at(at + int2(0, -1)), bed_at(at + int2(0, 1))));
-    precise real drop = bed_at(at) - lowest;
-    return drop;
-}
-
 void main() {
     int tile = int(listed_tiles[gl_WorkGroupID.y]);
     int column = int(gl_LocalInvocationIndex);
@@ -68,20 +64,29 @@ void main() {
     int2 first = int2(tile % tiles.x, tile / tiles.x) * 64 + int2(column, first_row);
     if (first.x >= samples.x) return;
     uint marks = 0u;
+    real here = bed_at(first);
+    real north = bed_at(first + int2(0, -1));
     for (int row = 0; row < min(16, samples.y - first.y); ++row) {
         int2 at = first + int2(0, row);
+        real south = bed_at(at + int2(0, 1));
+        real before_here = here;
+        real lowest = min(min(bed_at(at + int2(-1, 0)), bed_at(at + int2(1, 0))), min(north, south));
+        precise real drop = here - lowest;
+        north = here;
+        here = south;
         real4 water = imageLoad(water_in, at + water_ghosts);
+        real shear = sediment_shear(water);
         SedimentSample before;
         before.load = imageLoad(load, at + water_ghosts).xy;
-        // Where nothing is carried and nothing taken, nothing is read.
-        if (before.load == real2(0.0) && sediment_shear(water) <= sediment_critical) continue;
+        // Where nothing is carried and nothing taken, nothing changes.
+        if (before.load == real2(0.0) && shear <= sediment_critical) continue;
         before.solid = imageLoad(solid, at);
 #ifdef PAINTED
         real hardness = imageLoad(painted, at).x;
 #else
         real hardness = real(0);
 #endif
-        SedimentSample after = sediment_exchange(water, before, hardness, is_edge(at), drop_at(at));
+        SedimentSample after = sediment_exchange(water, shear, before, hardness, is_edge(at), drop);
         bool carries = any(notEqual(floatBitsToUint(after.load), floatBitsToUint(before.load)));
         if (carries) imageStore(load, at + water_ghosts, real4(after.load.x, after.load.y, 0.0, 0.0));
         if (carries) marks |= stays_awake | 4u;
@@ -89,7 +94,7 @@ void main() {
         imageStore(solid, at, after.solid);
         marks |= stays_awake | ground_changed;
         real height = ground_height(after.solid);
-        if (height == imageLoad(ground, at).x) continue;
+        if (height == before_here) continue;
         imageStore(ground, at, real4(height));
         marks |= first_row + row < water_reach ? 128u : 0u;
         marks |= first_row + row >= 64 - water_reach ? 256u : 0u;

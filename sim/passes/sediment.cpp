@@ -14,8 +14,10 @@ SedimentStep sediment_step(const SedimentSettings& settings, double gravity_m_pe
     step.regolith = static_cast<float>(settings.regolith_m_per_s_pa);
     step.bedrock = static_cast<float>(settings.bedrock_m_per_s_pa);
     step.settling = static_cast<float>(settings.settling_m_per_s);
-    step.bulking = bulking_of(settings.porosity);
     step.speedup = static_cast<float>(settings.acceleration);
+    step.bulking = bulking_of(settings.porosity);
+    step.per_rock = 1 / step.speedup;
+    step.per_loose = 1 / (step.speedup * step.bulking);
     step.strata = glm::vec2(settings.strata_m, settings.strata_hardness);
     return step;
 }
@@ -36,7 +38,7 @@ void Sediment::exchange(Terrain& terrain, const SedimentStep& step, double gravi
     terrain.water->bed.bind_image(2, gpu::Access::read);
     if (terrain.painted) terrain.painted->bind_image(3, gpu::Access::read);
     terrain.solid.front.bind_image(4, gpu::Access::read_write);
-    terrain.ground.bind_image(5, gpu::Access::read_write);
+    terrain.ground.bind_image(5, gpu::Access::write);
     terrain.tiles.bind_for_marking();
     program.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
     program.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
@@ -47,8 +49,10 @@ void Sediment::exchange(Terrain& terrain, const SedimentStep& step, double gravi
     program.set("sediment_regolith", step.regolith);
     program.set("sediment_bedrock", step.bedrock);
     program.set("sediment_settling", step.settling);
-    program.set("sediment_bulking", step.bulking);
     program.set("sediment_speedup", step.speedup);
+    program.set("sediment_bulking", step.bulking);
+    program.set("sediment_per_rock", step.per_rock);
+    program.set("sediment_per_loose", step.per_loose);
     program.set("sediment_strata", step.strata);
     program.dispatch_indirect(list);
 

@@ -29,8 +29,10 @@ struct SedimentStep {
     float regolith = 0;
     float bedrock = 0;
     float settling = 0;
-    float bulking = 1;
     float speedup = 1;
+    float bulking = 1;
+    float per_rock = 1;   ///< 1 / speedup
+    float per_loose = 1;  ///< 1 / (speedup * bulking)
     glm::vec2 strata{0};
 };
 SedimentStep sediment_step(const SedimentSettings& settings, double gravity_m_per_s2, double manning);

@@ -61,8 +61,10 @@ class WaterTwin {
         sediment_regolith = step.regolith;
         sediment_bedrock = step.bedrock;
         sediment_settling = step.settling;
-        sediment_bulking = step.bulking;
         sediment_speedup = step.speedup;
+        sediment_bulking = step.bulking;
+        sediment_per_rock = step.per_rock;
+        sediment_per_loose = step.per_loose;
         sediment_strata = real2(step.strata);
     }
     const std::vector<real4>& solid() const { return solid_; }
@@ -102,8 +104,10 @@ class WaterTwin {
     real sediment_regolith = 0;
     real sediment_bedrock = 0;
     real sediment_settling = 0;
-    real sediment_bulking = 1;
     real sediment_speedup = 1;
+    real sediment_bulking = 1;
+    real sediment_per_rock = 1;
+    real sediment_per_loose = 1;
     real2 sediment_strata{0};
 
     real load_edge_series(int at) const { return series_[static_cast<std::size_t>(at)]; }
@@ -167,8 +171,9 @@ class WaterTwin {
                 const auto bed = [&](int dx, int dy) { return beds[texel(int2(x + dx, y + dy))]; };
                 const real drop = bed(0, 0) - min(min(bed(-1, 0), bed(1, 0)), min(bed(0, -1), bed(0, 1)));
                 const bool is_base = x == 0 || y == 0 || x == nx - 1 || y == ny - 1;
-                const SedimentSample after = sediment_exchange(
-                    front_[at], SedimentSample{solid_[i], load_front_[at]}, hardness, is_base, drop);
+                const SedimentSample after =
+                    sediment_exchange(front_[at], sediment_shear(front_[at]),
+                                      SedimentSample{solid_[i], load_front_[at]}, hardness, is_base, drop);
                 load_front_[at] = after.load;
                 if (after.solid == solid_[i]) continue;
                 solid_[i] = after.solid;
