@@ -13,6 +13,18 @@ namespace {
 // As in shaders/render/shade_list.comp: two indirect draws.
 constexpr std::size_t head_words = 8;
 
+// Views of the water, of what was painted, of its load: each reads a layer that may not be there.
+const char* layer_define(View view) {
+    if (view >= View::suspended) return "LOADED";
+    return view >= View::hardness ? "PAINTED" : "WATER";
+}
+
+bool is_there(const Terrain& terrain, View view) {
+    if (view < View::depth || view == View::regolith) return false;
+    if (view == View::suspended) return terrain.suspended.has_value();
+    return view >= View::hardness ? terrain.painted.has_value() : terrain.water.has_value();
+}
+
 }  // namespace
 
 Shading::Shading() : list_("render/shade_list.comp"), grain_(grain_texture()) {}
@@ -36,10 +48,8 @@ gpu::Program& Shading::program_of(const ViewSettings& settings, bool sky, bool t
         if (settings.shadows) defines.emplace_back("SHADOWS");
         if (settings.occlusion) defines.emplace_back("OCCLUSION");
         if (drape_.width() > 0) defines.emplace_back("DRAPED");
-    } else if (there && settings.view >= View::hardness) {
-        defines.emplace_back("PAINTED");
-    } else if (there && settings.view >= View::depth) {
-        defines.emplace_back("WATER");
+    } else if (there) {
+        defines.emplace_back(layer_define(settings.view));
     }
     std::string key;
     for (const std::string& define : defines) key += define + " ";
@@ -68,6 +78,8 @@ void Shading::draw(const Terrain& terrain, const Pyramid& pyramid, const SkyView
         program.set("level_middle_m", static_cast<float>(settings.level_m));
         program.set("level_scale_m", static_cast<float>(settings.level_range_m));
         program.set("arrival_scale_s", static_cast<float>(settings.arrival_s));
+        program.set("suspended_scale_mm", static_cast<float>(settings.suspended_mm));
+        program.set("regolith_scale_m", static_cast<float>(settings.regolith_m));
         program.set("rain_scale", static_cast<float>(settings.rain_mm_per_h));
         program.set("froude_scale", static_cast<float>(froude_scale));
         program.set("hillshade_lights", settings.hillshade_lights);
@@ -100,9 +112,8 @@ void Shading::draw(const Terrain& terrain, const Pyramid& pyramid, const SkyView
     if (terrain.water) terrain.water->front.bind_sampled(9);
     if (terrain.inundation) terrain.inundation->bind_sampled(10);
     if (terrain.painted) terrain.painted->bind_sampled(11);
-    const bool of_paint = settings.view >= View::hardness;
-    gpu::Program& ground =
-        program_of(settings, false, of_paint ? terrain.painted.has_value() : terrain.water.has_value());
+    if (terrain.suspended) terrain.suspended->front.bind_sampled(12);
+    gpu::Program& ground = program_of(settings, false, is_there(terrain, settings.view));
     prepare(ground);
     if (redraw) {
         redraw->draw(ground, target, gpu::Depth::none);

@@ -20,9 +20,9 @@ std::string number_text(double value) {
 
 const std::vector<std::string>& view_names() {
     static const std::vector<std::string> names = {
-        "shaded", "hillshade",     "slope",      "bands",    "steps", "cells",
-        "aspect", "contours",      "difference", "depth",    "speed", "level",
-        "froude", "largest depth", "arrival",    "hardness", "mask",  "rain"};
+        "shaded",   "hillshade",  "slope", "bands", "steps",     "cells",   "aspect",
+        "contours", "difference", "depth", "speed", "level",     "froude",  "largest_depth",
+        "arrival",  "hardness",   "mask",  "rain",  "suspended", "regolith"};
     return names;
 }
 
@@ -51,6 +51,9 @@ std::vector<Parameter> render_parameters() {
         number("render.arrival_s", 600, 1e-3, 1e9, "s",
                "End of the scale of the view of the time at which water arrived."),
         number("render.rain", 200, 1e-3, 1e4, "mm/h", "End of the scale of the view of painted rain."),
+        number("render.suspended_mm", 20, 1e-6, 1e6, "mm",
+               "End of the scale of the view of suspended solid: as high as it would stand on the ground."),
+        number("render.regolith_m", 5, 1e-6, 1e5, "m", "End of the scale of the view of regolith."),
         choice("render.hillshade", "sun", {"sun", "four sides"},
                "Light of the hillshade: the sun's, or from four sides, each where slopes need it."),
     };
@@ -77,6 +80,8 @@ ViewSettings view_settings(const Parameters& parameters) {
     settings.level_range_m = parameters.number("render.level_range_m");
     settings.arrival_s = parameters.number("render.arrival_s");
     settings.rain_mm_per_h = parameters.number("render.rain");
+    settings.suspended_mm = parameters.number("render.suspended_mm");
+    settings.regolith_m = parameters.number("render.regolith_m");
     settings.hillshade_lights = parameters.choice("render.hillshade") == "sun" ? 1 : 4;
     return settings;
 }
@@ -155,6 +160,10 @@ std::vector<Legend> legend_of(const ViewSettings& settings, double lowest_m, dou
             return {{"Hardness", 0, 1, "1: does not erode", Scale::map, 0, {}}};
         case View::mask:
             return {{"Mask", 0, 1, "share", Scale::map, 0, {}}};
+        case View::suspended:
+            return {{"Suspended solid", 0, settings.suspended_mm, "mm", Scale::map, 0, {}}};
+        case View::regolith:
+            return {{"Regolith", 0, settings.regolith_m, "m", Scale::map, 0, {}}};
         case View::rain:
             return {{"Painted rain", 0, settings.rain_mm_per_h, "mm/h", Scale::map, 0, {}}};
     }

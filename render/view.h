@@ -26,7 +26,9 @@ enum class View {
     arrival = 14,
     hardness = 15,  // from here on of what brushes painted
     mask = 16,
-    rain = 17
+    rain = 17,
+    suspended = 18,
+    regolith = 19
 };
 const std::vector<std::string>& view_names();
 
@@ -61,6 +63,8 @@ struct ViewSettings {
     double level_range_m = 2;  ///< from the middle to its ends
     double arrival_s = 600;
     double rain_mm_per_h = 200;
+    double suspended_mm = 20;
+    double regolith_m = 5;
     int hillshade_lights = 1;
     glm::dvec3 ring_m{0};  ///< brush ring: world x, y, radius; radius 0: none
     bool operator==(const ViewSettings&) const = default;

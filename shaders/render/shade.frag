@@ -26,6 +26,8 @@ uniform real level_scale_m;
 uniform real froude_scale;
 uniform real arrival_scale_s;
 uniform real rain_scale;       // mm/h
+uniform real suspended_scale_mm;
+uniform real regolith_scale_m;
 uniform real difference_m;   // view of the difference: end of its scale
 uniform int hillshade_lights;  // 1: the sun; 4: from four sides
 
@@ -49,6 +51,8 @@ const int view_arrival = 14;
 const int view_hardness = 15;
 const int view_mask = 16;
 const int view_rain = 17;
+const int view_suspended = 18;
+const int view_regolith = 19;
 
 #include "render/relief.glsl"
 #include "render/sky.glsl"
@@ -57,6 +61,19 @@ const int view_rain = 17;
 #include "render/material.glsl"
 #include "render/contours.glsl"
 #include "render/occlusion.glsl"
+// A layer at a place of the picture, between its four samples; `ghosts` samples lie around it.
+vec4 layer_at(sampler2D layer, vec2 place, int ghosts) {
+    ivec2 cell = clamp(origin_cell + ivec2(floor(place)), ivec2(0), patches - 1);
+    vec2 w = clamp(place - vec2(cell - origin_cell), 0.0, 1.0);
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < 4; ++i)
+        sum += ((i & 1) == 0 ? 1.0 - w.x : w.x) * (i < 2 ? 1.0 - w.y : w.y) * texelFetch(layer, cell + ivec2(i & 1, i >> 1) + ghosts, 0);
+    return sum;
+}
+
+#ifdef LOADED
+layout(binding = 12) uniform sampler2D suspended;  // m, two words, two ghost samples around
+#endif
 #ifdef WATER
 #include "render/flow.glsl"
 layout(binding = 10) uniform sampler2D inundation;  // largest depth, arrival
@@ -108,11 +125,7 @@ vec3 water_view(vec2 place, vec2 absolute, float height_over_eye, float lit) {
 layout(binding = 11) uniform sampler2D painted;  // hardness, mask, rain
 
 vec3 painted_view(vec2 place, float lit) {
-    ivec2 cell = clamp(origin_cell + ivec2(floor(place)), ivec2(0), patches - 1);
-    vec2 w = clamp(place - vec2(cell - origin_cell), 0.0, 1.0);
-    vec3 sum = vec3(0.0);
-    for (int i = 0; i < 4; ++i)
-        sum += ((i & 1) == 0 ? 1.0 - w.x : w.x) * (i < 2 ? 1.0 - w.y : w.y) * texelFetch(painted, cell + ivec2(i & 1, i >> 1), 0).xyz;
+    vec3 sum = layer_at(painted, place, 0).xyz;
     float share = VIEW == view_hardness ? sum.x : (VIEW == view_mask ? sum.y : sum.z / rain_scale);
     return (share > 0.0 ? colour_map(share) : vec3(0.62)) * lit;
 }
@@ -227,6 +240,16 @@ void main() {
         colour = mix(vec3(0.6), direction_map(facing), smoothstep(0.0, 0.05, length(gradient))) * lit;
     } else if (VIEW == view_contours) {
         colour = mix(vec3(0.93, 0.91, 0.86) * lit, vec3(0.36, 0.22, 0.12), contour_ink(distance_m, ray));
+    } else if (VIEW == view_regolith) {
+        vec2 depth = layer_at(solid, place, 0).zw;
+        colour = depth.x > 0.0 ? colour_map((depth.x + depth.y) / regolith_scale_m) * lit : vec3(0.62) * lit;
+    } else if (VIEW == view_suspended) {
+#ifdef LOADED
+        float mm = 1e3 * layer_at(suspended, place, 2).x;
+        colour = mm > 1e-3 * suspended_scale_mm ? colour_map(mm / suspended_scale_mm) : vec3(0.62) * lit;
+#else
+        colour = vec3(0.62) * lit;
+#endif
     } else if (VIEW >= view_hardness) {
 #ifdef PAINTED
         colour = painted_view(place, lit);

@@ -138,6 +138,42 @@ double bowl(glm::dvec2 p, std::uint32_t) {
     return q.x * q.x + q.y * q.y;
 }
 
+// A smooth upland that no water has cut yet, on a plain that drains it outwards.
+double massif(glm::dvec2 p, std::uint32_t seed) {
+    const glm::dvec2 warp(fbm(2.2 * p + glm::dvec2(5.2, 1.3), seed + 7, 3, 0.5),
+                          fbm(2.2 * p + glm::dvec2(1.7, 9.2), seed + 19, 3, 0.5));
+    const glm::dvec2 q = p - glm::dvec2(0.5) + 0.16 * warp;
+    const double r = std::sqrt(q.x * q.x + q.y * q.y);
+    const double upland = smooth((0.46 - r) / 0.40);
+    return upland * (0.85 + 0.35 * fbm(3.1 * p, seed + 31, 4, 0.45)) - 0.16 * r +
+           0.010 * fbm(22.0 * p, seed + 61, 4, 0.6);
+}
+
+// A table that falls gently eastwards to its escarpment, with the course of a river, a plain before it.
+double plateau(glm::dvec2 p, std::uint32_t seed) {
+    const double edge =
+        0.74 + 0.07 * noise(glm::dvec2(2.1, 4.0 * p.y), seed) + 0.02 * fbm(9.0 * p, seed + 5, 4, 0.5);
+    const double middle = 0.5 + 0.13 * noise(glm::dvec2(3.1 * p.x, 0.3), seed + 3) +
+                          0.04 * noise(glm::dvec2(8.0 * p.x, 4.7), seed + 9);
+    const double across = std::abs(p.y - middle);
+    const double table = 0.86 + 0.10 * (1 - p.x) + 0.10 * smooth((across - 0.02) / 0.25) +
+                         0.02 * fbm(7.0 * p, seed + 23, 6, 0.5);
+    const double plain = 0.10 + 0.08 * (1 - p.x) + 0.01 * fbm(9.0 * p, seed + 41, 5, 0.5);
+    const double fall = smooth((edge - p.x) / 0.10);
+    return plain + fall * (table - plain);
+}
+
+// A flood plain in the west that a gorge gathers, and a lake basin in the east.
+double delta(glm::dvec2 p, std::uint32_t seed) {
+    const double across = std::abs(p.y - 0.5) + 0.02 * noise(6.0 * p, seed);
+    const double gate = smooth(1 - std::abs(p.x - 0.22) / 0.16);
+    const double walls = (0.10 + 0.9 * gate) * smooth((across - (0.42 - 0.37 * gate)) / 0.10);
+    const double shore = 0.40 + 0.03 * noise(glm::dvec2(3.0 * p.y, 1.1), seed + 3);
+    const double basin = smooth((p.x - shore) / 0.22);
+    return 0.62 - 0.16 * p.x - 0.40 * basin + 0.5 * walls * (1 - smooth((p.x - 0.34) / 0.12)) +
+           0.006 * fbm(18.0 * p, seed + 51, 5, 0.5);
+}
+
 // A shape by its kind, of points in units of the terrain's larger extent.
 double (*shape_of(const std::string& kind))(glm::dvec2, std::uint32_t) {
     if (kind == "hills") return hills;
@@ -145,14 +181,17 @@ double (*shape_of(const std::string& kind))(glm::dvec2, std::uint32_t) {
     if (kind == "island") return island;
     if (kind == "valley") return valley;
     if (kind == "bowl") return bowl;
+    if (kind == "massif") return massif;
+    if (kind == "plateau") return plateau;
+    if (kind == "delta") return delta;
     return mountains;
 }
 
 }  // namespace
 
 const std::vector<std::string>& generator_kinds() {
-    static const std::vector<std::string> kinds = {"mountains", "hills",  "flat", "coast",
-                                                   "island",    "valley", "bowl"};
+    static const std::vector<std::string> kinds = {"mountains", "hills", "flat",   "coast",   "island",
+                                                   "valley",    "bowl",  "massif", "plateau", "delta"};
     return kinds;
 }
 
