@@ -118,7 +118,10 @@ void add_outputs(CLI::App& app, Texts& t, Outputs& outputs) {
     app.add_option("--report", outputs.report, "write the report")->type_name("FILE.json");
     app.add_option("--journal", outputs.journal, "write what was done, for 'talus replay'")
         ->type_name("FILE.journal");
-    app.add_option("--layer", outputs.layer, "what single-layer outputs hold: ground, bedrock or regolith");
+    app.add_option("--layer", outputs.layer,
+                   "what single-layer outputs hold: ground, bedrock, regolith, water, level, depth_max, "
+                   "arrival_s, suspended, "
+                   "hardness, mask or rain");
     app.add_flag("--json", t.json, "print the report");
 }
 
@@ -208,7 +211,7 @@ int parse_and_do(int argc, char** argv) {
     CLI::App* convert_command = app.add_subcommand("convert", "turn a heightmap into another format");
     convert_command->add_option("IN", convert_options.input)->required();
     convert_command->add_option("OUT", convert_options.output)->required();
-    convert_command->add_option("--layer", convert_options.layer, "ground, bedrock or regolith");
+    convert_command->add_option("--layer", convert_options.layer, "a layer, as run --layer");
     add_import(*convert_command, t);
 
     CLI::App* replay_command = app.add_subcommand("replay", "do again what a journal recorded");

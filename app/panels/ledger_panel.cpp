@@ -20,10 +20,15 @@ void draw_ledger_panel(const Session& session, PanelRequests& requests) {
     const auto& [ledger, simulated_s] = *session.last_balance();
     ImGui::SameLine();
     ImGui::Text("at %.2f s", simulated_s);
-    line("Rock", ledger.solid_final, "m³");
+    line("Bedrock", ledger.bedrock, "m³");
+    line("Regolith, solid", ledger.regolith, "m³");
+    line("Suspended", ledger.suspended, "m³");
     line("  brought", ledger.solid_in, "m³");
     line("  taken", ledger.solid_out, "m³");
     line("  moved", ledger.moved_m3(), "m³");
+    line("  out by edges", ledger.solid_edges_out, "m³");
+    line("  eroded, net", ledger.eroded_m3, "m³");
+    line("  deposited, net", ledger.deposited_m3, "m³");
     line("  missing", ledger.closing_error_m3(), "m³");
     line("Water on the map", ledger.water_final, "m³");
     line("  at the start", ledger.water_initial, "m³");

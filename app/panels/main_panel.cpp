@@ -84,11 +84,15 @@ void draw_main_panel(Session& session, FileDialog& dialog, bool& placing_gauge, 
         const char* section;
         const Parameters& parameters;
         bool open;
-    } sections[] = {
-        {"Brush", "brush", session.view(), true},           {"Water", "water", simulated, false},
-        {"Thermal erosion", "thermal", simulated, false},   {"Time", "time", session.view(), true},
-        {"Picture", "render", session.view(), false},       {"Camera", "camera", session.view(), false},
-        {"Generated terrain", "terrain", simulated, false}, {"Undo", "undo", session.view(), false}};
+    } sections[] = {{"Brush", "brush", session.view(), true},
+                    {"Water", "water", simulated, false},
+                    {"Erosion by water", "erosion", simulated, false},
+                    {"Thermal erosion", "thermal", simulated, false},
+                    {"Time", "time", session.view(), true},
+                    {"Picture", "render", session.view(), false},
+                    {"Camera", "camera", session.view(), false},
+                    {"Generated terrain", "terrain", simulated, false},
+                    {"Undo", "undo", session.view(), false}};
     for (const auto& s : sections) {
         if (!ImGui::CollapsingHeader(s.title, s.open ? ImGuiTreeNodeFlags_DefaultOpen : 0)) continue;
         draw_section(session, s.section, s.parameters, requests);

@@ -166,11 +166,11 @@ double plateau(glm::dvec2 p, std::uint32_t seed) {
 // A flood plain in the west that a gorge gathers, and a lake basin in the east.
 double delta(glm::dvec2 p, std::uint32_t seed) {
     const double across = std::abs(p.y - 0.5) + 0.02 * noise(6.0 * p, seed);
-    const double gate = smooth(1 - std::abs(p.x - 0.22) / 0.16);
+    const double gate = smooth(1 - std::abs(p.x - 0.11) / 0.10);
     const double walls = (0.10 + 0.9 * gate) * smooth((across - (0.42 - 0.37 * gate)) / 0.10);
-    const double shore = 0.40 + 0.03 * noise(glm::dvec2(3.0 * p.y, 1.1), seed + 3);
+    const double shore = 0.22 + 0.03 * noise(glm::dvec2(3.0 * p.y, 1.1), seed + 3);
     const double basin = smooth((p.x - shore) / 0.22);
-    return 0.62 - 0.16 * p.x - 0.40 * basin + 0.5 * walls * (1 - smooth((p.x - 0.34) / 0.12)) +
+    return 0.62 - 0.16 * p.x - 0.40 * basin + 0.5 * walls * (1 - smooth((p.x - 0.17) / 0.07)) +
            0.006 * fbm(18.0 * p, seed + 51, 5, 0.5);
 }
 

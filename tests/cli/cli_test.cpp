@@ -168,6 +168,37 @@ TEST_F(Program, RendersLargePicturesAndDrapedOnes) {
     EXPECT_FALSE(fs::exists(path("x.png")));
 }
 
+// A run of every preset of erosion; one hash whatever the threads, replayed, and saved midway; the report's
+// ledger closes.
+TEST_F(Program, ErodesByWaterAndReportsIt) {
+    const std::string rain = "run --preset rain-erosion --size 129x97 ";
+    const std::string whole =
+        hash(rain + "--ticks 60 --out whole.exr --journal run.journal --image rain.png");
+    const json ledger = report("hash.json")["ledger"];
+    EXPECT_GT(ledger["eroded_m3"], 1e3);
+    EXPECT_GT(ledger["deposited_m3"], 1e2);
+    EXPECT_GT(ledger["suspended_m3"], 1e2);
+    EXPECT_GE(ledger["out_m3"], 0);
+    EXPECT_LE(ledger["closing_error_of_eroded"], 1e-6);
+    for (const char* threads : {"LP_NUM_THREADS=0", "LP_NUM_THREADS=1", "LP_NUM_THREADS=4"})
+        EXPECT_EQ(hash(rain + "--ticks 60", threads), whole) << threads;
+    EXPECT_EQ(hash("replay run.journal"), whole);
+    hash(rain + "--ticks 25 --out mid.exr");
+    EXPECT_EQ(hash("run --in mid.exr --ticks 35"), whole)
+        << "the document brings load, regolith and parameters";
+    for (const char* layer : {"suspended", "regolith", "depth_max", "arrival_s", "mask"})
+        EXPECT_EQ(talus(std::string("convert whole.exr layer.tif --layer ") + layer).code, 0) << layer;
+    EXPECT_NE(refusal("convert whole.exr layer.tif --layer silt").find("suspended"), std::string::npos);
+    for (const char* preset : {"canyon", "delta", "badlands"}) {
+        hash(std::string("run --preset ") + preset + " --size 97x65 --ticks 20");
+        EXPECT_LE(report("hash.json")["ledger"]["closing_error_of_moved"], 1e-6) << preset;
+    }
+    // Someone's own ground.
+    EXPECT_EQ(talus("run --preset rain-erosion --in layer.tif --ticks 2 --out own.tif").code, 0);
+    refusal("run --preset rain-erosion --ticks 1 --set erosion.acceleration=0.5");
+    refusal("run --preset rain-erosion --ticks 1 --set erosion.porosity=1");
+}
+
 TEST_F(Program, RunsWaterWithGaugesSpringsAndItsReport) {
     const std::string dam = "run --preset dam-break --size 129x97 ";
     const std::string whole = hash(dam +
