@@ -18,8 +18,8 @@ struct GeneratorSettings {
 
 /// mountains (ridged noise, its detail damped on slopes, domain warped), hills (fBm), flat (all 0), coast (a
 /// shelf in the west, a beach, hills in the east), island (on a shelf), valley (winding, falls eastwards),
-/// bowl (a paraboloid), massif (a smooth upland that no water has cut), plateau (a table with a river's course
-/// and an escarpment), delta (a flood plain, a gorge and a lake basin).
+/// bowl (a paraboloid), massif (a smooth upland that no water has cut), plateau (a table with a river's
+/// course and an escarpment), delta (a flood plain, a gorge and a lake basin).
 const std::vector<std::string>& generator_kinds();
 
 /// Heights in metres, row 0 north, lowest sample 0, highest relief_m. The same terrain at every grid of the

@@ -184,8 +184,8 @@ TEST(ErosionStress, VariationFallsWithoutASource) {
 
     Stress lake{under_water(
                     grid, [](int, int) { return 5.0; }, 3.0F),
-                {"water.rain=0", "erosion.settling=100", "water.boundary.north=wall", "water.boundary.south=wall",
-                 "water.boundary.west=wall", "water.boundary.east=wall"},
+                {"water.rain=0", "erosion.settling=100", "water.boundary.north=wall",
+                 "water.boundary.south=wall", "water.boundary.west=wall", "water.boundary.east=wall"},
                 0};
     lake.state.suspended.assign(grid.count(), glm::vec2(0.01F, 0));
     Simulation settling = simulation_of(lake);

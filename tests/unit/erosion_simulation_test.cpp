@@ -202,8 +202,8 @@ TEST(ErosionSimulation, OffItLetsEverythingSettle) {
     EXPECT_LE(simulation.ledger().closing_error_of_eroded(), 1e-6);
 }
 
-// 1e-7 m a tick for 1e5 ticks at 4,000 m, a two-thousandth of the height's last digit each. By the twin, whose bits are
-// the device's.
+// 1e-7 m a tick for 1e5 ticks at 4,000 m, a two-thousandth of the height's last digit each. By the twin,
+// whose bits are the device's.
 TEST(ErosionSimulation, GrainsBelowTheLastDigitAddUp) {
     const Grid small{2, 2, 10, 10};
     ThermalSettings settings;
