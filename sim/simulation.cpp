@@ -21,6 +21,7 @@ ThermalSettings thermal_settings(const Parameters& parameters) {
     settings.wet_deg = angle("thermal.wet_deg");
     settings.bedrock_deg = angle("thermal.bedrock_deg");
     settings.porosity = parameters.number("erosion.porosity");
+    settings.masked = parameters.choice("erosion.over") == "mask";
     settings.weathering_m_per_s = parameters.number("thermal.weathering") * m_per_s;
     return settings;
 }
@@ -37,6 +38,7 @@ SedimentSettings settings_of_sediment(const Parameters& parameters) {
     settings.porosity = parameters.number("erosion.porosity");
     settings.acceleration = parameters.number("erosion.acceleration");
     settings.inflow_concentration = parameters.number("erosion.inflow_concentration");
+    settings.masked = parameters.choice("erosion.over") == "mask";
     settings.strata_m = parameters.number("erosion.strata_m");
     settings.strata_hardness = parameters.number("erosion.strata_hardness");
     return settings;
@@ -145,7 +147,9 @@ WaterSettings Simulation::water_settings() const {
     if (settings.rain_masked && !terrain_.painted) settings.rain_m_per_s = 0;
     const ThermalSettings slopes = thermal_settings(moment_.parameters);
     settings.wakes_slopes = moment_.parameters.toggle("thermal.on") && slopes.wet_deg != slopes.repose_deg;
-    settings.sediment.carried = terrain_.suspended.has_value();
+    SedimentSettings& sediment = settings.sediment;
+    sediment.carried = terrain_.suspended.has_value();
+    if (sediment.masked && !terrain_.painted) sediment.regolith_m_per_s_pa = sediment.bedrock_m_per_s_pa = 0;
     settings.rain_painted = rain_painted_ && terrain_.painted.has_value();
     return settings;
 }

@@ -37,6 +37,9 @@ std::vector<Parameter> simulation_parameters() {
             "erosion.on", false,
             "Running water takes solid from its bed, carries it, and lets it settle where it slackens. Off: "
             "what is on its way still settles."),
+        choice("erosion.over", "everywhere", {"everywhere", "mask"},
+               "Where water takes solid and slopes slide; by the mask: as far as it says, so that a brush "
+               "erodes here and nowhere else."),
         number(
             "erosion.erodibility", 1, 0, 1e6, "cm³/(N s)",
             "Of regolith: a pascal above the critical stress takes so many millionths of a metre a second. "

@@ -10,6 +10,7 @@
 //   sediment_bulking   real, metres of regolith that a metre of solid makes: 1 / (1 - porosity)
 //   sediment_per_rock  real, 1 / speedup
 //   sediment_per_loose real, 1 / (speedup * bulking)
+//   sediment_masked    int, 1: water takes as much as the mask says
 //   sediment_strata    real2, m: thickness of a pair of bedrock layers, 0: none; and hardness of the harder one
 
 // What a sub-step may change the bed by, as a share of the water's depth; how dense water can become, by volume; and a
@@ -24,6 +25,13 @@ real sediment_shear(real4 water) {
     precise real square = velocity.x * velocity.x + velocity.y * velocity.y;
     precise real shear = (sediment_drag * square) * inverse_cube_root(max(water.x, water_film));
     return water.x > water_film ? shear : real(0);
+}
+
+// Hardness of a sample by what was painted, real4(hardness, mask, …): where the mask is 0 nothing is taken.
+real sediment_hardness(real4 painted) {
+    precise real softness = (real(1) - painted.x) * (sediment_masked == 1 ? painted.y : real(1));
+    precise real hardness = real(1) - softness;
+    return hardness;
 }
 
 // Hardness of bedrock at a height: layers in pairs, the lower one of each the harder.

@@ -3,6 +3,7 @@
 // gives real4 load_solid(int2) that repeats the edge's samples beyond the edge (walls: no flux leaves), and
 //   cell_m            real2, spacing of columns and of rows, metres
 //   load_repose(int2) real, tangent of the angle of repose of the regolith there
+//   load_mask(int2)   real, 0 to 1: how far slopes slide there; a face by the lesser of its two sides
 //   bedrock_slope     real, tangent of the angle that bedrock fails at
 //   face_share        real2, rate * sub-step / spacing: square metres per second times seconds per metre
 //   thermal_bulking   real, metres of regolith that a metre of solid makes: 1 / (1 - porosity)
@@ -42,9 +43,9 @@ real slide(real along, real spacing, real share, real beside_0, real beside_1, r
 }
 
 // Bedrock that weathers becomes regolith: less the deeper it lies (after Heimsath et al. 1997, as a hyperbola).
-real4 weathered(real4 solid) {
+real4 weathered(real4 solid, real mask) {
     precise real decay = real(1) + max(solid.z, real(0)) / weathering_depth;
-    precise real metres = weathering / decay;
+    precise real metres = (weathering * mask) / decay;
     precise real loose = metres * thermal_bulking;
     real2 bedrock = add_increment(real2(solid.x, solid.y), -metres);
     real2 regolith = add_increment(real2(solid.z, solid.w), loose);
@@ -72,15 +73,20 @@ real4 thermal_sample(int2 at) {
     real east_s = rise(sw, se);
 
     real repose_c = load_repose(at);
+    real mask_c = load_mask(at);
+    precise real share_e = face_share.x * min(mask_c, load_mask(at + int2(1, 0)));
+    precise real share_w = face_share.x * min(mask_c, load_mask(at + int2(-1, 0)));
+    precise real share_s = face_share.y * min(mask_c, load_mask(at + int2(0, 1)));
+    precise real share_n = face_share.y * min(mask_c, load_mask(at + int2(0, -1)));
 
     // Positive: into this sample. Both sides of a face call slide() with the same bits but for the sign of `along`.
-    real from_e = slide(rise(c, e), cell_m.x, face_share.x, south_c, south_e, cell_m.y, c, e, repose_c, load_repose(at + int2(1, 0)));
-    real from_w = slide(rise(c, w), cell_m.x, face_share.x, south_w, south_c, cell_m.y, c, w, repose_c, load_repose(at + int2(-1, 0)));
-    real from_s = slide(rise(c, s), cell_m.y, face_share.y, east_c, east_s, cell_m.x, c, s, repose_c, load_repose(at + int2(0, 1)));
-    real from_n = slide(rise(c, n), cell_m.y, face_share.y, east_n, east_c, cell_m.x, c, n, repose_c, load_repose(at + int2(0, -1)));
+    real from_e = slide(rise(c, e), cell_m.x, share_e, south_c, south_e, cell_m.y, c, e, repose_c, load_repose(at + int2(1, 0)));
+    real from_w = slide(rise(c, w), cell_m.x, share_w, south_w, south_c, cell_m.y, c, w, repose_c, load_repose(at + int2(-1, 0)));
+    real from_s = slide(rise(c, s), cell_m.y, share_s, east_c, east_s, cell_m.x, c, s, repose_c, load_repose(at + int2(0, 1)));
+    real from_n = slide(rise(c, n), cell_m.y, share_n, east_n, east_c, cell_m.x, c, n, repose_c, load_repose(at + int2(0, -1)));
 
     // Sums go in pairs of opposite faces: a turned terrain gives turned bits.
     precise real gain = (max(from_e, real(0)) + max(from_w, real(0))) + (max(from_s, real(0)) + max(from_n, real(0)));
     precise real loss = (max(-from_e, real(0)) + max(-from_w, real(0))) + (max(-from_s, real(0)) + max(-from_n, real(0)));
-    return weathered(exchange_solid(c, gain, loss, thermal_bulking));
+    return weathered(exchange_solid(c, gain, loss, thermal_bulking), mask_c);
 }

@@ -28,6 +28,7 @@ uniform real sediment_bulking;
 uniform real sediment_per_rock;
 uniform real sediment_per_loose;
 uniform real2 sediment_strata;
+uniform int sediment_masked;
 
 const int water_order = 1;
 real water_gravity = gravity;
@@ -82,7 +83,7 @@ void main() {
         if (before.load == real2(0.0) && shear <= sediment_critical) continue;
         before.solid = imageLoad(solid, at);
 #ifdef PAINTED
-        real hardness = imageLoad(painted, at).x;
+        real hardness = sediment_hardness(imageLoad(painted, at));
 #else
         real hardness = real(0);
 #endif

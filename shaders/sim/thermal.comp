@@ -18,6 +18,12 @@ real load_repose(int2 at) { return imageLoad(water, at + 2).x >= real(0.01) ? we
 #else
 real load_repose(int2 at) { return repose_slope; }
 #endif
+#ifdef MASKED
+layout(binding = 4, rgba32f) uniform readonly image2D painted;
+real load_mask(int2 at) { return imageLoad(painted, clamp(at, int2(0), samples - 1)).y; }
+#else
+real load_mask(int2 at) { return real(1); }
+#endif
 #include "maths/thermal.glsl"
 
 void main() {

@@ -17,6 +17,7 @@ struct SedimentSettings {
     double porosity = 0;              ///< of what settled
     double acceleration = 1;          ///< how often an exchange counts for the bed
     double inflow_concentration = 0;  ///< by volume, of what enters by edges of kind inflow
+    bool masked = false;              ///< water takes as much as the mask says
     double strata_m = 0;              ///< thickness of a pair of bedrock layers; 0: none
     double strata_hardness = 0;       ///< of the harder one
 };
@@ -34,6 +35,7 @@ struct SedimentStep {
     float per_rock = 1;   ///< 1 / speedup
     float per_loose = 1;  ///< 1 / (speedup * bulking)
     glm::vec2 strata{0};
+    int masked = 0;
 };
 SedimentStep sediment_step(const SedimentSettings& settings, double gravity_m_per_s2, double manning);
 

@@ -40,6 +40,7 @@ ThermalStep thermal_step(const Grid& grid, const ThermalSettings& settings, doub
     step.wet_slope = slope(settings.wet_deg);
     step.bedrock_slope = slope(settings.bedrock_deg);
     step.bulking = bulking_of(settings.porosity);
+    step.masked = settings.masked;
     step.weathering_m = static_cast<float>(settings.weathering_m_per_s * dt);
     step.cell_m = glm::vec2(grid.dx, grid.dy);
     step.face_share = glm::vec2(settings.rate_m2_per_s * dt / grid.dx, settings.rate_m2_per_s * dt / grid.dy);
@@ -50,16 +51,28 @@ double natural_thermal_rate(const Grid& grid, double span_s, double porosity) {
     return 0.4 * (1 - porosity) / (span_s * inverse_squares(grid));
 }
 
-Thermal::Thermal(const Terrain& terrain)
-    : program_("sim/thermal.comp"),
-      wet_program_({"sim/thermal.comp"}, {"WET 1"}),
-      active_(terrain.tiles.count()) {}
+Thermal::Thermal(const Terrain& terrain) : active_(terrain.tiles.count()) {}
+
+gpu::Program& Thermal::program_of(bool wet, bool masked) {
+    const int key = (wet ? 1 : 0) + (masked ? 2 : 0);
+    auto found = programs_.find(key);
+    if (found == programs_.end()) {
+        std::vector<std::string> defines;
+        if (wet) defines.emplace_back("WET 1");
+        if (masked) defines.emplace_back("MASKED 1");
+        found = programs_.emplace(key, gpu::Program({"sim/thermal.comp"}, defines)).first;
+    }
+    return found->second;
+}
 
 void Thermal::substep(Terrain& terrain, const ThermalStep& step) {
+    // Where nothing was painted the mask is 0, and nothing slides.
+    if (step.masked && !terrain.painted) return;
     terrain.tiles.take(Tiles::activity, -1, 1, 16, active_);
     const bool wet = terrain.water && step.wet_slope != step.repose_slope;
-    gpu::Program& program = wet ? wet_program_ : program_;
+    gpu::Program& program = program_of(wet, step.masked);
     if (wet) terrain.water->front.bind_image(3, gpu::Access::read);
+    if (step.masked) terrain.painted->bind_image(4, gpu::Access::read);
     terrain.bind(program);
     active_.buffer.bind_storage(1);
     program.set("cell_m", step.cell_m);

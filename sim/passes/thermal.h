@@ -1,4 +1,6 @@
 #pragma once
+#include <map>
+
 #include "sim/gpu/program.h"
 #include "sim/terrain/terrain.h"
 
@@ -11,6 +13,7 @@ struct ThermalStep {
     float wet_slope = 0;
     float bedrock_slope = 0;
     float bulking = 1;       ///< metres of regolith that a metre of solid makes
+    bool masked = false;     ///< slopes slide as far as the mask says
     float weathering_m = 0;  ///< of bare bedrock in a sub-step
     glm::vec2 cell_m{1};
     glm::vec2 face_share{0};  ///< rate (m²/s) * sub-step (s) / spacing (m)
@@ -24,6 +27,7 @@ struct ThermalSettings {
     double bedrock_deg = repose_deg;  ///< angle that bedrock fails at
     double porosity = 0;              ///< of regolith
     double weathering_m_per_s = 0;    ///< bare bedrock that turns into regolith
+    bool masked = false;              ///< as far as the mask says
 };
 
 /// Sub-steps that a span of time needs: rate * dt * (1/dx² + 1/dy²) <= (1 - porosity)/2 in each
@@ -44,8 +48,9 @@ class Thermal {
     void substep(Terrain& terrain, const ThermalStep& step);
 
   private:
-    gpu::Program program_;
-    gpu::Program wet_program_;
+    gpu::Program& program_of(bool wet, bool masked);
+
+    std::map<int, gpu::Program> programs_;  // by wet and masked
     TileList active_;
 };
 

@@ -24,7 +24,8 @@ struct ThermalTwin {
     real thermal_bulking{1};
     real weathering{0};
     std::vector<real4> samples;
-    std::vector<bool> wet;  ///< samples under water; empty: none
+    std::vector<bool> wet;   ///< samples under water; empty: none
+    std::vector<Real> masks;  ///< 0 to 1; empty: 1 throughout
 
     ThermalTwin(const Grid& grid, const ThermalStep& step)
         : nx(grid.nx),
@@ -36,6 +37,13 @@ struct ThermalTwin {
           face_share(step.face_share),
           thermal_bulking(step.bulking),
           weathering(step.weathering_m) {}
+
+    real load_mask(int2 at) const {
+        if (masks.empty()) return real(1);
+        const int x = at.x < 0 ? 0 : (at.x >= nx ? nx - 1 : at.x);
+        const int y = at.y < 0 ? 0 : (at.y >= ny ? ny - 1 : at.y);
+        return masks[static_cast<std::size_t>(y) * nx + x];
+    }
 
     real load_repose(int2 at) const {
         if (wet.empty() || at.x < 0 || at.y < 0 || at.x >= nx || at.y >= ny) return repose_slope;

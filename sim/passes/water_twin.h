@@ -66,6 +66,7 @@ class WaterTwin {
         sediment_per_rock = step.per_rock;
         sediment_per_loose = step.per_loose;
         sediment_strata = real2(step.strata);
+        sediment_masked = step.masked;
     }
     const std::vector<real4>& solid() const { return solid_; }
     std::vector<real2> read_load() const { return samples_of(load_front_); }
@@ -109,6 +110,7 @@ class WaterTwin {
     real sediment_per_rock = 1;
     real sediment_per_loose = 1;
     real2 sediment_strata{0};
+    int sediment_masked = 0;
 
     real load_edge_series(int at) const { return series_[static_cast<std::size_t>(at)]; }
     static real inverse_cube_root_seed(real x) {
@@ -167,7 +169,7 @@ class WaterTwin {
             for (int x = 0; x < nx; ++x) {
                 const auto i = static_cast<std::size_t>(y) * nx + x;
                 const std::size_t at = texel(int2(x, y));
-                const real hardness = painted_.empty() ? real(0) : real(painted_[i].x);
+                const real hardness = painted_.empty() ? real(0) : sediment_hardness(real4(painted_[i]));
                 const auto bed = [&](int dx, int dy) { return beds[texel(int2(x + dx, y + dy))]; };
                 const real drop = bed(0, 0) - min(min(bed(-1, 0), bed(1, 0)), min(bed(0, -1), bed(0, 1)));
                 const bool is_base = x == 0 || y == 0 || x == nx - 1 || y == ny - 1;

@@ -111,7 +111,9 @@ TEST(Sediment, AgreesWithItsFloatTwinToTheBit) {
         scene.settings.sediment.strata_hardness = 0.8;
         TerrainState start = with_regolith(scene);
         for (std::size_t i = 0; i < scene.grid.count(); ++i)
-            start.painted.emplace_back(0.01F * static_cast<float>(i % 100), 0, 0, 0);
+            start.painted.emplace_back(0.01F * static_cast<float>(i % 100),
+                                       0.05F * static_cast<float>(i % 21), 0, 0);
+        scene.settings.sediment.masked = c.order == 1;
         WaterRun run(start, scene.settings);
         auto twin = twin_of<float>(start, scene.settings);
         auto exact = twin_of<double>(start, scene.settings);

@@ -1,13 +1,18 @@
-// What erosion costs beside the water alone, and where little of the map is active.
+// What erosion costs beside the water alone, where little of the map is active, and on a field of 4096²; and
+// its error against run time.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <memory>
 
+#include "app/report.h"
+#include "render/renderer.h"
+#include "sim/passes/water_twin.h"
 #include "sim/simulation.h"
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"
 #include "tests/bench/measure.h"
+#include "tests/scenes/water_scenes.h"
 
 namespace talus::bench {
 
@@ -41,9 +46,141 @@ std::unique_ptr<Simulation> hills(bool erodes, double share) {
     return simulation;
 }
 
+// A cloudburst over hills of 1.6 km, which it carves for two minutes.
+scenes::WaterScene carved(int samples) {
+    scenes::WaterScene scene;
+    scene.grid = {samples, samples, 1600.0 / samples, 1600.0 / samples};
+    scene.settings.manning_s_per_m13 = 0.04;
+    scene.settings.sediment.carried = true;
+    scene.settings.sediment.regolith_m_per_s_pa = 5e-6;
+    scene.settings.sediment.bedrock_m_per_s_pa = 1e-6;
+    scene.settings.sediment.critical_pa = 5;
+    scene.settings.sediment.settling_m_per_s = 0.02;
+    scene.settings.sediment.porosity = 0.3;
+    scene.settings.sediment.acceleration = 20;
+    scene.bed = [](double x, double y) {
+        return 60 * std::sin(x / 240) * std::cos(y / 310) + 20 * std::sin((x + 2 * y) / 130) +
+               6 * std::cos((2 * x - y) / 61);
+    };
+    scene.water = [](double, double, double) { return glm::dvec3(0.3, 0, 0); };
+    return scene;
+}
+
+// What the ground gained, as means over 50 x 50 squares.
+template <typename Solid>
+std::vector<double> gained(const std::vector<Solid>& before, const std::vector<Solid>& after, int samples) {
+    const int share = samples / 50;
+    std::vector<double> means(2500, 0.0);
+    for (int y = 0; y < samples; ++y)
+        for (int x = 0; x < samples; ++x) {
+            const std::size_t i = static_cast<std::size_t>(y) * samples + x;
+            double gain = 0;
+            for (int word = 0; word < 4; ++word)
+                gain += static_cast<double>(after[i][word]) - static_cast<double>(before[i][word]);
+            means[static_cast<std::size_t>(y / share) * 50 + x / share] += gain / (share * share);
+        }
+    return means;
+}
+
+std::vector<glm::vec4> solid_of(const TerrainState& state) {
+    std::vector<glm::vec4> solid;
+    solid.reserve(state.bedrock.size());
+    for (std::size_t i = 0; i < state.bedrock.size(); ++i)
+        solid.emplace_back(state.bedrock[i], state.regolith[i]);
+    return solid;
+}
+
+// Against the double twin on the finest grid, in its shortest ticks.
+void error_against_time() {
+    constexpr double end_s = 60;
+    constexpr int finest = 200;
+    const scenes::WaterScene fine = carved(finest);
+    const TerrainState start = fine.state();
+    std::vector<double> beds;
+    for (const float height : start.ground()) beds.push_back(height);
+    std::vector<glm::dvec4> water(start.water.begin(), start.water.end());
+    std::vector<glm::dvec4> solid;
+    for (const glm::vec4& texel : solid_of(start)) solid.emplace_back(texel);
+    maths::WaterTwin<double> twin(fine.grid, beds, water, fine.settings);
+    twin.carry(solid, std::vector<glm::dvec2>(solid.size(), glm::dvec2(0)));
+    const double twin_start = process_cpu_s();
+    for (int tick = 0; tick < 4 * static_cast<int>(end_s); ++tick) twin.tick(0.25, 0.25 * tick);
+    fmt::print(
+        "\nerror against run time: relative L1 of what the ground gained, against the double twin ({}², "
+        "{:.0f} CPU s)\n",
+        finest, process_cpu_s() - twin_start);
+    fmt::print("n\ttick_s\terror\tcpu_s\tsubsteps\n");
+    const std::vector<double> exact = gained(solid, twin.solid(), finest);
+    double all = 0;
+    for (const double gain : exact) all += std::abs(gain);
+    for (const int samples : {50, 100, 200})
+        for (const double tick_s : {0.25, 1.0, 4.0, 20.0}) {
+            const scenes::WaterScene scene = carved(samples);
+            const TerrainState before = scene.state();
+            scenes::WaterRun run(before, scene.settings);
+            const double cpu_start = process_cpu_s();
+            run.run(tick_s, end_s);
+            const double cpu_s = process_cpu_s() - cpu_start;
+            const std::vector<double> found = gained(solid_of(before), solid_of(run.read()), samples);
+            double missed = 0;
+            for (std::size_t i = 0; i < found.size(); ++i) missed += std::abs(found[i] - exact[i]);
+            fmt::print("{}\t{}\t{:.3e}\t{:.3f}\t{}\n", samples, tick_s, missed / all, cpu_s,
+                       run.water.work().substeps);
+        }
+}
+
+// As Ammann, Genevaux & Dischler 2010, figure 11: frames over a field of 4096² at rest, and after every
+// height was updated (there every 100 ms; one update takes longer here, so every frame has one).
+void large_field(double patch_pixels) {
+    constexpr int side = 4096;
+    const Grid grid{side, side, 10, 10};
+    TerrainState state = bedrock_terrain(grid, generate_heights(grid, {"mountains", 4, 4000}));
+    const double e = grid.width_m();
+    const Camera camera{{0.15 * e, 0.1 * e, 6000}, {0.55 * e, 0.6 * e, 1200}, 55};
+    const auto frame = [&](Renderer& renderer, Terrain& terrain, bool changed) {
+        if (changed)
+            terrain.tiles.mark_all();
+        else
+            renderer.forget();
+        renderer.draw(terrain, camera, {}, 1280, 720);
+        const std::vector<std::uint8_t> wait = renderer.read_rgb(1, 1);
+    };
+    fmt::print("\n4096², 1280 x 720, CPU ms of all threads\n");
+    const auto measure = [&](const char* name, Terrain& terrain, const std::function<void()>& update) {
+        Renderer renderer(terrain, patch_pixels);
+        const std::vector<double> seconds = interleave({{"rest", [&] { frame(renderer, terrain, false); }},
+                                                        {"changed", [&] { frame(renderer, terrain, true); }},
+                                                        {"update", update}},
+                                                       3);
+        fmt::print(
+            "{:<18} frame at rest {:.0f}, with refresh {:.0f} (refresh {:.0f}), update of all heights "
+            "{:.0f}: "
+            "refresh is {:.1f} % of a frame with update\n",
+            name, 1e3 * seconds[0], 1e3 * seconds[1], 1e3 * (seconds[1] - seconds[0]), 1e3 * seconds[2],
+            100 * (seconds[1] - seconds[0]) / (seconds[1] + seconds[2]));
+    };
+    {
+        Terrain terrain(state);
+        Thermal thermal(terrain);
+        const ThermalStep step = thermal_step(grid, {20, natural_thermal_rate(grid, 1)}, 1, 1);
+        measure("slopes slide", terrain, [&] {
+            terrain.tiles.mark_all();
+            thermal.substep(terrain, step);
+        });
+    }
+    state.water.assign(grid.count(), glm::vec4(0));
+    for (std::size_t i = 0; i < grid.count(); ++i) {
+        state.bedrock[i].x *= 0.02F;
+        state.water[i].x = 100 - state.bedrock[i].x + 0.5F * std::sin(0.05F * static_cast<float>(i % side));
+    }
+    scenes::WaterRun run(state, {});
+    state = {};
+    measure("waves run", run.terrain, [&] { run.tick(0.05); });
+}
+
 }  // namespace
 
-void bench_erosion() {
+void bench_erosion(double patch_pixels) {
     const std::unique_ptr<Simulation> cases[] = {hills(false, 1), hills(true, 1), hills(false, 0.1),
                                                  hills(true, 0.1)};
     std::vector<Contestant> contestants;
@@ -68,6 +205,8 @@ void bench_erosion() {
                    1e3 * each[i]);
     fmt::print("coupled costs {:.2f} times the water alone, a sub-step\n", each[1] / each[0]);
     fmt::print("a tenth active: {:.1f} times cheaper than all\n", each[1] / each[3]);
+    error_against_time();
+    large_field(patch_pixels);
 }
 
 }  // namespace talus::bench

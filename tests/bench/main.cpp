@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
         else if (which == "waves")
             talus::bench::bench_waves();
         else if (which == "erosion")
-            talus::bench::bench_erosion();
+            talus::bench::bench_erosion(talus::patch_pixels(context.device()));
         else
             talus::bench::bench_update();
     } catch (const std::exception& error) {

@@ -19,7 +19,8 @@ void bench_render();
 void bench_methods(double patch_pixels);
 void bench_update();
 void bench_waves();
-void bench_erosion();
+/// patch_pixels: the hybrid's choice on this device.
+void bench_erosion(double patch_pixels);
 /// patch_pixels: the hybrid's choice on this device.
 void bench_frame(double patch_pixels);
 

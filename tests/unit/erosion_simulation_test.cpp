@@ -185,6 +185,37 @@ TEST_P(ErosionOfEitherOrder, TheBooksClose) {
     for (const glm::vec2& regolith : simulation.read().regolith) EXPECT_GE(regolith.x, 0);
 }
 
+// By the mask, water takes and slopes slide where a brush painted and nowhere else.
+TEST(ErosionSimulation, ErodesWhereItWasPainted) {
+    const gpu::Context context;
+    Parameters all = parameters(2);
+    all.set("erosion.over", std::string("mask"));
+    all.set("erosion.inflow_concentration", 0.0);
+    const TerrainState start = coast();
+    Simulation simulation(start, all);
+    simulation.apply(Ticks{5});
+    EXPECT_EQ(simulation.read().bedrock, start.bedrock) << "nothing was painted yet";
+    Dab dab;
+    dab.x_m = 2000;
+    dab.y_m = 1200;
+    dab.radius_m = 400;
+    dab.falloff = 0;
+    dab.blend = 1;
+    dab.target_m = 1;
+    dab.material = Material::mask;
+    simulation.apply(dab);
+    simulation.apply(Ticks{20});
+    const TerrainState end = simulation.read();
+    std::size_t inside = 0;
+    for (std::size_t i = 0; i < grid.count(); ++i) {
+        if (end.bedrock[i] == start.bedrock[i]) continue;
+        ++inside;
+        EXPECT_EQ(end.painted[i].y, 1);
+    }
+    EXPECT_GT(inside, 200U);
+    EXPECT_LE(simulation.ledger().closing_error_of_moved(), 1e-6);
+}
+
 // Off, nothing new is taken and what is on its way settles.
 TEST(ErosionSimulation, OffItLetsEverythingSettle) {
     const gpu::Context context;

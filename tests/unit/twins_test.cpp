@@ -36,15 +36,21 @@ TEST(Twins, BrushAndThermalAgreeToTheBitAfter500Ticks) {
     const gpu::Context context;
     const Grid grid{150, 97, 20, 17};
     TerrainState state = bedrock_terrain(grid, generate_heights(grid, {"mountains", 7, 1500}));
-    Terrain terrain(state);
-    Thermal thermal(terrain);
-    Brush brush(terrain);
     ThermalSettings settings{33, natural_thermal_rate(grid, 1, 0.3)};
     settings.bedrock_deg = 41;
     settings.porosity = 0.3;
     settings.weathering_m_per_s = 1e-4;
+    settings.masked = true;
     const ThermalStep step = thermal_step(grid, settings, 1, 1);
     maths::ThermalTwin<float> thermal_twin(grid, step);
+    for (std::size_t i = 0; i < grid.count(); ++i) {
+        const float mask = i % 5 == 0 ? 0.0F : 0.25F * static_cast<float>(i % 5);
+        state.painted.emplace_back(0, mask, 0, 0);
+        thermal_twin.masks.push_back(mask);
+    }
+    Terrain terrain(state);
+    Thermal thermal(terrain);
+    Brush brush(terrain);
     maths::BrushTwin<float> brush_twin;
     brush_twin.nx = grid.nx;
     brush_twin.ny = grid.ny;
