@@ -24,7 +24,7 @@ struct ThermalTwin {
     real thermal_bulking{1};
     real weathering{0};
     std::vector<real4> samples;
-    std::vector<bool> wet;   ///< samples under water; empty: none
+    std::vector<bool> wet;    ///< samples under water; empty: none
     std::vector<Real> masks;  ///< 0 to 1; empty: 1 throughout
 
     ThermalTwin(const Grid& grid, const ThermalStep& step)
