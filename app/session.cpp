@@ -44,7 +44,8 @@ void Session::start(Scene scene) {
     renderer_ = std::move(renderer);
     wave_note_ = talus::wave_note(scene_.document.state, simulation_->parameters());
     gauges_ = Gauges(grid());
-    balance_.reset();
+    balances_.clear();
+    ledger_of_s_ = -1;
     saved_operations_.clear();
     playing = false;
     stroking_ = false;
@@ -224,7 +225,29 @@ void Session::end_stroke() {
 
 void Session::balance() {
     while (simulation_->mid_tick()) simulation_->advance(1 << 20);
-    balance_ = Balance{simulation_->ledger(), simulation_->clock().simulated_s};
+    keep_balance(simulation_->ledger(), simulation_->clock().simulated_s);
+}
+
+void Session::keep_balance(const LedgerReading& ledger, double simulated_s) {
+    // Undo goes back in time.
+    while (!balances_.empty() && balances_.back().simulated_s >= simulated_s) balances_.pop_back();
+    // Every other one goes when there are too many for a plot.
+    constexpr std::size_t room = 512;
+    if (balances_.size() >= room) {
+        for (std::size_t i = 1; 2 * i < balances_.size(); ++i) balances_[i] = balances_[2 * i];
+        balances_.resize(balances_.size() / 2);
+    }
+    balances_.push_back({ledger, simulated_s});
+}
+
+void Session::follow_ledger() {
+    if (const auto ledger = simulation_->poll_ledger()) keep_balance(*ledger, ledger_of_s_);
+    if (simulation_->awaits_ledger() || simulation_->mid_tick()) return;
+    const double simulated_s = simulation_->clock().simulated_s;
+    if (now_s() - ledger_asked_at_s_ < 0.5 || simulated_s == ledger_of_s_) return;
+    ledger_asked_at_s_ = now_s();
+    ledger_of_s_ = simulated_s;
+    simulation_->ask_ledger();
 }
 
 void Session::follow_gauges() {

@@ -73,12 +73,15 @@ class Session {
 
     /// Reads the ledger now. Waits for the device: an act, not part of a frame.
     void balance();
-    /// As it was read last, and when; none since the terrain was opened.
+    /// Readings of the ledger and when they were, oldest first: the last few hundred.
     struct Balance {
         LedgerReading ledger;
         double simulated_s = 0;
     };
-    const std::optional<Balance>& last_balance() const { return balance_; }
+    const std::vector<Balance>& balances() const { return balances_; }
+    /// Takes what the ledger shows, without waiting, and asks anew about twice a second. Once a frame, while
+    /// somebody looks at it.
+    void follow_ledger();
 
     Gauges& gauges() { return gauges_; }
     const Gauges& gauges() const { return gauges_; }
@@ -99,7 +102,10 @@ class Session {
     Camera camera_;
     int terrain_number_ = 0;
     glm::dvec2 bounds_{0};
-    std::optional<Balance> balance_;
+    void keep_balance(const LedgerReading& ledger, double simulated_s);
+    std::vector<Balance> balances_;
+    double ledger_asked_at_s_ = 0;  // of the clock on the wall, and of the simulation
+    double ledger_of_s_ = -1;
     Gauges gauges_{Grid()};
     std::string wave_note_;
     std::string path_;

@@ -9,6 +9,31 @@ double error_of(double error, double of) {
     return error == 0 ? 0 : std::abs(error) / of;
 }
 
+// m³ of each, regolith and suspended without their weights.
+struct Sums {
+    double bedrock = 0;
+    double regolith = 0;
+    double suspended = 0;
+    double water = 0;
+    double eroded = 0;
+    double deposited = 0;
+    double solid(const SolidWeights& weights) const {
+        return bedrock + weights.regolith * regolith + weights.suspended * suspended;
+    }
+};
+
+Sums sums_of(const std::vector<glm::dvec4>& tiles, double area_m2) {
+    glm::dvec4 stores(0);
+    glm::dvec4 changes(0);
+    for (std::size_t tile = 0; tile < tiles.size(); tile += 2) {
+        stores += tiles[tile];
+        changes += tiles[tile + 1];
+    }
+    stores *= area_m2;
+    changes *= area_m2;
+    return {stores.x, stores.y, stores.z, stores.w, changes.x, changes.y};
+}
+
 }  // namespace
 
 double LedgerReading::closing_error_of_moved() const {
@@ -20,16 +45,18 @@ double LedgerReading::closing_error_of_eroded() const {
 }
 
 Ledger::Ledger(const Terrain& terrain, const SolidWeights& weights)
-    : program_("sim/ledger.comp"),
+    : area_m2_(terrain.grid().dx * terrain.grid().dy),
+      program_("sim/ledger.comp"),
       tile_sums_("ledger sums", static_cast<std::size_t>(terrain.tiles.count()) * 2 * sizeof(glm::dvec4)),
       water_program_({"sim/ledger.comp"}, {"WATER 1"}),
       loaded_program_({"sim/ledger.comp"}, {"WATER 1", "SEDIMENT 1"}) {
-    const Sums initial = sum(terrain);
+    sum(terrain);
+    const Sums initial = sums_of(tile_sums_.read_all<glm::dvec4>(), area_m2_);
     solid_initial_ = initial.solid(weights);
     water_initial_ = initial.water;
 }
 
-Ledger::Sums Ledger::sum(const Terrain& terrain) {
+void Ledger::sum(const Terrain& terrain) {
     gpu::Program& program = terrain.suspended ? loaded_program_ : terrain.water ? water_program_ : program_;
     terrain.solid.front.bind_image(0, gpu::Access::read);
     terrain.start.bind_image(1, gpu::Access::read);
@@ -39,23 +66,12 @@ Ledger::Sums Ledger::sum(const Terrain& terrain) {
     program.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
     program.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
     program.dispatch(terrain.tiles.columns(), terrain.tiles.rows());
-    glm::dvec4 stores(0);
-    glm::dvec4 changes(0);
-    const std::vector<glm::dvec4> sums = tile_sums_.read_all<glm::dvec4>();
-    for (std::size_t tile = 0; tile < sums.size(); tile += 2) {
-        stores += sums[tile];
-        changes += sums[tile + 1];
-    }
-    const double area = terrain.grid().dx * terrain.grid().dy;
-    stores *= area;
-    changes *= area;
-    return {stores.x, stores.y, stores.z, stores.w, changes.x, changes.y};
 }
 
-LedgerReading Ledger::read(const Terrain& terrain, const SolidWeights& weights, const Brush& brush,
-                           const WaterBooks& water, glm::dvec2 solid_edges_m, double reweighed_m3) {
-    const double area = terrain.grid().dx * terrain.grid().dy;
-    const Sums now = sum(terrain);
+LedgerReading Ledger::reading(const std::vector<glm::dvec4>& tile_sums, const SolidWeights& weights,
+                              const gpu::Buffer& brush_books, const WaterBooks& water,
+                              glm::dvec2 solid_edges_m, double reweighed_m3) const {
+    const Sums now = sums_of(tile_sums, area_m2_);
     LedgerReading reading;
     reading.bedrock = now.bedrock;
     reading.regolith = weights.regolith * now.regolith;
@@ -64,12 +80,12 @@ LedgerReading Ledger::read(const Terrain& terrain, const SolidWeights& weights, 
     reading.solid_final = now.solid(weights);
     reading.eroded_m3 = now.eroded;
     reading.deposited_m3 = now.deposited;
-    for (const glm::dvec4& book : brush.books.read_all<glm::dvec4>()) {
-        reading.solid_in += (book.x + weights.regolith * book.z) * area;
-        reading.solid_out += (book.y + weights.regolith * book.w) * area;
+    for (const glm::dvec4& book : brush_books.read_all<glm::dvec4>()) {
+        reading.solid_in += (book.x + weights.regolith * book.z) * area_m2_;
+        reading.solid_out += (book.y + weights.regolith * book.w) * area_m2_;
     }
-    reading.solid_edges_out = solid_edges_m.y * area;
-    reading.solid_in += solid_edges_m.x * area + std::max(reweighed_m3, 0.0);
+    reading.solid_edges_out = solid_edges_m.y * area_m2_;
+    reading.solid_in += solid_edges_m.x * area_m2_ + std::max(reweighed_m3, 0.0);
     reading.solid_out += reading.solid_edges_out + std::max(-reweighed_m3, 0.0);
     reading.water_initial = water_initial_;
     reading.water_final = now.water;

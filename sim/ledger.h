@@ -42,30 +42,24 @@ struct LedgerReading {
     double closing_error_of_eroded() const;
 };
 
-/// Sums the terrain on the device, tile by tile, and what came and went by its books.
+/// Sums the terrain on the device, tile by tile, and tells from the sums and the books what the ledger reads.
 class Ledger {
   public:
+    /// Waits for the device.
     Ledger(const Terrain& terrain, const SolidWeights& weights);
-    /// `solid_edges_m`: metres of solid in and out by edges; `reweighed_m3`: what changes of the weights
-    /// brought. Waits for the device. Not for use within a frame (law 7).
-    LedgerReading read(const Terrain& terrain, const SolidWeights& weights, const Brush& brush,
-                       const WaterBooks& water, glm::dvec2 solid_edges_m, double reweighed_m3);
+
+    /// Sums the terrain as it is, without waiting: two times four doubles a tile.
+    void sum(const Terrain& terrain);
+    const gpu::Buffer& tile_sums() const { return tile_sums_; }
+
+    /// `tile_sums`: as sum() left them; `brush_books`: a copy of Brush::books; `solid_edges_m`: metres of
+    /// solid in and out by edges; `reweighed_m3`: what changes of the weights brought.
+    LedgerReading reading(const std::vector<glm::dvec4>& tile_sums, const SolidWeights& weights,
+                          const gpu::Buffer& brush_books, const WaterBooks& water, glm::dvec2 solid_edges_m,
+                          double reweighed_m3) const;
 
   private:
-    // m³ of each, regolith and suspended without their weights.
-    struct Sums {
-        double bedrock = 0;
-        double regolith = 0;
-        double suspended = 0;
-        double water = 0;
-        double eroded = 0;
-        double deposited = 0;
-        double solid(const SolidWeights& weights) const {
-            return bedrock + weights.regolith * regolith + weights.suspended * suspended;
-        }
-    };
-    Sums sum(const Terrain& terrain);
-
+    double area_m2_;
     gpu::Program program_;
     gpu::Buffer tile_sums_;
     gpu::Program water_program_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "sim/gpu/error.h"
 #include "sim/terrain/sea.h"
@@ -310,19 +311,57 @@ void Simulation::redo() {
     if (can_redo()) exchange(&Undo::redo);
 }
 
-LedgerReading Simulation::ledger() {
-    WaterBooks water = water_ ? water_->read_books(terrain_.grid()) : WaterBooks();
-    water.sea_m3 = moment_.sea_m3;
-    if (water_) {
+void Simulation::copy_books(AskedLedger& asked) {
+    asked.books.clear();
+    for (const gpu::Buffer* book : books()) {
+        asked.books.emplace_back("ledger books", book->bytes());
+        asked.books.back().copy_from(*book);
+    }
+    asked.weights = weights_of(moment_.parameters);
+    asked.sea_m3 = moment_.sea_m3;
+    asked.reweighed_m3 = moment_.reweighed_m3;
+}
+
+LedgerReading Simulation::reading_of(const AskedLedger& asked,
+                                     const std::vector<glm::dvec4>& tile_sums) const {
+    // In the order of books().
+    const std::vector<gpu::Buffer>& books = asked.books;
+    WaterBooks water;
+    glm::dvec2 solid_edges(0);
+    if (books.size() > 1) {
         const double area = terrain_.grid().dx * terrain_.grid().dy;
-        for (const glm::dvec2& book : water_brush_->books.read_all<glm::dvec2>()) {
+        water = Water::read_books(books[1], books[2], books[3], terrain_.grid());
+        for (const glm::dvec2& sample : books[4].read_all<glm::dvec2>()) solid_edges += sample;
+        for (const glm::dvec2& book : books[5].read_all<glm::dvec2>()) {
             water.brush_in_m3 += book.x * area;
             water.brush_out_m3 += book.y * area;
         }
     }
-    const glm::dvec2 solid = water_ ? water_->read_solid_books() : glm::dvec2(0);
-    return ledger_->read(terrain_, weights_of(moment_.parameters), brush_, water, solid,
-                         moment_.reweighed_m3);
+    water.sea_m3 = asked.sea_m3;
+    return ledger_->reading(tile_sums, asked.weights, books[0], water, solid_edges, asked.reweighed_m3);
+}
+
+LedgerReading Simulation::ledger() {
+    AskedLedger asked;
+    copy_books(asked);
+    ledger_->sum(terrain_);
+    return reading_of(asked, ledger_->tile_sums().read_all<glm::dvec4>());
+}
+
+void Simulation::ask_ledger() {
+    if (mid_tick() || asked_.sums.pending()) return;
+    copy_books(asked_);
+    ledger_->sum(terrain_);
+    asked_.sums.start(ledger_->tile_sums(), ledger_->tile_sums().bytes());
+}
+
+std::optional<LedgerReading> Simulation::poll_ledger() {
+    // The books were copied before the sums, so they are there when these are.
+    const std::optional<std::vector<float>> words = asked_.sums.poll();
+    if (!words) return std::nullopt;
+    std::vector<glm::dvec4> tile_sums(words->size() * sizeof(float) / sizeof(glm::dvec4));
+    std::memcpy(tile_sums.data(), words->data(), tile_sums.size() * sizeof(glm::dvec4));
+    return reading_of(asked_, tile_sums);
 }
 
 void Simulation::reweigh(const Parameters& changed) {

@@ -1,8 +1,10 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "sim/gpu/readback.h"
 #include "sim/journal.h"
 #include "sim/ledger.h"
 #include "sim/operation.h"
@@ -62,7 +64,12 @@ class Simulation {
     void undo();
     void redo();
 
+    /// Waits for the device.
     LedgerReading ledger();
+    /// Asks for it without waiting, between ticks; poll_ledger() gives it once it is there.
+    void ask_ledger();
+    std::optional<LedgerReading> poll_ledger();
+    bool awaits_ledger() const { return asked_.sums.pending(); }
     const std::vector<Spring>& springs() const { return moment_.springs; }
     /// Sub-steps of water so far. Waits for the device.
     Water::Work water_work() const;
@@ -99,6 +106,18 @@ class Simulation {
     Journal journal_;
     Undo undo_;
     bool keeps_undo_;
+    // The ledger that was asked for, as it stood then.
+    struct AskedLedger {
+        std::vector<gpu::Buffer> books;
+        gpu::Readback sums;
+        SolidWeights weights;
+        double sea_m3 = 0;
+        double reweighed_m3 = 0;
+    };
+    LedgerReading reading_of(const AskedLedger& asked, const std::vector<glm::dvec4>& tile_sums) const;
+    void copy_books(AskedLedger& asked);
+    AskedLedger asked_;
+
     bool in_tick_ = false;
     int thermal_left_ = 0;  // sub-steps of this tick
     std::uint64_t thermal_sent_ = 0;

@@ -21,18 +21,6 @@ std::vector<float> plotted(const Gauge& gauge, Value value) {
     return values;
 }
 
-void plot(const char* label, const std::vector<float>& values, const char* unit) {
-    if (values.empty()) return;
-    const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    const std::string text =
-        fmt::format("{} {:.4g} {}  ({:.4g} to {:.4g})", label, values.back(), unit, *low, *high);
-    ImGui::TextUnformatted(text.c_str());
-    // A line that does not move lies in the middle, not at an edge.
-    const float room = std::max(0.05F * (*high - *low), 1e-6F);
-    ImGui::PlotLines(fmt::format("##{}", label).c_str(), values.data(), static_cast<int>(values.size()), 0,
-                     nullptr, *low - room, *high + room, {300, 44});
-}
-
 }  // namespace
 
 void draw_gauges_panel(Session& session, bool& placing, PanelRequests& requests) {
@@ -51,9 +39,10 @@ void draw_gauges_panel(Session& session, bool& placing, PanelRequests& requests)
         ImGui::SameLine();
         if (ImGui::SmallButton("remove"))
             requests.acts.emplace_back([i](Session& s) { s.gauges().remove(i); });
-        plot("level", plotted(gauge, [](const GaugeReading& r) { return r.level_m(); }), "m");
-        plot("speed", plotted(gauge, [](const GaugeReading& r) { return glm::length(r.velocity_m_per_s); }),
-             "m/s");
+        plot_line("level", plotted(gauge, [](const GaugeReading& r) { return r.level_m(); }), "m");
+        plot_line("speed",
+                  plotted(gauge, [](const GaugeReading& r) { return glm::length(r.velocity_m_per_s); }),
+                  "m/s");
         ImGui::PopID();
     }
 }

@@ -12,20 +12,36 @@ void line(const char* name, double value, const char* unit) {
     ImGui::TextUnformatted(fmt::format("{:.6g} {}", value, unit).c_str());
 }
 
+template <typename Value>
+void plot(const std::vector<Session::Balance>& balances, const char* name, const char* unit, Value value) {
+    std::vector<float> values;
+    values.reserve(balances.size());
+    for (const Session::Balance& balance : balances)
+        values.push_back(static_cast<float>(value(balance.ledger)));
+    plot_line(name, values, unit);
+}
+
 }  // namespace
 
-void draw_ledger_panel(const Session& session, PanelRequests& requests) {
+void draw_ledger_panel(Session& session, PanelRequests& requests) {
+    session.follow_ledger();
     if (ImGui::Button("Balance now")) requests.acts.emplace_back([](Session& s) { s.balance(); });
-    if (!session.last_balance()) return;
-    const auto& [ledger, simulated_s] = *session.last_balance();
+    const std::vector<Session::Balance>& balances = session.balances();
+    if (balances.empty()) return;
+    const auto& [ledger, simulated_s] = balances.back();
     ImGui::SameLine();
     ImGui::Text("at %.2f s", simulated_s);
+    const LedgerReading& first = balances.front().ledger;
+    plot(balances, "bedrock", "m³", [&](const LedgerReading& l) { return l.bedrock - first.bedrock; });
+    plot(balances, "regolith", "m³", [](const LedgerReading& l) { return l.regolith; });
+    plot(balances, "suspended", "m³", [](const LedgerReading& l) { return l.suspended; });
+    plot(balances, "out by edges", "m³", [](const LedgerReading& l) { return l.solid_edges_out; });
+    plot(balances, "missing", "m³", [](const LedgerReading& l) { return l.closing_error_m3(); });
     line("Bedrock", ledger.bedrock, "m³");
     line("Regolith, solid", ledger.regolith, "m³");
     line("Suspended", ledger.suspended, "m³");
     line("  brought", ledger.solid_in, "m³");
     line("  taken", ledger.solid_out, "m³");
-    line("  moved", ledger.moved_m3(), "m³");
     line("  out by edges", ledger.solid_edges_out, "m³");
     line("  eroded, net", ledger.eroded_m3, "m³");
     line("  deposited, net", ledger.deposited_m3, "m³");

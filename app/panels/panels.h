@@ -63,8 +63,12 @@ void draw_import_panel(const Session& session, ImportPanel& panel, PanelRequests
 void draw_gauges_panel(Session& session, bool& placing, PanelRequests& requests);
 void draw_gauge_marks(const Session& session, int width, int height);
 
-/// The ledger of rock and water, as it was read last, and a button to read it.
-void draw_ledger_panel(const Session& session, PanelRequests& requests);
+/// The ledger of rock and water, followed while it is open: its last reading, its stores and what is missing
+/// against time, and a button to read it now.
+void draw_ledger_panel(Session& session, PanelRequests& requests);
+
+/// A line of values with its name, its last value and its range.
+void plot_line(const char* label, const std::vector<float>& values, const char* unit);
 
 /// A widget for a declared parameter: name, unit, tooltip with help and range; right click resets to the
 /// default. True when the value changed.

@@ -351,27 +351,22 @@ double Water::time_left_s() const {
     return left_s;
 }
 
-WaterBooks Water::read_books(const Grid& grid) const {
+WaterBooks Water::read_books(const gpu::Buffer& clock, const gpu::Buffer& edges, const gpu::Buffer& sources,
+                             const Grid& grid) {
     const double area = grid.dx * grid.dy;
-    const DeviceClock clock = read_clock(clock_);
+    const DeviceClock read = read_clock(clock);
     WaterBooks books;
-    books.rain_m3 = clock.rain_m * area * static_cast<double>(grid.count());
-    books.springs_m3 = clock.springs_m * area;
-    for (const glm::dvec2& sample : edge_books_.read_all<glm::dvec2>()) {
+    books.rain_m3 = read.rain_m * area * static_cast<double>(grid.count());
+    books.springs_m3 = read.springs_m * area;
+    for (const glm::dvec2& sample : edges.read_all<glm::dvec2>()) {
         books.edges_in_m3 += sample.x * area;
         books.edges_out_m3 += sample.y * area;
     }
-    for (const glm::dvec2& strip : sources_.read_all<glm::dvec2>()) {
+    for (const glm::dvec2& strip : sources.read_all<glm::dvec2>()) {
         books.losses_m3 += strip.x * area;
         books.rain_m3 += strip.y * area;
     }
     return books;
-}
-
-glm::dvec2 Water::read_solid_books() const {
-    glm::dvec2 sum(0);
-    for (const glm::dvec2& sample : sediment_.edge_books.read_all<glm::dvec2>()) sum += sample;
-    return sum;
 }
 
 Water::Work Water::work() const {

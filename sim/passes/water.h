@@ -108,9 +108,10 @@ class Water {
     std::uint64_t sent() const { return sent_; }
 
     /// Waits for the device. Without what sea and brushes placed.
-    WaterBooks read_books(const Grid& grid) const;
-    /// Metres of solid that passed the edges, in and out, as they count for the bed. Waits for the device.
-    glm::dvec2 read_solid_books() const;
+    WaterBooks read_books(const Grid& grid) const { return read_books(clock_, edge_books_, sources_, grid); }
+    /// The same from copies of the first three of books().
+    static WaterBooks read_books(const gpu::Buffer& clock, const gpu::Buffer& edges,
+                                 const gpu::Buffer& sources, const Grid& grid);
     /// Sub-steps so far, and tiles computed in them together. Waits for the device.
     struct Work {
         std::uint64_t substeps = 0;
@@ -118,7 +119,8 @@ class Water {
     };
     Work work() const;
 
-    /// What undo keeps of the books.
+    /// The books, for undo and the ledger: clock, edges, sources, and metres of solid that passed the edges,
+    /// in and out, as they count for the bed.
     std::vector<gpu::Buffer*> books() { return {&clock_, &edge_books_, &sources_, &sediment_.edge_books}; }
 
   private:

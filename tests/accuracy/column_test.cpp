@@ -62,7 +62,9 @@ TEST(Column, CollapsesIntoTheConeOfItsAngleOfRepose) {
     const double axis = contour(1, 0);
     const double diagonal = contour(1, 1);
     const double angle = std::atan(steepest) * 180 / std::numbers::pi;
-    const LedgerReading books = ledger.read(terrain, {}, brush, {}, glm::dvec2(0), 0);
+    const LedgerReading books =
+        ledger.reading((ledger.sum(terrain), ledger.tile_sums().read_all<glm::dvec4>()), {}, brush.books, {},
+                       glm::dvec2(0), 0);
     std::printf(
         "column: %d ticks, steepest %.2f degrees, radii %.3f (axis) %.3f (diagonal) of %.3f, peak %.3f of "
         "%.3f, ledger %.2g of moved\n",

@@ -185,6 +185,27 @@ TEST_P(ErosionOfEitherOrder, TheBooksClose) {
     for (const glm::vec2& regolith : simulation.read().regolith) EXPECT_GE(regolith.x, 0);
 }
 
+// Asked for without waiting, the ledger reads as when one waits, of the moment at which it was asked.
+TEST(ErosionSimulation, TheLedgerIsFollowedWithoutWaiting) {
+    const gpu::Context context;
+    Simulation simulation(coast(), parameters(2));
+    for (int i = 0; i < 5; ++i) {
+        simulation.apply(Ticks{2});
+        const LedgerReading waited = simulation.ledger();
+        simulation.ask_ledger();
+        simulation.apply(Ticks{1});
+        std::optional<LedgerReading> followed;
+        for (int frame = 0; frame < 1000 && !followed; ++frame) followed = simulation.poll_ledger();
+        ASSERT_TRUE(followed);
+        EXPECT_EQ(followed->solid_final, waited.solid_final);
+        EXPECT_EQ(followed->solid_in, waited.solid_in);
+        EXPECT_EQ(followed->eroded_m3, waited.eroded_m3);
+        EXPECT_EQ(followed->water_in, waited.water_in);
+        EXPECT_EQ(followed->water_out, waited.water_out);
+        EXPECT_FALSE(simulation.poll_ledger());
+    }
+}
+
 // By the mask, water takes and slopes slide where a brush painted and nowhere else.
 TEST(ErosionSimulation, ErodesWhereItWasPainted) {
     const gpu::Context context;
