@@ -324,11 +324,11 @@ void Simulation::copy_books(AskedLedger& asked) {
 
 LedgerReading Simulation::reading_of(const AskedLedger& asked,
                                      const std::vector<glm::dvec4>& tile_sums) const {
-    // In the order of books().
+    // In the order of books(): the brush's; where there is water, four of its, and its brush's.
     const std::vector<gpu::Buffer>& books = asked.books;
     WaterBooks water;
     glm::dvec2 solid_edges(0);
-    if (books.size() > 1) {
+    if (books.size() == 6) {
         const double area = terrain_.grid().dx * terrain_.grid().dy;
         water = Water::read_books(books[1], books[2], books[3], terrain_.grid());
         for (const glm::dvec2& sample : books[4].read_all<glm::dvec2>()) solid_edges += sample;

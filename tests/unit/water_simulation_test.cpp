@@ -318,8 +318,9 @@ TEST(WaterSimulation, RainFallsWhereItWasPainted) {
     simulation.apply(Ticks{1});
     std::size_t wet = 0;
     for (std::size_t i = 0; i < plain.count(); ++i) {
+        const auto row = static_cast<int>(i / 130);
         const double x = static_cast<double>(i % 130) * 10 - 300;
-        const double y = (69 - static_cast<double>(i / 130)) * 10 - 350;
+        const double y = (69 - row) * 10 - 350;
         const float depth = simulation.read().water[i].x;
         const bool inside = x * x + y * y < 120 * 120;
         wet += inside ? 1 : 0;
