@@ -316,12 +316,13 @@ TEST(WaterSimulation, RainFallsWhereItWasPainted) {
     dab.material = Material::rain;
     simulation.apply(dab);
     simulation.apply(Ticks{1});
+    const std::vector<glm::vec4> fallen = simulation.read().water;
     std::size_t wet = 0;
     for (std::size_t i = 0; i < plain.count(); ++i) {
         const auto row = static_cast<int>(i / 130);
         const double x = static_cast<double>(i % 130) * 10 - 300;
         const double y = (69 - row) * 10 - 350;
-        const float depth = simulation.read().water[i].x;
+        const float depth = fallen[i].x;
         const bool inside = x * x + y * y < 120 * 120;
         wet += inside ? 1 : 0;
         if (inside)
