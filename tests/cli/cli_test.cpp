@@ -249,7 +249,7 @@ TEST_F(Program, RunsWaterWithGaugesSpringsAndItsReport) {
 }
 
 TEST_F(Program, ListsPresetsAndParameters) {
-    EXPECT_EQ(json::parse(talus("presets --json").output).size(), 9U);
+    EXPECT_EQ(json::parse(talus("presets --json").output).size(), 13U);
     EXPECT_GT(json::parse(talus("parameters --json").output).size(), 20U);
     EXPECT_NE(talus("parameters").output.find("thermal.repose_deg = 33 °"), std::string::npos);
     EXPECT_EQ(talus("--version").code, 0);
@@ -264,9 +264,10 @@ TEST_F(Program, RefusesInOneSentence) {
               "preset bad: thermal.repose_deg = 120 is out of range, it must be 1 to 80 °\n");
     EXPECT_EQ(refusal("run --preset unknown.toml"),
               "preset unknown: there is no parameter 'thermal.speed', 'talus parameters' lists them\n");
-    EXPECT_EQ(refusal("run --preset nothing"),
-              "there is no preset 'nothing', use one of: alpine, blank, dam-break, flood, island, slopes, "
-              "still, thacker, waves, or a file ending in .toml\n");
+    EXPECT_EQ(
+        refusal("run --preset nothing"),
+        "there is no preset 'nothing', use one of: alpine, badlands, blank, canyon, dam-break, delta, flood, "
+        "island, rain-erosion, slopes, still, thacker, waves, or a file ending in .toml\n");
     refusal("run --in missing.tif");
     refusal("run --size 1x50 --ticks 1");
     refusal("run --size 9000x9000 --ticks 1");

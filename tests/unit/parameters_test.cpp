@@ -48,7 +48,7 @@ TEST(Parameters, EveryOneIsDeclaredWithHelpAndItsDefaultIsAllowed) {
 
 TEST(Presets, AllBuiltInOnesApply) {
     const std::vector<Preset> presets = built_in_presets();
-    ASSERT_EQ(presets.size(), 9U);
+    ASSERT_EQ(presets.size(), 13U);
     for (const Preset& preset : presets) {
         Parameters p(all_parameters());
         EXPECT_NO_THROW(apply_preset(preset, p)) << preset.name;
