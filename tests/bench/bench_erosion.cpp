@@ -109,12 +109,12 @@ void error_against_time() {
         "\nerror against run time: relative L1 of what the ground gained, against the double twin ({}², "
         "{:.0f} CPU s)\n",
         finest, process_cpu_s() - twin_start);
-    fmt::print("n\ttick_s\terror\tcpu_s\tsubsteps\n");
+    fmt::print("scene\ttick_s\tn\terror\tcpu_s\tsubsteps\n");
     const std::vector<double> exact = gained(solid, twin.solid(), finest);
     double all = 0;
     for (const double gain : exact) all += std::abs(gain);
-    for (const int samples : {50, 100, 200})
-        for (const double tick_s : {0.25, 1.0, 4.0, 20.0}) {
+    for (const double tick_s : {0.25, 1.0, 4.0, 20.0})
+        for (const int samples : {50, 100, 200}) {
             const scenes::WaterScene scene = carved(samples);
             const TerrainState before = scene.state();
             scenes::WaterRun run(before, scene.settings);
@@ -124,7 +124,7 @@ void error_against_time() {
             const std::vector<double> found = gained(solid_of(before), solid_of(run.read()), samples);
             double missed = 0;
             for (std::size_t i = 0; i < found.size(); ++i) missed += std::abs(found[i] - exact[i]);
-            fmt::print("{}\t{}\t{:.3e}\t{:.3f}\t{}\n", samples, tick_s, missed / all, cpu_s,
+            fmt::print("hills\t{}\t{}\t{:.3e}\t{:.3f}\t{}\n", tick_s, samples, missed / all, cpu_s,
                        run.water.work().substeps);
         }
 }

@@ -195,6 +195,32 @@ TEST(ErosionStress, VariationFallsWithoutASource) {
     EXPECT_NEAR(settling.read().regolith[100].x, 0.01 * 20 / 0.7, 1e-5);
 }
 
+// A small map in the rain for very many ticks; TALUS_SOAK_TICKS says how many (./dev soak: a million).
+TEST(ErosionStress, ManyTicks) {
+    const gpu::Context context;
+    const char* wanted = std::getenv("TALUS_SOAK_TICKS");
+    const int ticks = wanted ? std::atoi(wanted) : 3000;
+    const Grid grid{64, 64, 20, 20};
+    const Stress stress{bedrock_terrain(grid, generate_heights(grid, {"hills", 8, 150})),
+                        {"time.tick_s=0.5", "water.rain=60", "thermal.on=true", "thermal.bedrock_deg=60",
+                         "thermal.weathering=1", "thermal.wet_deg=25", "erosion.acceleration=10"},
+                        0};
+    Simulation simulation = simulation_of(stress);
+    for (int part = 1; part <= 10; ++part) {
+        simulation.apply(Ticks{ticks / 10});
+        expect_sound(simulation.read());
+        if (HasFatalFailure()) return;
+        const LedgerReading ledger = simulation.ledger();
+        fmt::print(
+            "after {} ticks: eroded {:.3e} m3, out {:.3e} m3, closing error {:.1e} of eroded, water drift "
+            "{:+.1e}\n",
+            part * (ticks / 10), ledger.eroded_m3, ledger.solid_edges_out, ledger.closing_error_of_eroded(),
+            ledger.water_drift_relative());
+        EXPECT_LE(ledger.closing_error_of_eroded(), 1e-5);
+        EXPECT_LE(std::abs(ledger.water_drift_relative()), 1e-6);
+    }
+}
+
 // Scenes by seed; TALUS_STRESS_SCENES says how many (./dev soak runs more).
 TEST(ErosionStress, RandomScenes) {
     const gpu::Context context;
