@@ -222,7 +222,7 @@ std::vector<glm::vec4> generate_water(const Grid& grid, const std::vector<float>
             } else if (water.kind == "wave") {
                 // A hump with the velocity of a simple wave, u = 2 (c - c0): it runs eastwards alone.
                 const double still = water.sea_level_m - heights[at];
-                const double s = (column * grid.dx - grid.width_m() / 6) / (grid.width_m() / 20);
+                const double s = (column * grid.dx - grid.width_m() / 6) / (grid.width_m() / 28);
                 const double hump = std::max(0.0, 1 - s * s);
                 depth = still + (still > 0 ? water.wave_height_m * hump * hump : 0);
                 if (still > 0)

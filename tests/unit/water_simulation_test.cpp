@@ -426,10 +426,11 @@ TEST(WaterSimulation, GaugesFollowWithoutWaitingWhatTheyReadByWaiting) {
     EXPECT_THROW(following.place({-5, 3}), Error);
 }
 
-// Five seconds of play at the speed that the preset asks for change the first look at it, as a person sees.
+// Five seconds of play change the first look at it, as a person sees. The simulated time is what a window on
+// two cores, one of them busy with something else, got to in them.
 TEST(WaterSimulation, PresetsAreSeenToMoveWithinFiveSeconds) {
     const gpu::Context context;
-    for (const char* preset : {"flood", "island"}) {
+    for (const auto& [preset, played_s] : {std::pair("flood", 38.0), std::pair("island", 4.5)}) {
         SceneRequest request;
         request.preset = preset;
         const Scene scene = make_scene(request);
@@ -443,7 +444,6 @@ TEST(WaterSimulation, PresetsAreSeenToMoveWithinFiveSeconds) {
             return renderer.read_rgb(640, 360);
         };
         const std::vector<std::uint8_t> before = look();
-        const double played_s = 5 * scene.view.number("time.speed");
         simulation.apply(Ticks{static_cast<std::int64_t>(played_s / scene.simulation.number("time.tick_s"))});
         const std::vector<std::uint8_t> after = look();
         std::size_t changed = 0;
