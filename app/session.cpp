@@ -45,7 +45,7 @@ void Session::start(Scene scene) {
     wave_note_ = talus::wave_note(scene_.document.state, simulation_->parameters());
     gauges_ = Gauges(grid());
     balances_.clear();
-    ledger_of_s_ = -1;
+    ledger_of_changes_ = 0;
     saved_operations_.clear();
     playing = false;
     stroking_ = false;
@@ -244,9 +244,11 @@ void Session::follow_ledger() {
     if (const auto ledger = simulation_->poll_ledger()) keep_balance(*ledger, ledger_of_s_);
     if (simulation_->awaits_ledger() || simulation_->mid_tick()) return;
     const double simulated_s = simulation_->clock().simulated_s;
-    if (now_s() - ledger_asked_at_s_ < 0.5 || simulated_s == ledger_of_s_) return;
+    const std::uint64_t changes = simulation_->terrain().tiles.changes();
+    if (now_s() - ledger_asked_at_s_ < 0.5 || changes == ledger_of_changes_) return;
     ledger_asked_at_s_ = now_s();
     ledger_of_s_ = simulated_s;
+    ledger_of_changes_ = changes;
     simulation_->ask_ledger();
 }
 

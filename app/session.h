@@ -105,7 +105,8 @@ class Session {
     void keep_balance(const LedgerReading& ledger, double simulated_s);
     std::vector<Balance> balances_;
     double ledger_asked_at_s_ = 0;  // of the clock on the wall, and of the simulation
-    double ledger_of_s_ = -1;
+    double ledger_of_s_ = 0;
+    std::uint64_t ledger_of_changes_ = 0;
     Gauges gauges_{Grid()};
     std::string wave_note_;
     std::string path_;

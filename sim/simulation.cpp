@@ -38,7 +38,8 @@ SedimentSettings settings_of_sediment(const Parameters& parameters) {
     settings.settling_m_per_s = parameters.number("erosion.settling") * 1e-3;
     settings.porosity = parameters.number("erosion.porosity");
     settings.acceleration = parameters.number("erosion.acceleration");
-    settings.inflow_concentration = parameters.number("erosion.inflow_concentration");
+    settings.inflow_concentration =
+        parameters.toggle("erosion.on") ? parameters.number("erosion.inflow_concentration") : 0;
     settings.masked = parameters.choice("erosion.over") == "mask";
     settings.strata_m = parameters.number("erosion.strata_m");
     settings.strata_hardness = parameters.number("erosion.strata_hardness");
@@ -342,6 +343,8 @@ LedgerReading Simulation::reading_of(const AskedLedger& asked,
 }
 
 LedgerReading Simulation::ledger() {
+    // What was asked for before is older.
+    asked_.sums.cancel();
     AskedLedger asked;
     copy_books(asked);
     ledger_->sum(terrain_);

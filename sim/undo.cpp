@@ -138,6 +138,9 @@ void Undo::swap(Entry& entry, Terrain& terrain, const Books& books, Moment& now)
     for (auto& [tile, kept] : entry.tiles) {
         KeptTile present = copy_tile(terrain, tile);
         put_back(kept, terrain, tile);
+        // Layers may have come since.
+        entry.bytes += present.texels.bytes();
+        entry.bytes -= kept.texels.bytes();
         std::swap(kept, present);
     }
     std::vector<gpu::Buffer> present = copies_of(books);

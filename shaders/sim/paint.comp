@@ -40,6 +40,6 @@ void main() {
             changed = true;
         }
     }
-    // Undo keeps the tile, its water may wake, its picture is old.
-    if (changed) atomicOr(tile_flags[tile.y * tiles.x + tile.x], 1u | 4u | 16u | 64u);
+    // Slopes may slide by the mask, undo keeps the tile, its water may wake, its picture is old.
+    if (changed) atomicOr(tile_flags[tile.y * tiles.x + tile.x], 1u | 2u | 4u | 16u | 64u);
 }

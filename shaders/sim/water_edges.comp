@@ -85,10 +85,11 @@ WaterCell outward_cell(EdgeSample s) {
 #ifdef SEDIMENT
 #include "maths/sediment_transport.glsl"
 
-// The nearer ghost's concentration: that of the far side, of an inflow, or clear water.
-real ghost_concentration(int kind, int2 shown_at, real shown_depth) {
-    if (kind == edge_inflow_kind) return edge_concentration;
-    return kind == edge_periodic ? sediment_concentration(shown_depth, imageLoad(load_state, shown_at + water_ghosts).x) : real(0);
+// The nearer ghost's load: that of the far side, to the bit, of an inflow, or none.
+real load_of_ghost(int kind, int2 shown_at, real depth) {
+    if (kind == edge_periodic) return imageLoad(load_state, shown_at + water_ghosts).x;
+    precise real inflow = edge_concentration * depth;
+    return kind == edge_inflow_kind ? inflow : real(0);
 }
 #endif
 
@@ -145,8 +146,7 @@ void main() {
         store_ghost(at + outward, outward, ghost);
         store_ghost(at + 2 * outward, outward, ghost_2);
 #ifdef SEDIMENT
-        real concentration = ghost_concentration(kind, shown_at, shown.depth);
-        precise real ghost_load = concentration * ghost.depth;
+        real ghost_load = load_of_ghost(kind, shown_at, ghost.depth);
         imageStore(load_state, at + outward + water_ghosts, real4(ghost_load, 0.0, 0.0, 0.0));
 #endif
         if (kind == edge_wall || kind == edge_periodic) continue;

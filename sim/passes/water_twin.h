@@ -296,12 +296,11 @@ class WaterTwin {
             store_ghost(state, at + outward, outward, ghost);
             store_ghost(state, at + 2 * outward, outward, ghost_2);
             if (!solid_.empty()) {
-                real concentration = 0;
+                real load = 0;
                 if (kind == edge_inflow_kind)
-                    concentration = static_cast<float>(settings_.sediment.inflow_concentration);
-                if (kind == edge_periodic)
-                    concentration = sediment_concentration(shown.depth, loads[texel(shown_at)].x);
-                loads[texel(at + outward)] = real2(concentration * ghost.depth, 0);
+                    load = static_cast<float>(settings_.sediment.inflow_concentration) * ghost.depth;
+                if (kind == edge_periodic) load = loads[texel(shown_at)].x;
+                loads[texel(at + outward)] = real2(load, 0);
             }
             if (!mirrors)
                 edge_speed_ =

@@ -234,6 +234,21 @@ TEST(ErosionSimulation, ErodesWhereItWasPainted) {
         EXPECT_EQ(end.painted[i].y, 1);
     }
     EXPECT_GT(inside, 200U);
+    // What was painted later, beside slopes that had gone to rest, wakes them too: as in a run that goes on
+    // from a file.
+    simulation.apply(SetParameter{"water.on", false});
+    simulation.apply(SetParameter{"thermal.weathering", 0.0});
+    simulation.apply(SetParameter{"thermal.bedrock_deg", 10.0});
+    simulation.apply(Ticks{400});
+    dab.x_m = 1000;
+    dab.y_m = 700;
+    simulation.apply(dab);
+    Simulation reloaded(simulation.read(), simulation.parameters());
+    const std::uint64_t painted = hash_of(simulation);
+    simulation.apply(Ticks{5});
+    reloaded.apply(Ticks{5});
+    EXPECT_NE(hash_of(simulation), painted);
+    EXPECT_EQ(hash_of(simulation), hash_of(reloaded));
     EXPECT_LE(simulation.ledger().closing_error_of_moved(), 1e-6);
 }
 
@@ -248,6 +263,12 @@ TEST(ErosionSimulation, OffItLetsEverythingSettle) {
     simulation.apply(SetParameter{"erosion.settling", 1000.0});
     const std::vector<glm::vec2> bedrock = simulation.read().bedrock;
     simulation.apply(SetParameter{"thermal.on", false});
+    // A silty river comes clear then.
+    simulation.apply(SetParameter{"water.inflow", 500.0});
+    const double brought = simulation.ledger().solid_in;
+    simulation.apply(Ticks{20});
+    EXPECT_EQ(simulation.ledger().solid_in, brought);
+    simulation.apply(SetParameter{"water.inflow", 0.0});
     simulation.apply(Ticks{200});
     EXPECT_EQ(simulation.ledger().suspended, 0);
     EXPECT_EQ(simulation.read().bedrock, bedrock);
