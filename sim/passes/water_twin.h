@@ -1,6 +1,5 @@
 #pragma once
 #include <bit>
-#include <utility>
 #include <vector>
 
 #include "shaders/maths/twin.h"
