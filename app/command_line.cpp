@@ -216,6 +216,7 @@ int parse_and_do(int argc, char** argv) {
 
     CLI::App* replay_command = app.add_subcommand("replay", "do again what a journal recorded");
     replay_command->add_option("FILE", replay_options.journal)->required();
+    replay_command->add_option("--size", t.size, "NXxNY: the same scene with so many samples");
     add_outputs(*replay_command, t, replay_options.outputs);
     add_gpu(*replay_command, t);
 
@@ -301,6 +302,7 @@ int parse_and_do(int argc, char** argv) {
         convert(convert_options);
     } else if (replay_command->parsed()) {
         replay_options.gpu = t.context();
+        if (!t.size.empty()) replay_options.size = size_from(t.size);
         replay_options.outputs.json = t.json;
         replay(replay_options);
     } else if (info_command->parsed()) {

@@ -63,7 +63,7 @@ void write_terrain(const std::string& path, const Document& document, const std:
     Heightmap heightmap;
     heightmap.grid = document.state.grid;
     heightmap.heights = layer_of(document.state, layer.empty() ? "ground" : layer);
-    heightmap.georeference = document.georeference;
+    heightmap.georeference = document.state.georeference;
     write_heightmap(path, heightmap, range_m);
 }
 

@@ -11,6 +11,7 @@
 #include "sim/simulation.h"
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"
+#include "sim/terrain/reshape.h"
 #include "sim/terrain/state_hash.h"
 
 namespace talus {
@@ -24,9 +25,12 @@ Parameters part_of(const Parameters& all, std::vector<Parameter> part) {
     return parameters;
 }
 
-TerrainState generated(const Parameters& p) {
+Grid declared_grid(const Parameters& p) {
     const double spacing = p.number("terrain.spacing_m");
-    const Grid grid{p.whole("terrain.nx"), p.whole("terrain.ny"), spacing, spacing};
+    return {p.whole("terrain.nx"), p.whole("terrain.ny"), spacing, spacing};
+}
+
+TerrainState generated(const Parameters& p, const Grid& grid) {
     const double relief_m = p.number("terrain.relief_m");
     const std::vector<float> heights = generate_heights(
         grid, {p.choice("terrain.kind"), static_cast<std::uint32_t>(p.whole("terrain.seed")), relief_m});
@@ -41,7 +45,8 @@ Scene assemble(const Parameters& all, Document document) {
     std::vector<Parameter> view = render_parameters();
     const std::vector<Parameter> app = app_parameters();
     view.insert(view.end(), app.begin(), app.end());
-    Scene scene{std::move(document), part_of(all, simulation_parameters()), part_of(all, view), {}, {}, {}};
+    Scene scene{
+        std::move(document), part_of(all, simulation_parameters()), part_of(all, view), {}, {}, {}, {}};
     scene.start.parameters = to_toml(scene.simulation);
     const Grid& grid = scene.document.state.grid;
     const double extent = std::max(grid.width_m(), grid.height_m());
@@ -77,7 +82,7 @@ Scene make_scene(const SceneRequest& request) {
     if (request.import.spacing_m) all.set("terrain.spacing_m", *request.import.spacing_m);
     for (const std::string& assignment : request.assignments) all.set_assignment(assignment);
     if (request.input.empty()) {
-        document.state = generated(all);
+        document.state = generated(all, declared_grid(all));
         document.kind = "generated";
     }
     Scene scene = assemble(all, std::move(document));
@@ -97,12 +102,13 @@ Scene make_scene(const SceneRequest& request) {
     return scene;
 }
 
-Scene make_scene(const JournalFile& journal, const std::string& journal_path) {
+Scene make_scene(const JournalFile& journal, const std::string& journal_path,
+                 std::optional<glm::ivec2> size) {
     Parameters all(all_parameters());
     from_toml(journal.start.parameters, journal_path, all);
     Document document;
     if (journal.start.input.empty()) {
-        document.state = generated(all);
+        document.state = generated(all, declared_grid(all));
         document.kind = "generated";
     } else {
         document = open_document(journal.start.input, import_settings_from(journal.start.import_guess));
@@ -115,8 +121,17 @@ Scene make_scene(const JournalFile& journal, const std::string& journal_path) {
             "or version",
             journal_path, journal.start.hash,
             journal.start.input.empty() ? "its generator" : "'" + journal.start.input + "'", hash));
+    const Grid grid = document.state.grid;
+    if (size && journal.start.input.empty()) {
+        const Grid other{size->x, size->y, grid.width_m() / (size->x - 1), grid.height_m() / (size->y - 1)};
+        check_grid(other);
+        document.state = generated(all, other);
+    } else if (size) {
+        document.state = resampled(document.state, size->x, size->y);
+    }
     Scene scene = assemble(all, std::move(document));
     scene.start = journal.start;
+    scene.recorded_samples = {grid.nx, grid.ny};
     scene.title = "replay";
     return scene;
 }

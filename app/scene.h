@@ -27,13 +27,16 @@ struct Scene {
     Parameters view;        ///< render.*, brush.*, camera.*, time.speed, undo.*
     JournalStart start;     ///< without the hash, which the caller takes of the state
     std::string title;
-    ColourImage texture;  ///< draped over the terrain; without pixels: none
+    glm::ivec2 recorded_samples{0};  ///< of a journal's start: columns and rows that it was recorded with
+    ColourImage texture;             ///< draped over the terrain; without pixels: none
 };
 
 /// Throws talus::Error when the request cannot be met.
 Scene make_scene(const SceneRequest& request);
 
-/// The scene that a journal starts from, with its hash checked.
-Scene make_scene(const JournalFile& journal, const std::string& journal_path);
+/// The scene that a journal starts from, with its hash checked; with another size, the same ground with so
+/// many samples.
+Scene make_scene(const JournalFile& journal, const std::string& journal_path,
+                 std::optional<glm::ivec2> size = std::nullopt);
 
 }  // namespace talus

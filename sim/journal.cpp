@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -14,32 +13,154 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<const char*, 4> mode_names = {"raise", "lower", "smooth", "flatten"};
+template <typename Enum>
+const std::string& name_in(const std::vector<std::string>& names, Enum value) {
+    return names[static_cast<std::size_t>(value)];
+}
 
-json to_json(const Operation& operation) {
-    if (const auto* ticks = std::get_if<Ticks>(&operation)) return {{"op", "ticks"}, {"count", ticks->count}};
-    if (const auto* set = std::get_if<SetParameter>(&operation)) {
-        json line = {{"op", "set"}, {"name", set->name}};
-        std::visit([&](const auto& v) { line["value"] = v; }, set->value);
+template <typename Enum>
+Enum value_in(const std::vector<std::string>& names, const json& name, const char* what) {
+    const auto found = std::find(names.begin(), names.end(), name.get<std::string>());
+    if (found == names.end()) throw Error(fmt::format("unknown {} '{}'", what, name.get<std::string>()));
+    return static_cast<Enum>(found - names.begin());
+}
+
+json to_json(const Source& source) {
+    return {{"path", source.path},
+            {"import", source.import_guess},
+            {"hash", fmt::format("{:016x}", source.hash)}};
+}
+
+Source to_source(const json& line) {
+    return {line.at("path"), line.at("import"), std::stoull(line.at("hash").get<std::string>(), nullptr, 16)};
+}
+
+json to_json(const Rectangle& r) {
+    return {{"west_m", r.west_m}, {"south_m", r.south_m}, {"east_m", r.east_m}, {"north_m", r.north_m}};
+}
+
+Rectangle to_rectangle(const json& line) {
+    return {line.at("west_m"), line.at("south_m"), line.at("east_m"), line.at("north_m")};
+}
+
+// What every dab has, and what its mode needs besides.
+json to_json(const Dab& dab) {
+    json line = {{"op", "dab"},
+                 {"mode", name_in(brush_mode_names(), dab.mode)},
+                 {"x_m", dab.x_m},
+                 {"y_m", dab.y_m},
+                 {"radius_m", dab.radius_m},
+                 {"falloff", dab.falloff},
+                 {"amount_m", dab.amount_m},
+                 {"blend", dab.blend},
+                 {"target_m", dab.target_m},
+                 {"material", name_in(material_names(), dab.material)}};
+    if (dab.curve != FalloffCurve::smooth) line["curve"] = name_in(falloff_curve_names(), dab.curve);
+    if (dab.masked) line["masked"] = true;
+    if (dab.mode == BrushMode::ramp) {
+        line["way_m"] = {dab.way_m.x, dab.way_m.y};
+        line["rise_m"] = dab.rise_m;
+    }
+    if (dab.mode == BrushMode::terrace) {
+        line["step_m"] = dab.step_m;
+        line["flat"] = dab.flat;
+    }
+    if (dab.mode == BrushMode::noise)
+        line["noise"] = {{"kind", name_in(noise_kind_names(), dab.noise.kind)},
+                         {"wavelength_m", dab.noise.wavelength_m},
+                         {"octaves", dab.noise.octaves},
+                         {"gain", dab.noise.gain},
+                         {"warp", dab.noise.warp},
+                         {"seed", dab.noise.seed}};
+    if (dab.mode == BrushMode::stamp)
+        line["stamp"] = {{"mode", name_in(stamp_mode_names(), dab.stamp.mode)},
+                         {"half_m", {dab.stamp.half_m.x, dab.stamp.half_m.y}},
+                         {"turn_deg", dab.stamp.turn_deg},
+                         {"mirrored", dab.stamp.mirrored}};
+    return line;
+}
+
+Dab to_dab(const json& line) {
+    Dab dab;
+    dab.mode = value_in<BrushMode>(brush_mode_names(), line.at("mode"), "brush mode");
+    dab.x_m = line.at("x_m");
+    dab.y_m = line.at("y_m");
+    dab.radius_m = line.at("radius_m");
+    dab.falloff = line.at("falloff");
+    dab.amount_m = line.at("amount_m");
+    dab.blend = line.at("blend");
+    dab.target_m = line.at("target_m");
+    // Journals of 0.1.0 say on_regolith.
+    const char* otherwise = line.value("on_regolith", false) ? "regolith" : "bedrock";
+    dab.material = value_in<Material>(material_names(), line.value("material", otherwise), "material");
+    dab.curve = value_in<FalloffCurve>(falloff_curve_names(), line.value("curve", "smooth"), "falloff curve");
+    dab.masked = line.value("masked", false);
+    if (line.contains("way_m")) dab.way_m = {line["way_m"].at(0), line["way_m"].at(1)};
+    dab.rise_m = line.value("rise_m", 0.0);
+    dab.step_m = line.value("step_m", 1.0);
+    dab.flat = line.value("flat", 0.5);
+    if (line.contains("noise")) {
+        const json& noise = line["noise"];
+        dab.noise = {value_in<int>(noise_kind_names(), noise.at("kind"), "noise"),
+                     noise.at("wavelength_m"),
+                     noise.at("octaves"),
+                     noise.at("gain"),
+                     noise.at("warp"),
+                     noise.at("seed")};
+    }
+    if (line.contains("stamp")) {
+        const json& stamp = line["stamp"];
+        dab.stamp.mode = value_in<StampMode>(stamp_mode_names(), stamp.at("mode"), "stamp mode");
+        dab.stamp.half_m = {stamp.at("half_m").at(0), stamp.at("half_m").at(1)};
+        dab.stamp.turn_deg = stamp.at("turn_deg");
+        dab.stamp.mirrored = stamp.at("mirrored");
+    }
+    check_dab(dab);
+    return dab;
+}
+
+struct Writer {
+    json operator()(const Ticks& ticks) const { return {{"op", "ticks"}, {"count", ticks.count}}; }
+    json operator()(const Dab& dab) const { return to_json(dab); }
+    json operator()(const SetParameter& set) const {
+        json line = {{"op", "set"}, {"name", set.name}};
+        std::visit([&](const auto& v) { line["value"] = v; }, set.value);
         return line;
     }
-    if (const auto* spring = std::get_if<PlaceSpring>(&operation))
+    json operator()(const PlaceSpring& spring) const {
         return {{"op", "spring"},
-                {"x_m", spring->x_m},
-                {"y_m", spring->y_m},
-                {"rate_m3_per_s", spring->rate_m3_per_s}};
-    const auto& dab = std::get<Dab>(operation);
-    return {{"op", "dab"},
-            {"mode", mode_names[static_cast<std::size_t>(dab.mode)]},
-            {"x_m", dab.x_m},
-            {"y_m", dab.y_m},
-            {"radius_m", dab.radius_m},
-            {"falloff", dab.falloff},
-            {"amount_m", dab.amount_m},
-            {"blend", dab.blend},
-            {"target_m", dab.target_m},
-            {"material", material_names()[static_cast<std::size_t>(dab.material)]}};
-}
+                {"x_m", spring.x_m},
+                {"y_m", spring.y_m},
+                {"rate_m3_per_s", spring.rate_m3_per_s}};
+    }
+    json operator()(const Resample& to) const { return {{"op", "resample"}, {"nx", to.nx}, {"ny", to.ny}}; }
+    json operator()(const Crop& crop) const {
+        return {{"op", "crop"}, {"rectangle", to_json(crop.rectangle)}};
+    }
+    json operator()(const Turn& turn) const { return {{"op", "turn"}, {"quarters", turn.quarters}}; }
+    json operator()(const Import& import) const {
+        return {{"op", "import"}, {"source", to_json(import.source)}};
+    }
+    json operator()(const ChooseStamp& choose) const {
+        if (choose.source.path.empty()) return {{"op", "stamp"}, {"piece", to_json(choose.piece)}};
+        return {{"op", "stamp"}, {"source", to_json(choose.source)}};
+    }
+    json operator()(const MakeMask& make) const {
+        return {{"op", "mask"},
+                {"from", name_in(mask_source_names(), make.source)},
+                {"low", make.low},
+                {"high", make.high},
+                {"fade", make.fade},
+                {"join", name_in(mask_join_names(), make.join)},
+                {"inverted", make.inverted}};
+    }
+    json operator()(const Blur& blur) const {
+        return {{"op", "blur"},
+                {"deviation_m", blur.deviation_m},
+                {"of", blur.of_mask ? "mask" : "ground"},
+                {"masked", blur.masked}};
+    }
+};
 
 Operation to_operation(const json& line) {
     const std::string op = line.at("op");
@@ -56,28 +177,29 @@ Operation to_operation(const json& line) {
         return SetParameter{name, value.get<std::string>()};
     }
     if (op == "spring") return PlaceSpring{line.at("x_m"), line.at("y_m"), line.at("rate_m3_per_s")};
-    if (op != "dab") throw Error(fmt::format("unknown operation '{}'", op));
-    Dab dab;
-    const std::string mode = line.at("mode");
-    const auto* found = std::find(mode_names.begin(), mode_names.end(), mode);
-    if (found == mode_names.end()) throw Error(fmt::format("unknown brush mode '{}'", mode));
-    dab.mode = static_cast<BrushMode>(found - mode_names.begin());
-    dab.x_m = line.at("x_m");
-    dab.y_m = line.at("y_m");
-    dab.radius_m = line.at("radius_m");
-    dab.falloff = line.at("falloff");
-    dab.amount_m = line.at("amount_m");
-    dab.blend = line.at("blend");
-    dab.target_m = line.at("target_m");
-    // Journals of 0.1.0 say on_regolith.
-    const bool on_regolith = line.value("on_regolith", false);
-    const std::string material = line.value("material", on_regolith ? "regolith" : "bedrock");
-    const std::vector<std::string>& materials = material_names();
-    const auto of = std::find(materials.begin(), materials.end(), material);
-    if (of == materials.end()) throw Error(fmt::format("unknown material '{}'", material));
-    dab.material = static_cast<Material>(of - materials.begin());
-    check_dab(dab);
-    return dab;
+    if (op == "resample") return Resample{line.at("nx"), line.at("ny")};
+    if (op == "crop") return Crop{to_rectangle(line.at("rectangle"))};
+    if (op == "turn") return Turn{line.at("quarters")};
+    if (op == "import") return Import{to_source(line.at("source")), nullptr};
+    if (op == "stamp") {
+        ChooseStamp choose;
+        if (line.contains("source"))
+            choose.source = to_source(line.at("source"));
+        else
+            choose.piece = to_rectangle(line.at("piece"));
+        return choose;
+    }
+    if (op == "mask")
+        return MakeMask{value_in<MaskSource>(mask_source_names(), line.at("from"), "mask"),
+                        line.at("low"),
+                        line.at("high"),
+                        line.at("fade"),
+                        value_in<MaskJoin>(mask_join_names(), line.at("join"), "way to join masks"),
+                        line.at("inverted")};
+    if (op == "blur")
+        return Blur{line.at("deviation_m"), line.at("of") == "mask", line.at("masked").get<bool>()};
+    if (op == "dab") return to_dab(line);
+    throw Error(fmt::format("unknown operation '{}'", op));
 }
 
 }  // namespace
@@ -117,7 +239,8 @@ std::string write_journal(const JournalStart& start, const Journal& journal) {
                             {"hash", fmt::format("{:016x}", start.hash)}}
                            .dump(-1, ' ', false, json::error_handler_t::replace) +
                        '\n';
-    for (const Operation& operation : journal.operations()) text += to_json(operation).dump() + '\n';
+    for (const Operation& operation : journal.operations())
+        text += std::visit(Writer(), operation).dump() + '\n';
     return text;
 }
 

@@ -44,16 +44,17 @@ double LedgerReading::closing_error_of_eroded() const {
     return error_of(closing_error_m3(), eroded_m3);
 }
 
-Ledger::Ledger(const Terrain& terrain, const SolidWeights& weights)
+Ledger::Ledger(const Terrain& terrain)
     : area_m2_(terrain.grid().dx * terrain.grid().dy),
       program_("sim/ledger.comp"),
       tile_sums_("ledger sums", static_cast<std::size_t>(terrain.tiles.count()) * 2 * sizeof(glm::dvec4)),
       water_program_({"sim/ledger.comp"}, {"WATER 1"}),
-      loaded_program_({"sim/ledger.comp"}, {"WATER 1", "SEDIMENT 1"}) {
+      loaded_program_({"sim/ledger.comp"}, {"WATER 1", "SEDIMENT 1"}) {}
+
+LedgerStart Ledger::begin(const Terrain& terrain, const SolidWeights& weights) {
     sum(terrain);
-    const Sums initial = sums_of(tile_sums_.read_all<glm::dvec4>(), area_m2_);
-    solid_initial_ = initial.solid(weights);
-    water_initial_ = initial.water;
+    const Sums now = sums_of(tile_sums_.read_all<glm::dvec4>(), area_m2_);
+    return {now.solid(weights), now.water};
 }
 
 void Ledger::sum(const Terrain& terrain) {
@@ -68,15 +69,15 @@ void Ledger::sum(const Terrain& terrain) {
     program.dispatch(terrain.tiles.columns(), terrain.tiles.rows());
 }
 
-LedgerReading Ledger::reading(const std::vector<glm::dvec4>& tile_sums, const SolidWeights& weights,
-                              const gpu::Buffer& brush_books, const WaterBooks& water,
-                              glm::dvec2 solid_edges_m, double reweighed_m3) const {
+LedgerReading Ledger::reading(const LedgerStart& start, const std::vector<glm::dvec4>& tile_sums,
+                              const SolidWeights& weights, const gpu::Buffer& brush_books,
+                              const WaterBooks& water, glm::dvec2 solid_edges_m, double booked_m3) const {
     const Sums now = sums_of(tile_sums, area_m2_);
     LedgerReading reading;
     reading.bedrock = now.bedrock;
     reading.regolith = weights.regolith * now.regolith;
     reading.suspended = weights.suspended * now.suspended;
-    reading.solid_initial = solid_initial_;
+    reading.solid_initial = start.solid_m3;
     reading.solid_final = now.solid(weights);
     reading.eroded_m3 = now.eroded;
     reading.deposited_m3 = now.deposited;
@@ -85,9 +86,9 @@ LedgerReading Ledger::reading(const std::vector<glm::dvec4>& tile_sums, const So
         reading.solid_out += (book.y + weights.regolith * book.w) * area_m2_;
     }
     reading.solid_edges_out = solid_edges_m.y * area_m2_;
-    reading.solid_in += solid_edges_m.x * area_m2_ + std::max(reweighed_m3, 0.0);
-    reading.solid_out += reading.solid_edges_out + std::max(-reweighed_m3, 0.0);
-    reading.water_initial = water_initial_;
+    reading.solid_in += solid_edges_m.x * area_m2_ + std::max(booked_m3, 0.0);
+    reading.solid_out += reading.solid_edges_out + std::max(-booked_m3, 0.0);
+    reading.water_initial = start.water_m3;
     reading.water_final = now.water;
     reading.water_in = water.in_m3();
     reading.water_out = water.out_m3();

@@ -42,21 +42,29 @@ struct LedgerReading {
     double closing_error_of_eroded() const;
 };
 
+/// What there was when the ledger was begun, m³.
+struct LedgerStart {
+    double solid_m3 = 0;
+    double water_m3 = 0;
+};
+
 /// Sums the terrain on the device, tile by tile, and tells from the sums and the books what the ledger reads.
 class Ledger {
   public:
-    /// Waits for the device.
-    Ledger(const Terrain& terrain, const SolidWeights& weights);
+    explicit Ledger(const Terrain& terrain);
+
+    /// What there is now, to begin from. Waits for the device.
+    LedgerStart begin(const Terrain& terrain, const SolidWeights& weights);
 
     /// Sums the terrain as it is, without waiting: two times four doubles a tile.
     void sum(const Terrain& terrain);
     const gpu::Buffer& tile_sums() const { return tile_sums_; }
 
     /// `tile_sums`: as sum() left them; `brush_books`: a copy of Brush::books; `solid_edges_m`: metres of
-    /// solid in and out by edges; `reweighed_m3`: what changes of the weights brought.
-    LedgerReading reading(const std::vector<glm::dvec4>& tile_sums, const SolidWeights& weights,
-                          const gpu::Buffer& brush_books, const WaterBooks& water, glm::dvec2 solid_edges_m,
-                          double reweighed_m3) const;
+    /// solid in and out by edges; `booked_m3`: what was brought besides.
+    LedgerReading reading(const LedgerStart& start, const std::vector<glm::dvec4>& tile_sums,
+                          const SolidWeights& weights, const gpu::Buffer& brush_books,
+                          const WaterBooks& water, glm::dvec2 solid_edges_m, double booked_m3) const;
 
   private:
     double area_m2_;
@@ -64,8 +72,6 @@ class Ledger {
     gpu::Buffer tile_sums_;
     gpu::Program water_program_;
     gpu::Program loaded_program_;
-    double solid_initial_ = 0;
-    double water_initial_ = 0;
 };
 
 }  // namespace talus

@@ -1,10 +1,14 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 
 #include "sim/parameters.h"
 #include "sim/passes/brush.h"
+#include "sim/passes/mask.h"
+#include "sim/terrain/reshape.h"
+#include "sim/terrain/stamp.h"
 #include "sim/terrain/terrain.h"
 
 namespace talus {
@@ -25,7 +29,67 @@ struct SetParameter {
 /// A spring is placed; at the sample of another one it takes its place, and with rate 0 there is none.
 using PlaceSpring = Spring;
 
+/// Another number of samples over the same extent.
+struct Resample {
+    int nx = 0;
+    int ny = 0;
+    bool operator==(const Resample&) const = default;
+};
+
+/// What lies in a rectangle becomes the terrain; its south-west sample becomes the origin.
+struct Crop {
+    Rectangle rectangle;
+    bool operator==(const Crop&) const = default;
+};
+
+/// The terrain turns by quarters of a circle, counterclockwise, and with it the kinds of its edges.
+struct Turn {
+    int quarters = 1;
+    bool operator==(const Turn&) const = default;
+};
+
+/// A file that an operation reads. What it holds comes with the operation (app/sources.h): the simulation
+/// reads no files.
+struct Source {
+    std::string path;
+    std::string import_guess;  ///< how it was read, as the app's import settings write themselves
+    std::uint64_t hash = 0;    ///< of the terrain in it
+    bool operator==(const Source&) const = default;
+};
+
+/// A file's terrain takes the place of this one; clock and parameters go on.
+struct Import {
+    Source source;
+    std::shared_ptr<const TerrainState> state;  ///< what the file holds
+    bool operator==(const Import& other) const { return source == other.source; }
+};
+
+/// What dabs of a stamp press into the ground from now on: a file's heights, or, without a path, a piece of
+/// this terrain as it is now.
+struct ChooseStamp {
+    Source source;
+    Rectangle piece;
+    std::shared_ptr<const Stamp> stamp;  ///< what the file holds
+    bool operator==(const ChooseStamp& other) const { return source == other.source && piece == other.piece; }
+};
+
+/// The painted mask becomes a function of the terrain, or of itself (shaders/maths/mask.glsl,
+/// sim/passes/mask.h).
+using MakeMask = MaskSettings;
+
+/// The ground is blurred by a Gaussian of this standard deviation, or the mask is.
+struct Blur {
+    double deviation_m = 0;
+    bool of_mask = false;
+    bool masked = false;  ///< the ground: as far as the mask says
+    bool operator==(const Blur&) const = default;
+};
+
 /// One recorded act. Replaying a list of them gives the same terrain.
-using Operation = std::variant<Ticks, Dab, SetParameter, PlaceSpring>;
+using Operation = std::variant<Ticks, Dab, SetParameter, PlaceSpring, Resample, Crop, Turn, Import,
+                               ChooseStamp, MakeMask, Blur>;
+
+/// What a history calls it, e.g. "resample to 513 x 513".
+std::string name_of(const Operation& operation);
 
 }  // namespace talus

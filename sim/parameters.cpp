@@ -33,14 +33,15 @@ std::string to_text(const Value& value) {
     return std::get<std::string>(value);
 }
 
-Parameters::Parameters(std::vector<Parameter> declared) : declared_(std::move(declared)) {
-    for (const Parameter& parameter : declared_) values_.emplace(parameter.name, parameter.preset);
+Parameters::Parameters(std::vector<Parameter> declared)
+    : declared_(std::make_shared<std::vector<Parameter>>(std::move(declared))) {
+    for (const Parameter& parameter : *declared_) values_.emplace(parameter.name, parameter.preset);
 }
 
 const Parameter& Parameters::declaration(std::string_view name) const {
-    const auto found =
-        std::find_if(declared_.begin(), declared_.end(), [&](const Parameter& p) { return p.name == name; });
-    if (found == declared_.end())
+    const auto found = std::find_if(declared_->begin(), declared_->end(),
+                                    [&](const Parameter& p) { return p.name == name; });
+    if (found == declared_->end())
         throw Error(fmt::format("there is no parameter '{}', 'talus parameters' lists them", name));
     return *found;
 }

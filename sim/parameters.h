@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -35,7 +36,7 @@ class Parameters {
   public:
     explicit Parameters(std::vector<Parameter> declared);
 
-    const std::vector<Parameter>& declared() const { return declared_; }
+    const std::vector<Parameter>& declared() const { return *declared_; }
     const Parameter& declaration(std::string_view name) const;
     const Value& value(std::string_view name) const;
     /// True once a preset, a person or a file gave the value; false while it is the default.
@@ -62,7 +63,7 @@ class Parameters {
   private:
     Value checked(const Parameter& parameter, const Value& value) const;
 
-    std::vector<Parameter> declared_;
+    std::shared_ptr<const std::vector<Parameter>> declared_;  // the same for all copies
     std::map<std::string, Value, std::less<>> values_;
     std::map<std::string, bool, std::less<>> given_;
 };

@@ -1,10 +1,15 @@
 #include "sim/simulation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <type_traits>
+#include <utility>
 
 #include "sim/gpu/error.h"
+#include "sim/terrain/blur.h"
 #include "sim/terrain/sea.h"
 
 namespace talus {
@@ -95,13 +100,14 @@ Simulation::Simulation(const TerrainState& state, const Parameters& parameters, 
     : terrain_(state),
       brush_(terrain_),
       thermal_(terrain_),
-      moment_{state.clock, parameters, state.springs, state.edges_since_s},
+      moment_{state.clock, parameters,         state.springs, state.edges_since_s, 0, 0,
+              {},          state.georeference, nullptr},
       undo_(undo_bytes),
       keeps_undo_(undo_bytes > 0) {
     moment_.parameters.suggest("thermal.rate_m2_per_s",
                                natural_thermal_rate(state.grid, parameters.number("time.tick_s"),
                                                     parameters.number("erosion.porosity")));
-    check_tick(moment_.parameters);
+    check_tick(state.grid, moment_.parameters);
     if (terrain_.water) {
         add_water();
         inundation_->record(terrain_, moment_.clock.simulated_s);
@@ -111,7 +117,8 @@ Simulation::Simulation(const TerrainState& state, const Parameters& parameters, 
     // What was saved midway holds what is left of its sea.
     if (state.clock.ticks == 0 && moment_.parameters.is_given("water.sea_level")) fill_sea_now();
     moment_.sea_m3 = 0;
-    ledger_ = std::make_unique<Ledger>(terrain_, weights_of(moment_.parameters));
+    ledger_ = std::make_unique<Ledger>(terrain_);
+    moment_.ledger = ledger_->begin(terrain_, weights_of(moment_.parameters));
 }
 
 Books Simulation::books() {
@@ -172,52 +179,192 @@ void Simulation::apply(const Operation& operation) {
         return;
     }
     if (mid_tick()) throw Error("a tick is half done: complete it before anything else is applied");
-    if (const auto* set = std::get_if<SetParameter>(&operation)) {
-        Parameters changed = moment_.parameters;
-        changed.set(set->name, set->value);
-        check_tick(changed);
-        if (set->name == "water.sea_level") withdraw_sea();
-        const bool fills = set->name == "water.sea_level";
-        // A slider that is dragged is one entry; a sea that rises keeps what it covers.
-        const bool entry = keeps_undo_ && !undo_.is_open() && (fills || !undo_.extends(set->name));
-        if (entry) undo_.open(set->name, terrain_, books(), journal_, moment_);
-        if (keeps_undo_ && fills) undo_.keep_all(terrain_);
-        if (set->name == "erosion.porosity" || set->name == "erosion.acceleration") reweigh(changed);
-        moment_.parameters = changed;
-        if (drives_edges(set->name)) moment_.edges_since_s = moment_.clock.simulated_s;
-        if (fills) fill_sea_now();
-        journal_.record(operation);
-        if (entry) undo_.close(terrain_, journal_);
-        // Rest was decided under the old values.
-        terrain_.tiles.mark_all();
-        return;
-    }
-    if (const auto* spring = std::get_if<PlaceSpring>(&operation)) {
-        check_spring(terrain_.grid(), *spring);
-        const bool entry = keeps_undo_ && !undo_.is_open();
-        if (entry) undo_.open("spring", terrain_, books(), journal_, moment_);
-        place(*spring);
-        journal_.record(operation);
-        if (entry) undo_.close(terrain_, journal_);
-        return;
-    }
-    const auto& dab = std::get<Dab>(operation);
-    check_dab(dab);
-    if (dab.is_water()) add_water();
-    if (dab.is_paint() && dab.material == Material::rain) rain_painted_ = true;
+    std::visit(
+        [this](const auto& one) {
+            if constexpr (!std::is_same_v<std::decay_t<decltype(one)>, Ticks>) act(one);
+        },
+        operation);
+}
+
+template <typename Change>
+void Simulation::record(const Operation& operation, Change&& change) {
     const bool entry = keeps_undo_ && !undo_.is_open();
-    if (entry) undo_.open("dab", terrain_, books(), journal_, moment_);
-    if (keeps_undo_) undo_.keep(terrain_, terrain_.tiles.touched_by(dab_region(terrain_.grid(), dab)));
-    if (dab.is_paint()) {
-        paint_.dab(terrain_, dab);
-    } else if (dab.is_water()) {
-        water_brush_->dab(terrain_, dab);
-        inundation_->record(terrain_, moment_.clock.simulated_s);
-    } else {
-        brush_.dab(terrain_, dab);
+    if (entry) undo_.open(name_of(operation), terrain_, books(), journal_, moment_);
+    try {
+        change();
+    } catch (...) {
+        if (entry) undo_.abandon();
+        throw;
     }
     journal_.record(operation);
-    if (entry) end_entry();
+    if (entry) undo_.close(terrain_, journal_);
+}
+
+void Simulation::act(const SetParameter& set) {
+    Parameters changed = moment_.parameters;
+    changed.set(set.name, set.value);
+    check_tick(terrain_.grid(), changed);
+    const bool fills = set.name == "water.sea_level";
+    if (fills) withdraw_sea();
+    const auto change = [&] {
+        if (keeps_undo_ && fills) undo_.keep_all(terrain_);
+        if (set.name == "erosion.porosity" || set.name == "erosion.acceleration") reweigh(changed);
+        moment_.parameters = changed;
+        if (drives_edges(set.name)) moment_.edges_since_s = moment_.clock.simulated_s;
+        if (fills) fill_sea_now();
+    };
+    // A slider that is dragged is one entry; a sea that rises keeps what it covers.
+    if (keeps_undo_ && !undo_.is_open() && !fills && undo_.extends(set.name)) {
+        change();
+        journal_.record(set);
+    } else {
+        record(set, change);
+    }
+    // Rest was decided under the old values.
+    terrain_.tiles.mark_all();
+}
+
+void Simulation::act(const PlaceSpring& spring) {
+    check_spring(terrain_.grid(), spring);
+    record(spring, [&] { place(spring); });
+}
+
+void Simulation::act(const Dab& dab) {
+    check_dab(dab);
+    if (dab.mode == BrushMode::stamp && !moment_.stamp)
+        throw Error("there is no stamp yet: choose a file or a piece of the terrain first");
+    if (dab.is_water()) add_water();
+    if (dab.is_paint() && dab.material == Material::rain) rain_painted_ = true;
+    record(dab, [&] {
+        if (keeps_undo_) undo_.keep(terrain_, terrain_.tiles.touched_by(dab_region(terrain_.grid(), dab)));
+        // Where nothing was painted the mask is 0.
+        if (dab.masked && !terrain_.painted) return;
+        if (dab.is_paint()) {
+            paint_.dab(terrain_, dab);
+        } else if (dab.is_water()) {
+            water_brush_->dab(terrain_, dab);
+            inundation_->record(terrain_, moment_.clock.simulated_s);
+        } else if (dab.mode == BrushMode::stamp) {
+            if (stamp_there_ != moment_.stamp) {
+                stamp_there_ = moment_.stamp;
+                stamp_texture_ =
+                    gpu::Texture("stamp", gpu::Format::r32f, stamp_there_->grid.nx, stamp_there_->grid.ny);
+                stamp_texture_.write(stamp_texture_.whole(), std::as_bytes(std::span(stamp_there_->heights)));
+            }
+            brush_.dab(terrain_, dab, &stamp_texture_);
+        } else {
+            brush_.dab(terrain_, dab);
+        }
+    });
+}
+
+void Simulation::act(const Resample& to) {
+    replace_terrain(to, resampled(read(), to.nx, to.ny), moment_.parameters);
+}
+
+void Simulation::act(const Crop& crop) {
+    replace_terrain(crop, cropped(read(), crop.rectangle), moment_.parameters);
+}
+
+void Simulation::act(const Turn& turn) {
+    // What was east is north after a quarter.
+    constexpr std::array<const char*, 4> around = {"east", "north", "west", "south"};
+    Parameters parameters = moment_.parameters;
+    const int quarters = (turn.quarters % 4 + 4) % 4;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::string from = std::string("water.boundary.") + around[i];
+        const std::string to =
+            std::string("water.boundary.") + around[(i + static_cast<std::size_t>(quarters)) % 4];
+        if (moment_.parameters.value(from) != moment_.parameters.value(to))
+            parameters.set(to, moment_.parameters.value(from));
+    }
+    replace_terrain(turn, turned(read(), quarters), parameters);
+}
+
+void Simulation::act(const Import& import) {
+    if (!import.state)
+        throw Error(fmt::format("'{}' was not read before it was imported", import.source.path));
+    TerrainState next = *import.state;
+    next.clock = moment_.clock;
+    next.edges_since_s = moment_.edges_since_s;
+    if (moment_.parameters.is_given("water.sea_level") && next.water.empty())
+        fill_sea(next, moment_.parameters.number("water.sea_level"));
+    replace_terrain(import, next, moment_.parameters);
+}
+
+void Simulation::act(const ChooseStamp& choose) {
+    std::shared_ptr<const Stamp> stamp = choose.stamp;
+    if (choose.source.path.empty()) {
+        const Grid& grid = terrain_.grid();
+        const gpu::Region piece = samples_in(grid, choose.piece);
+        std::vector<float> heights(static_cast<std::size_t>(piece.width) * piece.height);
+        terrain_.ground.read(piece, std::as_writable_bytes(std::span(heights)));
+        stamp = std::make_shared<Stamp>(stamp_of({piece.width, piece.height, grid.dx, grid.dy}, heights));
+    }
+    if (!stamp) throw Error(fmt::format("'{}' was not read before it became the stamp", choose.source.path));
+    record(choose, [&] { moment_.stamp = stamp; });
+}
+
+void Simulation::act(const MakeMask& make) {
+    check_mask(make);
+    record(make, [&] {
+        if (keeps_undo_) undo_.keep_all(terrain_);
+        mask_.make(terrain_, make);
+    });
+}
+
+void Simulation::act(const Blur& blur) {
+    const Grid& grid = terrain_.grid();
+    const double most_m = 256 * std::min(grid.dx, grid.dy);
+    if (!(blur.deviation_m > 0 && blur.deviation_m <= most_m))
+        throw Error(fmt::format("a blur of {} m cannot be made, it must be above 0 and at most {:.6g} m",
+                                blur.deviation_m, most_m));
+    record(blur, [&] {
+        if (keeps_undo_) undo_.keep_all(terrain_);
+        const glm::dvec2 deviation = blur.deviation_m / glm::dvec2(grid.dx, grid.dy);
+        if (blur.of_mask)
+            blur_mask(terrain_, deviation);
+        else
+            book([&] { blur_ground(terrain_, deviation, blur.masked); });
+    });
+}
+
+void Simulation::replace_terrain(const Operation& operation, const TerrainState& next,
+                                 Parameters parameters) {
+    if (undo_.is_open())
+        throw Error(fmt::format("a stroke or run is not ended: {} needs that", name_of(operation)));
+    parameters.suggest("thermal.rate_m2_per_s",
+                       natural_thermal_rate(next.grid, parameters.number("time.tick_s"),
+                                            parameters.number("erosion.porosity")));
+    check_tick(next.grid, parameters);
+    Terrain terrain(next);
+    record(operation, [&] {
+        if (keeps_undo_) undo_.keep_terrain(pack(terrain_));
+        moment_.parameters = parameters;
+        moment_.springs = next.springs;
+        moment_.georeference = next.georeference;
+        moment_.sea_m3 = 0;
+        moment_.booked_m3 = 0;
+        stand_on(std::move(terrain));
+        rain_painted_ = rain_painted_ || terrain_.painted.has_value();
+        moment_.ledger = ledger_->begin(terrain_, weights_of(moment_.parameters));
+    });
+}
+
+void Simulation::stand_on(Terrain next) {
+    Brush brush(next);
+    Thermal thermal(next);
+    auto ledger = std::make_unique<Ledger>(next);
+    asked_.sums.cancel();
+    water_.reset();
+    water_brush_.reset();
+    inundation_.reset();
+    terrain_ = std::move(next);
+    brush_ = std::move(brush);
+    thermal_ = std::move(thermal);
+    ledger_ = std::move(ledger);
+    ++terrain_number_;
+    if (terrain_.water) add_water();
 }
 
 void Simulation::withdraw_sea() {
@@ -239,9 +386,9 @@ void Simulation::place(const Spring& spring) {
     if (spring.rate_m3_per_s > 0) springs.push_back(spring);
 }
 
-void Simulation::check_tick(const Parameters& parameters) const {
+void Simulation::check_tick(const Grid& grid, const Parameters& parameters) const {
     if (parameters.toggle("thermal.on"))
-        thermal_substeps(terrain_.grid(), thermal_settings(parameters), parameters.number("time.tick_s"));
+        thermal_substeps(grid, thermal_settings(parameters), parameters.number("time.tick_s"));
 }
 
 void Simulation::begin_tick() {
@@ -295,8 +442,14 @@ void Simulation::end_entry() {
     undo_.close(terrain_, journal_);
 }
 
-void Simulation::exchange(void (Undo::*way)(Terrain&, const Books&, Journal&, Moment&)) {
-    (undo_.*way)(terrain_, books(), journal_, moment_);
+void Simulation::exchange(UndoWay way) {
+    (undo_.*way)(
+        terrain_, [this] { return books(); }, journal_, moment_,
+        [this](const PackedTerrain& other) {
+            PackedTerrain present = pack(terrain_);
+            stand_on(unpack(other));
+            return present;
+        });
     terrain_.tiles.mark_all();
 }
 
@@ -320,7 +473,8 @@ void Simulation::copy_books(AskedLedger& asked) {
     }
     asked.weights = weights_of(moment_.parameters);
     asked.sea_m3 = moment_.sea_m3;
-    asked.reweighed_m3 = moment_.reweighed_m3;
+    asked.booked_m3 = moment_.booked_m3;
+    asked.start = moment_.ledger;
 }
 
 LedgerReading Simulation::reading_of(const AskedLedger& asked,
@@ -339,7 +493,8 @@ LedgerReading Simulation::reading_of(const AskedLedger& asked,
         }
     }
     water.sea_m3 = asked.sea_m3;
-    return ledger_->reading(tile_sums, asked.weights, books[0], water, solid_edges, asked.reweighed_m3);
+    return ledger_->reading(asked.start, tile_sums, asked.weights, books[0], water, solid_edges,
+                            asked.booked_m3);
 }
 
 LedgerReading Simulation::ledger() {
@@ -368,11 +523,16 @@ std::optional<LedgerReading> Simulation::poll_ledger() {
 }
 
 void Simulation::reweigh(const Parameters& changed) {
-    const double before = ledger().closing_error_m3();
     Parameters present = changed;
+    book([&] { std::swap(moment_.parameters, present); });
     std::swap(moment_.parameters, present);
-    moment_.reweighed_m3 += ledger().closing_error_m3() - before;
-    std::swap(moment_.parameters, present);
+}
+
+template <typename Change>
+void Simulation::book(Change&& change) {
+    const double before = ledger().closing_error_m3();
+    change();
+    moment_.booked_m3 += ledger().closing_error_m3() - before;
 }
 
 Water::Work Simulation::water_work() const {
@@ -384,6 +544,7 @@ TerrainState Simulation::read() const {
     state.clock = moment_.clock;
     state.springs = moment_.springs;
     state.edges_since_s = moment_.edges_since_s;
+    state.georeference = moment_.georeference;
     return state;
 }
 

@@ -1,54 +1,12 @@
 #include "sim/undo.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
 namespace talus {
 namespace {
-
-std::size_t layer_bytes(const gpu::Region& region, gpu::Format format) {
-    return static_cast<std::size_t>(region.width) * region.height * gpu::texel_bytes(format);
-}
-
-Undo::KeptTile copy_tile(Terrain& terrain, int tile) {
-    const gpu::Region region = terrain.tiles.region(tile);
-    const auto layers = terrain.optional_layers();
-    Undo::KeptTile kept;
-    std::size_t bytes = layer_bytes(region, gpu::Format::rgba32f);
-    for (const OptionalLayer& layer : layers)
-        if (layer.front) bytes += layer_bytes(region, layer.format);
-    kept.texels = gpu::Buffer("undo tile", bytes);
-    terrain.solid.front.copy_to(kept.texels, 0, region);
-    std::size_t at = layer_bytes(region, gpu::Format::rgba32f);
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-        if (!layers[i].front) continue;
-        layers[i].front->copy_to(kept.texels, at, layers[i].texels(region));
-        at += layer_bytes(region, layers[i].format);
-        kept.layers |= 1U << i;
-    }
-    return kept;
-}
-
-// A layer that was not there yet when the tile was kept was zero.
-void put_back(const Undo::KeptTile& kept, Terrain& terrain, int tile) {
-    const gpu::Region region = terrain.tiles.region(tile);
-    terrain.solid.front.copy_from(kept.texels, 0, region);
-    std::size_t at = layer_bytes(region, gpu::Format::rgba32f);
-    const auto layers = terrain.optional_layers();
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-        if (!layers[i].front) continue;
-        const std::size_t bytes = layer_bytes(region, layers[i].format);
-        if ((kept.layers >> i & 1U) != 0) {
-            layers[i].front->copy_from(kept.texels, at, layers[i].texels(region));
-            at += bytes;
-        } else {
-            const std::vector<std::byte> zeros(bytes);
-            layers[i].front->write(layers[i].texels(region), zeros);
-        }
-    }
-    terrain.refresh(region);
-}
 
 std::vector<gpu::Buffer> copies_of(const Books& books) {
     std::vector<gpu::Buffer> copies;
@@ -59,10 +17,18 @@ std::vector<gpu::Buffer> copies_of(const Books& books) {
 
 }  // namespace
 
+std::size_t Undo::Entry::bytes() const {
+    // Parameters and what else every entry has.
+    constexpr std::size_t moment_bytes = 16U << 10U;
+    std::size_t total = moment_bytes + changes.bytes() + (terrain ? terrain->bytes() : 0);
+    for (const gpu::Buffer& book : books) total += book.bytes();
+    return total;
+}
+
 void Undo::open(std::string name, Terrain& terrain, const Books& books, const Journal& journal,
                 Moment before) {
     undone_.clear();
-    done_.push_back({std::move(name), {}, copies_of(books), std::move(before), journal.mark(), {}, 0});
+    done_.push_back({std::move(name), {}, {}, {}, copies_of(books), std::move(before), journal.mark(), {}});
     open_ = true;
     all_kept_ = false;
     // From here on the marks say what this entry changed.
@@ -70,7 +36,8 @@ void Undo::open(std::string name, Terrain& terrain, const Books& books, const Jo
 }
 
 bool Undo::extends(const std::string& name) {
-    if (done_.empty() || done_.back().name != name || !done_.back().tiles.empty()) return false;
+    if (done_.empty() || done_.back().name != name || !done_.back().changes.empty() || done_.back().terrain)
+        return false;
     undone_.clear();
     return true;
 }
@@ -82,11 +49,9 @@ void Undo::set_capacity(std::size_t bytes) {
 
 void Undo::keep(Terrain& terrain, const std::vector<int>& tiles) {
     Entry& entry = done_.back();
-    for (const int tile : tiles) {
-        if (entry.tiles.contains(tile)) continue;
-        const auto kept = entry.tiles.emplace(tile, copy_tile(terrain, tile)).first;
-        entry.bytes += kept->second.texels.bytes();
-    }
+    if (entry.terrain) return;
+    for (const int tile : tiles)
+        if (!entry.kept.contains(tile)) entry.kept.emplace(tile, copy_tile(terrain, tile));
 }
 
 void Undo::keep_all(Terrain& terrain) {
@@ -95,6 +60,10 @@ void Undo::keep_all(Terrain& terrain) {
     std::iota(tiles.begin(), tiles.end(), 0);
     keep(terrain, tiles);
     all_kept_ = true;
+}
+
+void Undo::keep_terrain(PackedTerrain before) {
+    done_.back().terrain = std::move(before);
 }
 
 void Undo::close(Terrain& terrain, const Journal& journal) {
@@ -107,67 +76,98 @@ void Undo::close(Terrain& terrain, const Journal& journal) {
         return;
     }
     // A stroke kept only the tiles that it reached; after a run the device says which changed.
-    const std::vector<bool> changed = all_kept_ ? terrain.tiles.read(Tiles::undo) : std::vector<bool>();
-    for (auto tile = entry.tiles.begin(); tile != entry.tiles.end();) {
-        if (!all_kept_ || changed[static_cast<std::size_t>(tile->first)]) {
-            ++tile;
-        } else {
-            entry.bytes -= tile->second.texels.bytes();
-            tile = entry.tiles.erase(tile);
-        }
+    if (all_kept_) {
+        const std::vector<bool> changed = terrain.tiles.read(Tiles::undo);
+        std::erase_if(entry.kept,
+                      [&](const auto& kept) { return !changed[static_cast<std::size_t>(kept.first)]; });
     }
+    // One entry at a time waits to be packed.
+    for (std::size_t i = 0; i + 1 < done_.size(); ++i) done_[i].changes.settle();
+    entry.changes = TileChanges(terrain, entry.kept);
+    trim();
+}
+
+void Undo::abandon() {
+    if (!open_) return;
+    open_ = false;
+    done_.pop_back();
+}
+
+void Undo::poll() {
+    if (done_.empty() || open_ || done_.back().changes.is_settled()) return;
+    done_.back().changes.poll();
+    trim();
+}
+
+void Undo::settle() {
+    if (done_.empty() || open_) return;
+    done_.back().changes.settle();
     trim();
 }
 
 void Undo::trim() {
-    while (done_.size() > 1 && bytes() > capacity_bytes_) done_.pop_front();
+    // What is not packed yet says nothing of what it will take.
+    const auto fits = [&] { return bytes() <= capacity_bytes_ || !done_.back().changes.is_settled(); };
+    while (!done_.empty() && !open_ && !fits()) done_.pop_front();
+    while (!undone_.empty() && bytes() > capacity_bytes_) undone_.erase(undone_.begin());
+}
+
+std::vector<std::string> Undo::done() const {
+    std::vector<std::string> names;
+    std::transform(done_.begin(), done_.end(), std::back_inserter(names),
+                   [](const Entry& entry) { return entry.name; });
+    return names;
+}
+
+std::vector<std::string> Undo::undone() const {
+    std::vector<std::string> names;
+    std::transform(undone_.rbegin(), undone_.rend(), std::back_inserter(names),
+                   [](const Entry& entry) { return entry.name; });
+    return names;
 }
 
 std::size_t Undo::bytes() const {
     std::size_t total = 0;
-    const auto add = [&](const Entry& entry) {
-        total += entry.bytes;
-        for (const gpu::Buffer& book : entry.books) total += book.bytes();
-    };
+    const auto add = [&](const Entry& entry) { total += entry.bytes(); };
     std::for_each(done_.begin(), done_.end(), add);
     std::for_each(undone_.begin(), undone_.end(), add);
     return total;
 }
 
-void Undo::swap(Entry& entry, Terrain& terrain, const Books& books, Moment& now) {
-    for (auto& [tile, kept] : entry.tiles) {
-        KeptTile present = copy_tile(terrain, tile);
-        put_back(kept, terrain, tile);
-        // Layers may have come since.
-        entry.bytes += present.texels.bytes();
-        entry.bytes -= kept.texels.bytes();
-        std::swap(kept, present);
-    }
-    std::vector<gpu::Buffer> present = copies_of(books);
-    for (std::size_t i = 0; i < books.size(); ++i) {
+void Undo::swap(Entry& entry, Terrain& terrain, const std::function<Books()>& books, Moment& now,
+                const ExchangeTerrain& exchange) {
+    std::vector<gpu::Buffer> present = copies_of(books());
+    if (entry.terrain)
+        entry.terrain = exchange(*entry.terrain);
+    else
+        entry.changes.apply(terrain);
+    const Books anew = books();
+    for (std::size_t i = 0; i < anew.size(); ++i) {
         // A book that was begun after the act held nothing yet.
         if (i < entry.books.size())
-            books[i]->copy_from(entry.books[i]);
+            anew[i]->copy_from(entry.books[i]);
         else
-            books[i]->fill(0);
+            anew[i]->fill(0);
     }
     std::swap(entry.books, present);
     std::swap(entry.moment, now);
 }
 
-void Undo::undo(Terrain& terrain, const Books& books, Journal& journal, Moment& now) {
+void Undo::undo(Terrain& terrain, const std::function<Books()>& books, Journal& journal, Moment& now,
+                const ExchangeTerrain& exchange) {
     Entry& entry = done_.back();
     entry.tail = journal.cut(entry.mark);
-    swap(entry, terrain, books, now);
+    swap(entry, terrain, books, now, exchange);
     undone_.push_back(std::move(entry));
     done_.pop_back();
 }
 
-void Undo::redo(Terrain& terrain, const Books& books, Journal& journal, Moment& now) {
+void Undo::redo(Terrain& terrain, const std::function<Books()>& books, Journal& journal, Moment& now,
+                const ExchangeTerrain& exchange) {
     Entry& entry = undone_.back();
     journal.restore(entry.mark, entry.tail);
     entry.tail.clear();
-    swap(entry, terrain, books, now);
+    swap(entry, terrain, books, now, exchange);
     done_.push_back(std::move(entry));
     undone_.pop_back();
 }

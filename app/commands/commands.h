@@ -34,6 +34,7 @@ void run(const RunOptions& options);
 struct ReplayOptions {
     gpu::ContextChoice gpu;
     std::string journal;
+    std::optional<glm::ivec2> size;  ///< samples of the terrain it starts from; unless given, as recorded
     Outputs outputs;
 };
 void replay(const ReplayOptions& options);

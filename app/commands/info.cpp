@@ -34,9 +34,9 @@ void info(const std::string& file, const ImportSettings& import, bool json) {
     about["ticks"] = state.clock.ticks;
     about["simulated_s"] = state.clock.simulated_s;
     about["hash"] = fmt::format("{:016x}", state_hash(state));
-    if (document.georeference) {
-        about["geotransform"] = document.georeference->transform;
-        about["crs"] = document.georeference->wkt;
+    if (document.state.georeference) {
+        about["geotransform"] = document.state.georeference->transform;
+        about["crs"] = document.state.georeference->wkt;
     }
     about["notes"] = document.notes;
     if (json) {
@@ -49,8 +49,8 @@ void info(const std::string& file, const ImportSettings& import, bool json) {
         state.grid.width_m() / 1000, state.grid.height_m() / 1000, *low, *high);
     if (state.clock.ticks > 0)
         fmt::print("{} ticks, {:.6g} s simulated\n", state.clock.ticks, state.clock.simulated_s);
-    if (document.georeference && !document.georeference->wkt.empty()) {
-        const std::string& wkt = document.georeference->wkt;
+    if (document.state.georeference && !document.state.georeference->wkt.empty()) {
+        const std::string& wkt = document.state.georeference->wkt;
         const auto first = wkt.find('"');
         fmt::print("coordinate system {}\n", first == std::string::npos
                                                  ? wkt

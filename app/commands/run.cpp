@@ -7,6 +7,7 @@
 
 #include "app/gauges.h"
 #include "app/outputs.h"
+#include "app/sources.h"
 #include "app/wave_note.h"
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
@@ -93,13 +94,17 @@ void replay(const ReplayOptions& options) {
     const JournalFile journal = read_journal(read_text(options.journal), options.journal);
     const gpu::Context context(options.gpu);
     say(gpu::describe(context.device()));
-    Scene scene = make_scene(journal, options.journal);
+    Scene scene = make_scene(journal, options.journal, options.size);
     const auto start = Clock_::now();
     const double cpu_start = process_cpu_s();
     Simulation simulation(scene.document.state, scene.simulation);
+    const Grid& grid = scene.document.state.grid;
+    const glm::dvec2 ratio = glm::dvec2(grid.nx - 1, grid.ny - 1) / glm::dvec2(scene.recorded_samples - 1);
     Progress progress(static_cast<std::int64_t>(journal.operations.size()));
     std::int64_t done = 0;
-    for (const Operation& operation : journal.operations) {
+    for (Operation operation : journal.operations) {
+        read_sources(operation);
+        if (options.size) rescale(operation, ratio);
         simulation.apply(operation);
         progress.show(++done);
     }

@@ -1,20 +1,80 @@
-// One dab of a brush on one sample. The including side gives real4 load_solid(int2), repeating the edge, and
-//   cell_m          real2, spacing, metres
-//   dab_sample      int2, the sample at or before the dab's centre (column, row)
-//   dab_offset      real2, the centre's offset from that sample in spacings, 0 to 1
-//   dab_radius_m    real
-//   dab_falloff     real, 0 (hard edge) to 1 (soft all the way): the share of the radius over which it fades
-//   dab_mode        int, 0 raise, 1 lower, 2 smooth, 3 flatten
-//   dab_amount_m    real, raise and lower: metres at full weight
-//   dab_blend       real, smooth and flatten: share of the way at full weight, 0 to 1
-//   dab_target_m    real2, flatten: the height to reach, two words
+// One dab of a brush on one sample. The including side gives real4 load_solid(int2), repeating the edge, real
+// load_stamp(int2), repeating the edge, what maths/brush_weight.glsl and maths/brush_noise.glsl need, and
+//   samples         int2, columns and rows of the terrain
+//   dab_mode        int: 0 raise, 1 lower, 2 smooth, 3 flatten, 4 ramp, 5 noise, 6 terrace, 7 stamp
+//   dab_amount_m    real, raise and lower: metres at full weight; noise and stamp: the height of 1
+//   dab_blend       real, smooth, flatten, ramp, terrace, stamp: share of the way at full weight
+//   dab_target_m    real2, flatten: the height to reach, two words; ramp: at its beginning; terrace: of a step; stamp:
+//                   that its 0 stands on
+//   dab_rise_m      real, ramp: how much higher its end is
 //   dab_on_regolith int, 1: raise adds regolith rather than bedrock
+//   noise_wave_m    real, noise: the wavelength
+//   terrace_step_m  real, terrace: height of a step; terrace_flat real, 0 to 1: share of it that is level
+//   stamp_samples   int2, columns and rows of the stamp; stamp_columns, stamp_rows real2: of them, a metre along the
+//                   terrain's columns and rows; stamp_mode int: 0 add, 1 higher, 2 lower, 3 replace
+#include "maths/brush_noise.glsl"
 #include "maths/brush_weight.glsl"
 #include "maths/solid.glsl"
+
+real rise_to_target(real4 c) { return rise(c, real4(dab_target_m.x, dab_target_m.y, real(0), real(0))); }
+
+real noise_at(int2 at) {
+    // From the south-west sample: the same at every number of samples.
+    precise real x = real(at.x) * cell_m.x / noise_wave_m;
+    precise real y = real(samples.y - 1 - at.y) * cell_m.y / noise_wave_m;
+    return brush_noise(real2(x, y));
+}
+
+// How much higher the ground's terrace is, `below` metres under a step's edge.
+real terrace_rise(real below) {
+    precise real steps = -below / terrace_step_m;
+    precise real within = steps - floor(steps);
+    precise real s = min(max((within - terrace_flat) / max(real(1) - terrace_flat, real(1e-6)), real(0)), real(1));
+    precise real change = (s * s * (real(3) - real(2) * s) - within) * terrace_step_m;
+    return change;
+}
+
+// The stamp there, bilinear between its samples; beyond it -1.
+real stamp_at(real2 offset_m) {
+    precise real x = offset_m.x * stamp_columns.x + offset_m.y * stamp_columns.y;
+    precise real y = offset_m.x * stamp_rows.x + offset_m.y * stamp_rows.y;
+    precise real column = x + real(stamp_samples.x - 1) * real(0.5);
+    precise real row = y + real(stamp_samples.y - 1) * real(0.5);
+    // Roundings of an edge that lies on samples are none beyond it.
+    real slack = real(1e-3);
+    if (column < -slack || row < -slack || column > real(stamp_samples.x - 1) + slack ||
+        row > real(stamp_samples.y - 1) + slack)
+        return real(-1);
+    precise real c = min(max(column, real(0)), real(stamp_samples.x - 1));
+    precise real r = min(max(row, real(0)), real(stamp_samples.y - 1));
+    int2 cell = int2(int(floor(c)), int(floor(r)));
+    precise real u = c - floor(c);
+    precise real v = r - floor(r);
+    real a = load_stamp(cell);
+    real b = load_stamp(cell + int2(1, 0));
+    real d = load_stamp(cell + int2(0, 1));
+    real e = load_stamp(cell + int2(1, 1));
+    precise real top = a + u * (b - a);
+    precise real bottom = d + u * (e - d);
+    precise real value = top + v * (bottom - top);
+    return value;
+}
+
+real stamp_change(real4 c, real2 offset_m) {
+    real stamp = stamp_at(offset_m);
+    if (stamp < real(0)) return real(0);
+    precise real height_m = stamp * dab_amount_m;
+    if (stamp_mode == 0) return height_m * dab_blend;
+    precise real to_stamp = rise_to_target(c) + height_m;
+    if (stamp_mode == 1) to_stamp = max(to_stamp, real(0));
+    if (stamp_mode == 2) to_stamp = min(to_stamp, real(0));
+    return to_stamp * dab_blend;
+}
 
 // Metres that the dab adds to the ground at the sample.
 real brush_change(int2 at, real4 c) {
     real weight = brush_weight_at(at);
+    if (weight == real(0)) return real(0);
     precise real change = weight * dab_amount_m;
     if (dab_mode == 1) change = -change;
     if (dab_mode == 2) {
@@ -26,10 +86,14 @@ real brush_change(int2 at, real4 c) {
         precise real mean = (rises_x * yy + rises_y * xx) / (real(2) * (xx + yy));
         change = (weight * dab_blend) * mean;
     }
-    if (dab_mode == 3) {
-        real to_target = rise(c, real4(dab_target_m.x, dab_target_m.y, real(0), real(0)));
-        change = (weight * dab_blend) * to_target;
+    if (dab_mode == 3) change = (weight * dab_blend) * rise_to_target(c);
+    if (dab_mode == 4) {
+        precise real to_ramp = rise_to_target(c) + dab_along(dab_offset_m(at)) * dab_rise_m;
+        change = (weight * dab_blend) * to_ramp;
     }
+    if (dab_mode == 5) change = change * noise_at(at);
+    if (dab_mode == 6) change = (weight * dab_blend) * terrace_rise(rise_to_target(c));
+    if (dab_mode == 7) change = weight * stamp_change(c, dab_offset_m(at));
     return change;
 }
 

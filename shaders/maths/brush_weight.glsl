@@ -1,19 +1,50 @@
-// How strongly a dab acts at a place. The including side gives dab_radius_m and dab_falloff (maths/brush.glsl).
+// How strongly a dab acts at a place. The including side gives
+//   cell_m        real2, spacing, metres
+//   dab_sample    int2, the sample at or before the dab's centre (column, row)
+//   dab_offset    real2, the centre's offset from that sample in spacings, 0 to 1
+//   dab_radius_m  real
+//   dab_falloff   real, 0 (hard edge) to 1 (soft all the way): the share of the radius over which it fades
+//   dab_curve     int, how it fades: 0 smooth, 1 linear, 2 round, 3 sharp
+//   dab_length_m  real2, from the centre to the other end, metres (column, row): a dab along a line; 0: a round one
+// and real load_mask(int2), how far the mask lets it act, 0 to 1.
 
-// 1 in the middle, 0 at the radius and beyond, by a cubic between.
+// 1 in the middle, 0 at the radius and beyond.
 real brush_weight(real2 offset_m) {
     precise real square = offset_m.x * offset_m.x + offset_m.y * offset_m.y;
     precise real distance_m = sqrt(square);
     precise real edge = (dab_radius_m - distance_m) / max(dab_radius_m * dab_falloff, real(1e-30));
     precise real s = min(max(edge, real(0)), real(1));
     precise real weight = s * s * (real(3) - real(2) * s);
+    if (dab_curve == 1) weight = s;
+    if (dab_curve == 2) {
+        precise real square_left = s * (real(2) - s);
+        weight = sqrt(square_left);
+    }
+    if (dab_curve == 3) weight = s * s;
     return distance_m < dab_radius_m ? weight : real(0);
 }
 
-// The same at a sample; dab_sample and dab_offset say where the dab's centre is, cell_m the spacing.
-real brush_weight_at(int2 at) {
+// Metres from the dab's centre to a sample (column, row).
+real2 dab_offset_m(int2 at) {
     int2 cells = at - dab_sample;
     precise real x = (real(cells.x) - dab_offset.x) * cell_m.x;
     precise real y = (real(cells.y) - dab_offset.y) * cell_m.y;
-    return brush_weight(real2(x, y));
+    return real2(x, y);
+}
+
+// How far along the dab's line the place beside it is, 0 to 1.
+real dab_along(real2 offset_m) {
+    precise real along = offset_m.x * dab_length_m.x + offset_m.y * dab_length_m.y;
+    precise real square = dab_length_m.x * dab_length_m.x + dab_length_m.y * dab_length_m.y;
+    precise real share = along / max(square, real(1e-30));
+    return min(max(share, real(0)), real(1));
+}
+
+real brush_weight_at(int2 at) {
+    real2 offset_m = dab_offset_m(at);
+    real along = dab_along(offset_m);
+    precise real x = offset_m.x - along * dab_length_m.x;
+    precise real y = offset_m.y - along * dab_length_m.y;
+    precise real weight = brush_weight(real2(x, y)) * load_mask(at);
+    return weight;
 }

@@ -35,4 +35,5 @@ constexpr T max(T a, T b) {
     using real2 = glm::vec<2, Real>; \
     using real3 = glm::vec<3, Real>; \
     using real4 = glm::vec<4, Real>; \
-    using int2 = glm::ivec2;
+    using int2 = glm::ivec2;         \
+    using uint = unsigned;

@@ -4,17 +4,31 @@ layout(local_size_x = 16, local_size_y = 16) in;
 
 layout(binding = 1, std430) buffer TileBooks { dvec4 tile_books[]; };  // metres of bedrock in, out, of regolith in, out
 
-uniform int2 first_tile;
-uniform real2 cell_m;
-uniform int2 dab_sample;
-uniform real2 dab_offset;
-uniform real dab_radius_m;
-uniform real dab_falloff;
+layout(binding = 3, rgba32f) uniform readonly image2D painted;
+layout(binding = 4, r32f) uniform readonly image2D stamp;
+real painted_mask(int2 at) { return imageLoad(painted, at).y; }
+#include "sim/dab.glsl"
+
 uniform int dab_mode;
 uniform real dab_amount_m;
 uniform real dab_blend;
 uniform real2 dab_target_m;
+uniform real dab_rise_m;
 uniform int dab_on_regolith;
+uniform int noise_kind;
+uniform int noise_octaves;
+uniform real noise_gain;
+uniform real noise_warp;
+uniform uint noise_seed;
+uniform real noise_wave_m;
+uniform real terrace_step_m;
+uniform real terrace_flat;
+uniform int2 stamp_samples;
+uniform real2 stamp_columns;
+uniform real2 stamp_rows;
+uniform int stamp_mode;
+
+real load_stamp(int2 at) { return imageLoad(stamp, clamp(at, int2(0), stamp_samples - 1)).x; }
 #include "maths/brush.glsl"
 
 shared dvec4 column_books[16];

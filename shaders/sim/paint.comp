@@ -7,15 +7,12 @@ layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
 
 uniform int2 samples;
 uniform int2 tiles;
-uniform int2 first_tile;
-uniform real2 cell_m;
-uniform int2 dab_sample;
-uniform real2 dab_offset;
-uniform real dab_radius_m;
-uniform real dab_falloff;
 uniform real dab_blend;
 uniform real dab_target;
 uniform int painted_layer;  // component
+
+real painted_mask(int2 at) { return imageLoad(painted, at).y; }
+#include "sim/dab.glsl"
 #include "maths/brush_weight.glsl"
 
 void main() {

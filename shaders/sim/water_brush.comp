@@ -10,14 +10,12 @@ layout(binding = 1, std430) buffer TileBooks { dvec2 tile_books[]; };  // metres
 
 uniform int2 samples;
 uniform int2 tiles;
-uniform int2 first_tile;
-uniform real2 cell_m;
-uniform int2 dab_sample;
-uniform real2 dab_offset;
-uniform real dab_radius_m;
-uniform real dab_falloff;
 uniform real dab_amount_m;
 uniform int dab_takes;
+
+layout(binding = 1, rgba32f) uniform readonly image2D painted;
+real painted_mask(int2 at) { return imageLoad(painted, at).y; }
+#include "sim/dab.glsl"
 #include "maths/two_sum.glsl"
 #include "maths/brush_weight.glsl"
 #include "maths/water_brush.glsl"

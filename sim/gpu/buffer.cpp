@@ -38,8 +38,13 @@ void Buffer::read(std::size_t offset, std::span<std::byte> data) const {
 }
 
 void Buffer::copy_from(const Buffer& other) {
+    copy_part(0, other, 0, bytes_);
+}
+
+void Buffer::copy_part(std::size_t offset, const Buffer& other, std::size_t other_offset, std::size_t bytes) {
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    glCopyNamedBufferSubData(other.handle_, handle_, 0, 0, static_cast<GLsizeiptr>(bytes_));
+    glCopyNamedBufferSubData(other.handle_, handle_, static_cast<GLintptr>(other_offset),
+                             static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes));
     raise_errors();
 }
 

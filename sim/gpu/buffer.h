@@ -43,6 +43,8 @@ class Buffer {
 
     /// Device to device, without waiting: all bytes of a buffer of the same size.
     void copy_from(const Buffer& other);
+    /// The same for so many bytes of another buffer, each at its own offset.
+    void copy_part(std::size_t offset, const Buffer& other, std::size_t other_offset, std::size_t bytes);
 
     void bind_storage(unsigned index) const;
 

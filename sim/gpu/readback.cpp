@@ -2,6 +2,8 @@
 
 #include <epoxy/gl.h>
 
+#include <utility>
+
 #include "sim/gpu/debug.h"
 
 namespace talus::gpu {
@@ -31,12 +33,26 @@ void Readback::start(const Buffer& buffer, std::size_t bytes) {
     raise_errors();
 }
 
+void Readback::start(Buffer&& buffer) {
+    buffer_ = std::move(buffer);
+    fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    raise_errors();
+}
+
 std::optional<std::vector<float>> Readback::poll() {
     if (!fence_) return std::nullopt;
     const GLenum state = glClientWaitSync(static_cast<GLsync>(fence_), GL_SYNC_FLUSH_COMMANDS_BIT, 0);
     if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED) return std::nullopt;
-    glDeleteSync(static_cast<GLsync>(fence_));
-    fence_ = nullptr;
+    return take();
+}
+
+std::vector<float> Readback::wait() {
+    return take();
+}
+
+std::vector<float> Readback::take() {
+    cancel();
+    // Reading waits for what was written before.
     return buffer_.read_all<float>();
 }
 

@@ -21,14 +21,21 @@ class Readback {
     bool pending() const { return fence_ != nullptr; }
     void start(const Texture& texture, const Region& region);
     void start(const Buffer& buffer, std::size_t bytes);
+    /// All of a buffer that nobody else needs any more.
+    void start(Buffer&& buffer);
     /// All components of the region's texels, row by row; none while the device is still at it, or nothing
     /// was started.
     std::optional<std::vector<float>> poll();
+    /// The same, waiting for the device; something must have been started. Not for use within a frame (law
+    /// 7).
+    std::vector<float> wait();
 
     /// Forgets what was started.
     void cancel();
 
   private:
+    std::vector<float> take();
+
     Buffer buffer_;
     void* fence_ = nullptr;
 };

@@ -109,7 +109,7 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
         std::array<double, 6>& t = georeference.transform;
         if (std::sscanf(transform.c_str(), "%lf %lf %lf %lf %lf %lf", &t[0], &t[1], &t[2], &t[3], &t[4],
                         &t[5]) == 6)
-            document.georeference = georeference;
+            document.state.georeference = georeference;
     }
     std::vector<float> values(state.grid.count());
     const auto read_channel = [&](const std::string& name, auto& layer, int word) {
@@ -175,7 +175,7 @@ Document open_document(const fs::path& path, const ImportSettings& settings) {
     Heightmap heightmap = read_heightmap(path, settings);
     Document document;
     document.state = bedrock_terrain(heightmap.grid, heightmap.heights);
-    document.georeference = std::move(heightmap.georeference);
+    document.state.georeference = std::move(heightmap.georeference);
     document.kind = std::move(heightmap.kind);
     document.notes = std::move(heightmap.notes);
     return document;
@@ -206,11 +206,12 @@ void save_document(const fs::path& path, const Document& document) {
         spec.attribute("talus:edges_since_s", fmt::format("{}", state.edges_since_s));
     if (!springs.empty()) spec.attribute("talus:springs", springs);
     if (!document.parameters.empty()) spec.attribute("talus:parameters", document.parameters);
-    if (document.georeference) {
-        const auto& t = document.georeference->transform;
+    if (document.state.georeference) {
+        const auto& t = document.state.georeference->transform;
         spec.attribute("talus:geotransform",
                        fmt::format("{} {} {} {} {} {}", t[0], t[1], t[2], t[3], t[4], t[5]));
-        if (!document.georeference->wkt.empty()) spec.attribute("talus:crs", document.georeference->wkt);
+        if (!document.state.georeference->wkt.empty())
+            spec.attribute("talus:crs", document.state.georeference->wkt);
     }
     const std::vector<float> ground = state.ground();
     std::vector<float> pixels;

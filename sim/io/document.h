@@ -11,7 +11,6 @@ namespace talus {
 /// A terrain as files hold it.
 struct Document {
     TerrainState state;
-    std::optional<Georeference> georeference;
     std::string parameters;  ///< TOML; empty where the file is no Talus document
     std::string kind;
     std::vector<std::string> notes;

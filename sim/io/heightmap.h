@@ -7,17 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "sim/terrain/georeference.h"
 #include "sim/terrain/grid.h"
 
 namespace talus {
-
-/// Where on Earth a heightmap lies: its coordinate system as WKT (may be empty) and GDAL's affine transform
-/// from pixel corners to coordinates.
-struct Georeference {
-    std::string wkt;
-    std::array<double, 6> transform{};
-    bool operator==(const Georeference&) const = default;
-};
 
 /// How a raw file's samples lie.
 struct RawLayout {

@@ -10,7 +10,36 @@
 
 namespace talus {
 
+const std::vector<std::string>& brush_mode_names() {
+    static const std::vector<std::string> names = {"raise", "lower", "smooth",  "flatten",
+                                                   "ramp",  "noise", "terrace", "stamp"};
+    return names;
+}
+
+const std::vector<std::string>& material_names() {
+    static const std::vector<std::string> names = {"bedrock",  "regolith", "water",
+                                                   "hardness", "mask",     "rain"};
+    return names;
+}
+
+const std::vector<std::string>& falloff_curve_names() {
+    static const std::vector<std::string> names = {"smooth", "linear", "round", "sharp"};
+    return names;
+}
+
+const std::vector<std::string>& noise_kind_names() {
+    static const std::vector<std::string> names = {"fbm", "ridged", "billow"};
+    return names;
+}
+
+const std::vector<std::string>& stamp_mode_names() {
+    static const std::vector<std::string> names = {"add", "higher", "lower", "replace"};
+    return names;
+}
+
 void check_dab(const Dab& dab) {
+    // Flatten away from its target exaggerates the relief.
+    const double least_blend = dab.mode == BrushMode::flatten ? -1000 : 0;
     const struct {
         const char* name;
         double value;
@@ -20,9 +49,21 @@ void check_dab(const Dab& dab) {
                   {"y_m", dab.y_m, -1e9, 1e9},
                   {"radius_m", dab.radius_m, 1e-6, 1e9},
                   {"falloff", dab.falloff, 0, 1},
-                  {"blend", dab.blend, 0, 1},
+                  {"blend", dab.blend, least_blend, 1},
                   {"amount_m", dab.amount_m, 0, 1e6},
-                  {"target_m", dab.target_m, -1e6, 1e6}};
+                  {"target_m", dab.target_m, -1e6, 1e6},
+                  {"way_x_m", dab.way_m.x, -1e9, 1e9},
+                  {"way_y_m", dab.way_m.y, -1e9, 1e9},
+                  {"rise_m", dab.rise_m, -1e6, 1e6},
+                  {"step_m", dab.step_m, 1e-3, 1e6},
+                  {"flat", dab.flat, 0, 0.99},
+                  {"wavelength_m", dab.noise.wavelength_m, 1e-3, 1e9},
+                  {"octaves", static_cast<double>(dab.noise.octaves), 1, 16},
+                  {"gain", dab.noise.gain, 0, 1},
+                  {"warp", dab.noise.warp, 0, 10},
+                  {"half_x_m", dab.stamp.half_m.x, 1e-6, 1e9},
+                  {"half_y_m", dab.stamp.half_m.y, 1e-6, 1e9},
+                  {"turn_deg", dab.stamp.turn_deg, -3600, 3600}};
     for (const auto& field : fields)
         if (!(field.value >= field.low && field.value <= field.high))
             throw Error(fmt::format("a dab's {} cannot be {}, it must be {} to {}", field.name, field.value,
@@ -31,19 +72,24 @@ void check_dab(const Dab& dab) {
         throw Error(fmt::format("a dab of {} cannot paint {}, it must be 0 to {}",
                                 material_names()[static_cast<std::size_t>(dab.material)], dab.target_m,
                                 most_painted(painted_layer(dab.material))));
+    if (dab.masked && dab.is_paint() && dab.material == Material::mask)
+        throw Error("a dab that paints the mask cannot be limited by it");
 }
 
-const std::vector<std::string>& material_names() {
-    static const std::vector<std::string> names = {"bedrock",  "regolith", "water",
-                                                   "hardness", "mask",     "rain"};
-    return names;
+Dab everywhere(const Grid& grid, Dab dab) {
+    dab.x_m = grid.width_m() / 2;
+    dab.y_m = grid.height_m() / 2;
+    dab.radius_m = grid.width_m() + grid.height_m() + grid.dx + grid.dy;
+    dab.falloff = 0;
+    dab.way_m = {0, 0};
+    return dab;
 }
 
 PaintedLayer painted_layer(Material material) {
     return static_cast<PaintedLayer>(static_cast<int>(material) - static_cast<int>(Material::hardness));
 }
 
-DabStep dab_step(const Grid& grid, const Dab& dab) {
+DabStep dab_step(const Grid& grid, const Dab& dab, glm::ivec2 stamp_samples) {
     const double column = grid.column_of(dab.x_m);
     const double row = grid.row_of(dab.y_m);
     DabStep step;
@@ -52,21 +98,32 @@ DabStep dab_step(const Grid& grid, const Dab& dab) {
     step.offset = glm::vec2(column - std::floor(column), row - std::floor(row));
     step.radius_m = static_cast<float>(dab.radius_m);
     step.falloff = static_cast<float>(dab.falloff);
+    step.curve = static_cast<int>(dab.curve);
+    // Rows run southwards.
+    step.length_m = glm::vec2(dab.way_m.x, -dab.way_m.y);
+    step.rise_m = static_cast<float>(dab.rise_m);
     step.mode = static_cast<int>(dab.mode);
     step.amount_m = static_cast<float>(dab.amount_m);
-    step.blend = static_cast<float>(std::clamp(dab.blend, 0.0, 1.0));
+    step.blend = static_cast<float>(dab.blend);
     step.target_m.x = static_cast<float>(dab.target_m);
     step.target_m.y = static_cast<float>(dab.target_m - step.target_m.x);
     step.on_regolith = dab.material == Material::regolith ? 1 : 0;
+    const double turn = glm::radians(dab.stamp.turn_deg);
+    const glm::dvec2 a_metre = glm::dvec2(stamp_samples - 1) / (2.0 * dab.stamp.half_m);
+    const double side = dab.stamp.mirrored ? -1 : 1;
+    step.stamp_columns = glm::dvec2(std::cos(turn), -std::sin(turn)) * a_metre.x * side;
+    step.stamp_rows = glm::dvec2(std::sin(turn), std::cos(turn)) * a_metre.y;
     return step;
 }
 
 gpu::Region dab_region(const Grid& grid, const Dab& dab) {
     const auto whole = [](double v) { return static_cast<int>(std::clamp(v, -1e6, 1e6)); };
-    const int x0 = whole(std::ceil(grid.column_of(dab.x_m - dab.radius_m)));
-    const int x1 = whole(std::floor(grid.column_of(dab.x_m + dab.radius_m)));
-    const int y0 = whole(std::ceil(grid.row_of(dab.y_m + dab.radius_m)));
-    const int y1 = whole(std::floor(grid.row_of(dab.y_m - dab.radius_m)));
+    const glm::dvec2 low = glm::min(glm::dvec2(0), dab.way_m) - dab.radius_m;
+    const glm::dvec2 high = glm::max(glm::dvec2(0), dab.way_m) + dab.radius_m;
+    const int x0 = whole(std::ceil(grid.column_of(dab.x_m + low.x)));
+    const int x1 = whole(std::floor(grid.column_of(dab.x_m + high.x)));
+    const int y0 = whole(std::ceil(grid.row_of(dab.y_m + high.y)));
+    const int y1 = whole(std::floor(grid.row_of(dab.y_m + low.y)));
     return {x0, y0, x1 - x0 + 1, y1 - y0 + 1};
 }
 
@@ -76,7 +133,7 @@ TileBlock tile_block(const Tiles& tiles, const std::vector<int>& touched) {
     return {first, place(touched.back()) - first + 1};
 }
 
-void set_dab(gpu::Program& program, const Terrain& terrain, const Dab& dab) {
+void set_dab(gpu::Program& program, const Terrain& terrain, const Dab& dab, unsigned mask_unit) {
     const DabStep step = dab_step(terrain.grid(), dab);
     program.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
     program.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
@@ -85,6 +142,10 @@ void set_dab(gpu::Program& program, const Terrain& terrain, const Dab& dab) {
     program.set("dab_offset", step.offset);
     program.set("dab_radius_m", step.radius_m);
     program.set("dab_falloff", step.falloff);
+    program.set("dab_curve", step.curve);
+    program.set("dab_length_m", step.length_m);
+    program.set("dab_masked", dab.masked ? 1 : 0);
+    if (dab.masked && terrain.painted) terrain.painted->bind_image(mask_unit, gpu::Access::read);
 }
 
 Brush::Brush(const Terrain& terrain)
@@ -93,13 +154,14 @@ Brush::Brush(const Terrain& terrain)
     books.fill(0);
 }
 
-void Brush::dab(Terrain& terrain, const Dab& dab) {
+void Brush::dab(Terrain& terrain, const Dab& dab, const gpu::Texture* stamp) {
     const std::vector<int> tiles = terrain.tiles.touched_by(dab_region(terrain.grid(), dab));
     if (tiles.empty()) return;
-    const DabStep step = dab_step(terrain.grid(), dab);
+    const glm::ivec2 stamp_samples = stamp ? glm::ivec2(stamp->width(), stamp->height()) : glm::ivec2(2);
+    const DabStep step = dab_step(terrain.grid(), dab, stamp_samples);
     terrain.bind(program_);
     books.bind_storage(1);
-    set_dab(program_, terrain, dab);
+    set_dab(program_, terrain, dab, 3);
     const TileBlock block = tile_block(terrain.tiles, tiles);
     program_.set("first_tile", block.first);
     program_.set("dab_mode", step.mode);
@@ -107,6 +169,26 @@ void Brush::dab(Terrain& terrain, const Dab& dab) {
     program_.set("dab_blend", step.blend);
     program_.set("dab_target_m", step.target_m);
     program_.set("dab_on_regolith", step.on_regolith);
+    if (dab.mode == BrushMode::ramp) program_.set("dab_rise_m", step.rise_m);
+    if (dab.mode == BrushMode::noise) {
+        program_.set("noise_kind", dab.noise.kind);
+        program_.set("noise_octaves", dab.noise.octaves);
+        program_.set("noise_gain", static_cast<float>(dab.noise.gain));
+        program_.set("noise_warp", static_cast<float>(dab.noise.warp));
+        program_.set("noise_seed", dab.noise.seed);
+        program_.set("noise_wave_m", static_cast<float>(dab.noise.wavelength_m));
+    }
+    if (dab.mode == BrushMode::terrace) {
+        program_.set("terrace_step_m", static_cast<float>(dab.step_m));
+        program_.set("terrace_flat", static_cast<float>(dab.flat));
+    }
+    if (dab.mode == BrushMode::stamp && stamp) {
+        stamp->bind_image(4, gpu::Access::read);
+        program_.set("stamp_samples", stamp_samples);
+        program_.set("stamp_columns", step.stamp_columns);
+        program_.set("stamp_rows", step.stamp_rows);
+        program_.set("stamp_mode", static_cast<int>(dab.stamp.mode));
+    }
     program_.dispatch(block.size.x, block.size.y);
     const gpu::Region low = terrain.tiles.region(tiles.front());
     const gpu::Region high = terrain.tiles.region(tiles.back());

@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "sim/gpu/buffer.h"
@@ -7,12 +9,43 @@
 
 namespace talus {
 
-enum class BrushMode { raise = 0, lower = 1, smooth = 2, flatten = 3 };
+enum class BrushMode { raise = 0, lower, smooth, flatten, ramp, noise, terrace, stamp };
+/// Their names as journals have them.
+const std::vector<std::string>& brush_mode_names();
 /// What raise adds; lower takes regolith before bedrock, or water alone. Hardness, mask and rain are painted:
 /// raise brings them nearer to the dab's target, lower to 0.
 enum class Material { bedrock = 0, regolith = 1, water = 2, hardness = 3, mask = 4, rain = 5 };
 /// Their names as parameters and journals have them.
 const std::vector<std::string>& material_names();
+/// How a dab fades from its middle to its edge: by a cubic, straight, like a ball, like a thorn.
+enum class FalloffCurve { smooth = 0, linear, round, sharp };
+const std::vector<std::string>& falloff_curve_names();
+
+/// The relief of a noise brush (shaders/maths/brush_noise.glsl).
+struct NoiseSettings {
+    int kind = 0;  ///< 0 fBm, 1 ridged, 2 billow
+    double wavelength_m = 100;
+    int octaves = 6;
+    double gain = 0.5;  ///< an octave against the one before it
+    double warp = 0;    ///< how far the plane is bent first, in wavelengths
+    std::uint32_t seed = 1;
+    bool operator==(const NoiseSettings&) const = default;
+};
+const std::vector<std::string>& noise_kind_names();
+
+/// What a stamp brush does with the ground: adds, lifts what is lower, lowers what is higher, or takes its
+/// place.
+enum class StampMode { add = 0, higher, lower, replace };
+const std::vector<std::string>& stamp_mode_names();
+
+/// How a stamp lies: half its width and height, and how it is turned, counterclockwise.
+struct StampPlacement {
+    StampMode mode = StampMode::add;
+    glm::dvec2 half_m{1};
+    double turn_deg = 0;
+    bool mirrored = false;  ///< west for east
+    bool operator==(const StampPlacement&) const = default;
+};
 
 /// One dab: what a brush does to the ground in one moment. World coordinates, metres.
 struct Dab {
@@ -21,10 +54,22 @@ struct Dab {
     double y_m = 0;
     double radius_m = 1;
     double falloff = 1;   ///< 0 hard edge … 1 soft all the way
-    double amount_m = 0;  ///< raise, lower: metres in the middle
-    double blend = 0;     ///< smooth, flatten, paint: share of the way in the middle, 0 … 1
-    double target_m = 0;  ///< flatten: the height to reach; paint: the value, as PaintedLayer says
-    Material material = Material::bedrock;  ///< smooth and flatten act on the ground whatever it is
+    double amount_m = 0;  ///< raise, lower: metres in the middle; noise, stamp: the height of 1
+    double blend =
+        0;  ///< smooth, flatten, ramp, terrace, stamp, paint: share of the way in the middle, 0 … 1
+    /// Flatten: the height to reach; ramp: at its beginning; terrace: of a step; stamp: that its lowest part
+    /// stands on; paint: the value, as PaintedLayer says.
+    double target_m = 0;
+    /// What raise adds and lower takes; the other modes act on the ground whatever it is.
+    Material material = Material::bedrock;
+    FalloffCurve curve = FalloffCurve::smooth;
+    bool masked = false;  ///< as far as the painted mask says
+    glm::dvec2 way_m{0};  ///< from here to the other end: the dab of a ramp lies along a line
+    double rise_m = 0;    ///< ramp: how much higher its end is
+    double step_m = 1;    ///< terrace: height of a step
+    double flat = 0.5;    ///< terrace: share of a step that is level, 0 … 0.99
+    NoiseSettings noise = NoiseSettings();    ///< noise
+    StampPlacement stamp = StampPlacement();  ///< stamp
 
     /// Whether the dab changes the water rather than the ground.
     bool is_water() const {
@@ -44,19 +89,28 @@ struct DabStep {
     glm::vec2 offset{0};
     float radius_m = 0;
     float falloff = 0;
+    int curve = 0;
+    glm::vec2 length_m{0};
     int mode = 0;
     float amount_m = 0;
     float blend = 0;
     glm::vec2 target_m{0};
+    float rise_m = 0;
     int on_regolith = 0;
+    glm::vec2 stamp_columns{0};
+    glm::vec2 stamp_rows{0};
 };
-DabStep dab_step(const Grid& grid, const Dab& dab);
+/// `stamp_samples`: columns and rows of the stamp, for a dab of it.
+DabStep dab_step(const Grid& grid, const Dab& dab, glm::ivec2 stamp_samples = {2, 2});
 
 /// Throws talus::Error that names the field when a dab cannot be made.
 void check_dab(const Dab& dab);
 
 /// The layer that a painted material paints.
 PaintedLayer painted_layer(Material material);
+
+/// A dab of everything: the same everywhere on the terrain.
+Dab everywhere(const Grid& grid, Dab dab);
 
 /// The samples that a dab can change; may reach beyond the terrain.
 gpu::Region dab_region(const Grid& grid, const Dab& dab);
@@ -69,16 +123,16 @@ struct TileBlock {
 /// The rectangle that tiles as Tiles::touched_by lists them fill; at least one.
 TileBlock tile_block(const Tiles& tiles, const std::vector<int>& touched);
 
-/// Sets what every pass of a dab needs: the grid, and where and how wide the dab is
-/// (shaders/maths/brush_weight.glsl).
-void set_dab(gpu::Program& program, const Terrain& terrain, const Dab& dab);
+/// Sets what every pass of a dab needs (shaders/sim/dab.glsl): the grid, and where and how wide the dab is;
+/// binds the painted layer to the image unit where the dab is masked.
+void set_dab(gpu::Program& program, const Terrain& terrain, const Dab& dab, unsigned mask_unit);
 
 /// Applies dabs, and books per tile what they add and take (law 3).
 class Brush {
   public:
     explicit Brush(const Terrain& terrain);
-    /// Touches only the tiles that the dab reaches.
-    void dab(Terrain& terrain, const Dab& dab);
+    /// Touches only the tiles that the dab reaches. `stamp`: heights 0 to 1, for a dab of it.
+    void dab(Terrain& terrain, const Dab& dab, const gpu::Texture* stamp = nullptr);
 
     /// Metres of bedrock in and out, and of regolith, four doubles a tile.
     gpu::Buffer books;

@@ -23,35 +23,78 @@ struct BrushTwin {
     real dab_blend{0};
     real2 dab_target_m{0};
     int dab_on_regolith = 0;
-    std::vector<real4> samples;
+    int dab_curve = 0;
+    real2 dab_length_m{0};
+    real dab_rise_m{0};
+    int noise_kind = 0;
+    int noise_octaves = 1;
+    real noise_gain{0};
+    real noise_warp{0};
+    unsigned noise_seed = 0;
+    real noise_wave_m{1};
+    real terrace_step_m{1};
+    real terrace_flat{0};
+    int2 stamp_samples{2};
+    real2 stamp_columns{0};
+    real2 stamp_rows{0};
+    int stamp_mode = 0;
+    bool masked = false;
+    std::vector<real> masks;
+    std::vector<real> stamp_heights;
+    int2 samples{0};
+    std::vector<real4> ground_samples;
+
+    real load_mask(int2 at) const {
+        return masked ? masks[static_cast<std::size_t>(at.y) * nx + at.x] : real(1);
+    }
+    real load_stamp(int2 at) const {
+        const int2 inside = glm::clamp(at, int2(0), stamp_samples - 1);
+        return stamp_heights[static_cast<std::size_t>(inside.y) * stamp_samples.x + inside.x];
+    }
 
     real4 load_solid(int2 at) const {
         const int x = at.x < 0 ? 0 : (at.x >= nx ? nx - 1 : at.x);
         const int y = at.y < 0 ? 0 : (at.y >= ny ? ny - 1 : at.y);
-        return samples[static_cast<std::size_t>(y) * nx + x];
+        return ground_samples[static_cast<std::size_t>(y) * nx + x];
     }
 
 #include "maths/brush.glsl"
 
-    void dab(const DabStep& step) {
+    void dab(const Dab& dab, const DabStep& step) {
+        samples = int2(nx, ny);
         cell_m = real2(step.cell_m);
         dab_sample = step.sample;
         dab_offset = real2(step.offset);
         dab_radius_m = step.radius_m;
         dab_falloff = step.falloff;
+        dab_curve = step.curve;
+        dab_length_m = real2(step.length_m);
         dab_mode = step.mode;
         dab_amount_m = step.amount_m;
         dab_blend = step.blend;
         dab_target_m = real2(step.target_m);
+        dab_rise_m = step.rise_m;
         dab_on_regolith = step.on_regolith;
-        std::vector<real4> next = samples;
+        noise_kind = dab.noise.kind;
+        noise_octaves = dab.noise.octaves;
+        noise_gain = static_cast<float>(dab.noise.gain);
+        noise_warp = static_cast<float>(dab.noise.warp);
+        noise_seed = dab.noise.seed;
+        noise_wave_m = static_cast<float>(dab.noise.wavelength_m);
+        terrace_step_m = static_cast<float>(dab.step_m);
+        terrace_flat = static_cast<float>(dab.flat);
+        stamp_columns = real2(step.stamp_columns);
+        stamp_rows = real2(step.stamp_rows);
+        stamp_mode = static_cast<int>(dab.stamp.mode);
+        masked = dab.masked;
+        std::vector<real4> next = ground_samples;
         for (int y = 0; y < ny; ++y)
             for (int x = 0; x < nx; ++x) {
                 const std::size_t i = static_cast<std::size_t>(y) * nx + x;
-                const real change = brush_change(int2(x, y), samples[i]);
-                if (change != real(0)) next[i] = brush_sample(samples[i], change);
+                const real change = brush_change(int2(x, y), ground_samples[i]);
+                if (change != real(0)) next[i] = brush_sample(ground_samples[i], change);
             }
-        samples.swap(next);
+        ground_samples.swap(next);
     }
 };
 

@@ -12,7 +12,7 @@ void Paint::dab(Terrain& terrain, const Dab& dab) {
     terrain.add_painted();
     terrain.painted->bind_image(0, gpu::Access::read_write);
     terrain.tiles.bind_for_marking();
-    set_dab(program_, terrain, dab);
+    set_dab(program_, terrain, dab, 1);
     program_.set("painted_layer", static_cast<int>(painted_layer(dab.material)));
     program_.set("dab_blend", static_cast<float>(dab.blend));
     program_.set("dab_target", static_cast<float>(dab.target_m));

@@ -14,7 +14,7 @@ void WaterBrush::dab(Terrain& terrain, const Dab& dab) {
     terrain.water->front.bind_image(0, gpu::Access::read_write);
     terrain.tiles.bind_for_marking();
     books.bind_storage(1);
-    set_dab(program_, terrain, dab);
+    set_dab(program_, terrain, dab, 1);
     const TileBlock block = tile_block(terrain.tiles, tiles);
     program_.set("first_tile", block.first);
     program_.set("dab_amount_m", static_cast<float>(dab.amount_m));

@@ -5,54 +5,29 @@
 #include <glm/glm.hpp>
 #include <thread>
 
+#include "shaders/maths/twin.h"
 #include "sim/gpu/error.h"
+
+namespace talus::maths {
+
+// The noise that brushes have on the device.
+template <typename Real>
+struct NoiseTwin {
+    TALUS_TWIN_NAMES(Real)
+#include "maths/noise.glsl"
+};
+
+}  // namespace talus::maths
 
 namespace talus {
 namespace {
 
-// A well-mixed hash of a lattice point (Jarzynski & Olano 2020, "Hash functions for GPU rendering", pcg3d).
-std::uint32_t hash(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-    x = x * 1664525U + 1013904223U;
-    y = y * 1664525U + 1013904223U;
-    z = z * 1664525U + 1013904223U;
-    x += y * z;
-    y += z * x;
-    z += x * y;
-    x ^= x >> 16U;
-    y ^= y >> 16U;
-    z ^= z >> 16U;
-    x += y * z;
-    y += z * x;
-    z += x * y;
-    return z ^ (x >> 3U);
-}
-
-// Gradient noise (Perlin 2002, "Improving noise": quintic blend) with gradients on the unit circle, about
-// -0.7 to 0.7.
 double noise(glm::dvec2 p, std::uint32_t seed) {
-    const glm::dvec2 cell(std::floor(p.x), std::floor(p.y));
-    const glm::dvec2 f = p - cell;
-    const auto slope_at = [&](int i, int j) {
-        const std::uint32_t bits =
-            hash(static_cast<std::uint32_t>(static_cast<std::int64_t>(cell.x) + i),
-                 static_cast<std::uint32_t>(static_cast<std::int64_t>(cell.y) + j), seed);
-        // A direction from a point of the square, without sine or cosine: the same bits on every machine.
-        const double x = (bits & 0xffffU) * (2.0 / 65535) - 1;
-        const double y = (bits >> 16U) * (2.0 / 65535) - 1;
-        const double length = std::sqrt(x * x + y * y) + 1e-9;
-        return (x * (f.x - i) + y * (f.y - j)) / length;
-    };
-    const auto blend = [](double t) { return t * t * t * (t * (t * 6 - 15) + 10); };
-    const double u = blend(f.x);
-    const double v = blend(f.y);
-    const double top = slope_at(0, 0) + u * (slope_at(1, 0) - slope_at(0, 0));
-    const double bottom = slope_at(0, 1) + u * (slope_at(1, 1) - slope_at(0, 1));
-    return top + v * (bottom - top);
+    return maths::NoiseTwin<double>().gradient_noise(p, seed);
 }
 
-// Octaves turn by atan(3/4), so that the lattice shows in none of the directions.
 glm::dvec2 turn(glm::dvec2 p) {
-    return {0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y};
+    return maths::NoiseTwin<double>().noise_turn(p);
 }
 
 double fbm(glm::dvec2 p, std::uint32_t seed, int octaves, double gain) {

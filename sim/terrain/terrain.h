@@ -8,6 +8,7 @@
 
 #include "sim/gpu/program.h"
 #include "sim/gpu/texture.h"
+#include "sim/terrain/georeference.h"
 #include "sim/terrain/grid.h"
 #include "sim/terrain/tiles.h"
 #include "sim/terrain/water_layer.h"
@@ -47,6 +48,7 @@ struct TerrainState {
     /// The simulated time from which inflow and wave maker count: when they were last set.
     double edges_since_s = 0;
     Clock clock;
+    std::optional<Georeference> georeference;
 
     /// Ground = bedrock + regolith, rounded to one float a sample.
     std::vector<float> ground() const;

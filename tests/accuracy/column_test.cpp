@@ -32,7 +32,8 @@ TEST(Column, CollapsesIntoTheConeOfItsAngleOfRepose) {
     const double peak = radius * slope;
     Terrain terrain(bedrock_terrain(grid, heights));
     Thermal thermal(terrain);
-    Ledger ledger(terrain, {});
+    Ledger ledger(terrain);
+    const LedgerStart begin = ledger.begin(terrain, {});
     const Brush brush(terrain);
     const ThermalSettings settings{33, 0.25};
     const ThermalStep step = thermal_step(grid, settings, 1, 1);
@@ -63,8 +64,8 @@ TEST(Column, CollapsesIntoTheConeOfItsAngleOfRepose) {
     const double diagonal = contour(1, 1);
     const double angle = std::atan(steepest) * 180 / std::numbers::pi;
     const LedgerReading books =
-        ledger.reading((ledger.sum(terrain), ledger.tile_sums().read_all<glm::dvec4>()), {}, brush.books, {},
-                       glm::dvec2(0), 0);
+        ledger.reading(begin, (ledger.sum(terrain), ledger.tile_sums().read_all<glm::dvec4>()), {},
+                       brush.books, {}, glm::dvec2(0), 0);
     std::printf(
         "column: %d ticks, steepest %.2f degrees, radii %.3f (axis) %.3f (diagonal) of %.3f, peak %.3f of "
         "%.3f, ledger %.2g of moved\n",

@@ -168,6 +168,39 @@ TEST_F(Program, RendersLargePicturesAndDrapedOnes) {
     EXPECT_FALSE(fs::exists(path("x.png")));
 }
 
+// What every kind of act does lies where it was, whatever the number of samples.
+TEST_F(Program, ReplaysAtAnotherSize) {
+    hash("run --preset alpine --size 129x97 --spacing 20 --ticks 0 --journal s.journal");
+    std::ofstream(path("s.journal"), std::ios::app)
+        << R"({"op":"dab","mode":"raise","x_m":600,"y_m":700,"radius_m":500,"falloff":1,"amount_m":2000,"blend":0,"target_m":0,"material":"bedrock"}
+{"op":"mask","from":"height","low":500,"high":5000,"fade":100,"join":"replace","inverted":false}
+{"op":"dab","mode":"noise","x_m":1500,"y_m":1000,"radius_m":900,"falloff":0.5,"amount_m":150,"blend":0,"target_m":0,"material":"bedrock","masked":true,"noise":{"kind":"ridged","wavelength_m":400,"octaves":3,"gain":0.5,"warp":0.2,"seed":4}}
+{"op":"dab","mode":"ramp","x_m":200,"y_m":200,"radius_m":150,"falloff":0.3,"amount_m":0,"blend":1,"target_m":900,"material":"bedrock","way_m":[800,300],"rise_m":-300}
+{"op":"stamp","piece":{"west_m":300,"south_m":400,"east_m":900,"north_m":1000}}
+{"op":"dab","mode":"stamp","x_m":1800,"y_m":600,"radius_m":600,"falloff":0.5,"amount_m":800,"blend":1,"target_m":0,"material":"bedrock","stamp":{"mode":"add","half_m":[300,300],"turn_deg":30,"mirrored":true}}
+{"op":"blur","deviation_m":40,"of":"ground","masked":false}
+{"op":"crop","rectangle":{"west_m":0,"south_m":0,"east_m":2400,"north_m":1840}}
+{"op":"turn","quarters":1}
+{"op":"resample","nx":65,"ny":81}
+)";
+    const auto heights = [&](const std::string& more) {
+        const Outcome replayed = talus("replay s.journal --out s.r32 --json " + more);
+        EXPECT_EQ(replayed.code, 0) << replayed.output;
+        return json::parse(replayed.output.substr(replayed.output.find('{')));
+    };
+    const json as_recorded = heights("");
+    EXPECT_EQ(as_recorded["nx"], 65);
+    EXPECT_EQ(as_recorded["ny"], 81);
+    const json finer = heights("--size 257x193");
+    EXPECT_EQ(finer["nx"], 129);
+    EXPECT_EQ(finer["ny"], 161);
+    EXPECT_NEAR(finer["height_max"], as_recorded["height_max"],
+                0.03 * as_recorded["height_max"].get<double>());
+    EXPECT_NEAR(finer["height_min"], as_recorded["height_min"],
+                0.03 * as_recorded["height_max"].get<double>());
+    refusal("replay s.journal --size 1x1");
+}
+
 // A run of every preset of erosion; one hash whatever the threads, replayed, and saved midway; the report's
 // ledger closes.
 TEST_F(Program, ErodesByWaterAndReportsIt) {

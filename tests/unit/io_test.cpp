@@ -110,12 +110,12 @@ TEST_F(Files, TheDocumentKeepsEveryBitAndTheClock) {
     }
     document.state.clock = {1234567, 0.1 + 0.2};
     document.parameters = "[thermal]\nrepose_deg = 31.0\n";
-    document.georeference = Georeference{"", {500000.25, 12.5, 0, 4000000.125, 0, -8}};
+    document.state.georeference = Georeference{"", {500000.25, 12.5, 0, 4000000.125, 0, -8}};
     save_document(path("d.exr"), document);
     const Document back = open_document(path("d.exr"), {});
     EXPECT_EQ(state_hash(back.state), state_hash(document.state));
     EXPECT_EQ(back.parameters, document.parameters);
-    EXPECT_EQ(back.georeference, document.georeference);
+    EXPECT_EQ(back.state.georeference, document.state.georeference);
     EXPECT_EQ(back.state.clock, document.state.clock);
 }
 

@@ -124,6 +124,7 @@ TEST(Simulation, UndoKeepsUnderItsCap) {
         simulation.begin_stroke("raise");
         simulation.apply(random_dab(random));
         simulation.end_entry();
+        simulation.settle_undo();
         EXPECT_LE(simulation.undo_history().bytes(), cap);
     }
     EXPECT_TRUE(simulation.can_undo());

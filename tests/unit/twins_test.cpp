@@ -54,13 +54,32 @@ TEST(Twins, BrushAndThermalAgreeToTheBitAfter500Ticks) {
     maths::BrushTwin<float> brush_twin;
     brush_twin.nx = grid.nx;
     brush_twin.ny = grid.ny;
+    brush_twin.masks = thermal_twin.masks;
+    const glm::ivec2 stamp_samples(9, 7);
+    brush_twin.stamp_samples = stamp_samples;
+    for (int i = 0; i < 63; ++i) brush_twin.stamp_heights.push_back(static_cast<float>(i * 37 % 63) / 62);
+    gpu::Texture stamp("stamp", gpu::Format::r32f, stamp_samples.x, stamp_samples.y);
+    stamp.write(stamp.whole(), std::as_bytes(std::span(brush_twin.stamp_heights)));
     std::vector<glm::vec4> samples = samples_of(state);
     std::mt19937 random(42);
     std::uniform_real_distribution<double> unit(0, 1);
     for (int tick = 0; tick < 500; ++tick) {
         if (tick % 5 == 0) {
             Dab dab;
-            dab.mode = static_cast<BrushMode>(tick / 5 % 4);
+            dab.mode = static_cast<BrushMode>(tick / 5 % 8);
+            dab.curve = static_cast<FalloffCurve>(tick / 40 % 4);
+            dab.masked = tick / 5 % 3 == 0;
+            if (dab.mode == BrushMode::ramp)
+                dab.way_m = 900.0 * (glm::dvec2(unit(random), unit(random)) - 0.5);
+            dab.rise_m = 300 * (unit(random) - 0.5);
+            dab.step_m = 10 + 90 * unit(random);
+            dab.flat = 0.9 * unit(random);
+            dab.noise = {tick / 40 % 3, 40 + 400 * unit(random), 1 + tick / 40 % 6,
+                         0.5,           tick / 40 % 2 * 0.3,     static_cast<std::uint32_t>(tick)};
+            dab.stamp = {static_cast<StampMode>(tick / 40 % 4),
+                         {50 + 400 * unit(random), 300},
+                         360 * unit(random),
+                         tick % 10 == 0};
             dab.x_m = unit(random) * grid.width_m();
             dab.y_m = unit(random) * grid.height_m();
             dab.radius_m = 40 + 600 * unit(random);
@@ -69,10 +88,10 @@ TEST(Twins, BrushAndThermalAgreeToTheBitAfter500Ticks) {
             dab.blend = unit(random);
             dab.target_m = 1500 * unit(random);
             dab.material = unit(random) < 0.5 ? Material::regolith : Material::bedrock;
-            brush.dab(terrain, dab);
-            brush_twin.samples.swap(samples);
-            brush_twin.dab(dab_step(grid, dab));
-            brush_twin.samples.swap(samples);
+            brush.dab(terrain, dab, &stamp);
+            brush_twin.ground_samples.swap(samples);
+            brush_twin.dab(dab, dab_step(grid, dab, stamp_samples));
+            brush_twin.ground_samples.swap(samples);
         }
         thermal.substep(terrain, step);
         thermal_twin.samples.swap(samples);

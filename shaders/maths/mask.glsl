@@ -1,0 +1,57 @@
+// A mask made of the terrain. The including side gives real load_ground(int2), repeating the edge, and
+//   cell_m       real2, spacing, metres
+//   mask_source  int: 0 height (m), 1 slope (tangent), 2 curvature (1/km, crests positive), 3 depth of water (m),
+//                4 the mask itself, 5 everything
+//   mask_low, mask_high  real: from here to there it is 1
+//   mask_fade    real: and over so much beyond each it falls to 0
+
+real mask_slope(int2 at) {
+    precise real x = (load_ground(at + int2(1, 0)) - load_ground(at - int2(1, 0))) / (real(2) * cell_m.x);
+    precise real y = (load_ground(at + int2(0, 1)) - load_ground(at - int2(0, 1))) / (real(2) * cell_m.y);
+    precise real square = x * x + y * y;
+    return sqrt(square);
+}
+
+real mask_curvature(int2 at) {
+    real here = load_ground(at);
+    precise real x = ((load_ground(at + int2(1, 0)) - here) + (load_ground(at - int2(1, 0)) - here)) / (cell_m.x * cell_m.x);
+    precise real y = ((load_ground(at + int2(0, 1)) - here) + (load_ground(at - int2(0, 1)) - here)) / (cell_m.y * cell_m.y);
+    precise real curvature = real(-1000) * (x + y);
+    return curvature;
+}
+
+// 0 below `from`, 1 above `to`, by a cubic between; a step where they are one.
+real mask_step(real value, real from, real to) {
+    if (value >= to) return real(1);
+    if (value <= from) return real(0);
+    precise real s = (value - from) / (to - from);
+    precise real step = s * s * (real(3) - real(2) * s);
+    return step;
+}
+
+real mask_band(real value) {
+    real from = mask_low - mask_fade;
+    real to = mask_high + mask_fade;
+    precise real band = mask_step(value, from, mask_low) * (real(1) - mask_step(value, mask_high, to));
+    // Where nothing fades, the upper bound belongs to the band too.
+    if (value == mask_high) return mask_step(value, from, mask_low);
+    return band;
+}
+
+// `water`: its depth there; `mask`: what was painted.
+real mask_value(int2 at, real water, real mask) {
+    if (mask_source == 0) return mask_band(load_ground(at));
+    if (mask_source == 1) return mask_band(mask_slope(at));
+    if (mask_source == 2) return mask_band(mask_curvature(at));
+    if (mask_source == 3) return mask_band(water);
+    if (mask_source == 4) return mask;
+    return real(1);
+}
+
+// How what was painted and what was made become the mask: 0 takes its place, 1 adds, 2 keeps what both have, 3 takes away.
+real mask_joined(real painted, real made, int join) {
+    if (join == 1) return max(painted, made);
+    if (join == 2) return min(painted, made);
+    precise real rest = min(painted, real(1) - made);
+    return join == 3 ? rest : made;
+}

@@ -1,0 +1,45 @@
+// The mask of the whole terrain anew, a group per tile, an invocation per column.
+layout(local_size_x = 64) in;
+#include "maths/glsl_types.glsl"
+
+const int water_ghosts = 2;
+layout(binding = 0, rgba32f) uniform image2D painted;
+layout(binding = 1, r32f) uniform readonly image2D ground;
+layout(binding = 2, rgba32f) uniform readonly image2D water;
+layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
+
+uniform int2 samples;
+uniform int2 tiles;
+uniform real2 cell_m;
+uniform int mask_source;
+uniform real mask_low;
+uniform real mask_high;
+uniform real mask_fade;
+uniform int mask_join;
+uniform int mask_inverted;
+uniform int has_water;
+
+real load_ground(int2 at) { return imageLoad(ground, clamp(at, int2(0), samples - 1)).x; }
+#include "maths/mask.glsl"
+
+void main() {
+    int2 tile = int2(gl_WorkGroupID.xy);
+    int2 first = tile * 64 + int2(int(gl_LocalInvocationIndex), 0);
+    bool changed = false;
+    if (first.x < samples.x) {
+        for (int row = 0; row < min(64, samples.y - first.y); ++row) {
+            int2 at = first + int2(0, row);
+            real4 value = imageLoad(painted, at);
+            real depth = has_water != 0 ? imageLoad(water, at + water_ghosts).x : real(0);
+            real made = mask_value(at, depth, value.y);
+            if (mask_inverted != 0) made = real(1) - made;
+            real after = mask_joined(value.y, made, mask_join);
+            if (after == value.y) continue;
+            value.y = after;
+            imageStore(painted, at, value);
+            changed = true;
+        }
+    }
+    // As sim/paint.comp marks its dabs.
+    if (changed) atomicOr(tile_flags[tile.y * tiles.x + tile.x], 1u | 2u | 4u | 16u | 64u);
+}

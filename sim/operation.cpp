@@ -1,0 +1,49 @@
+#include "sim/operation.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace talus {
+namespace {
+
+std::string file_name(const Source& source) {
+    return std::filesystem::path(source.path).filename().string();
+}
+
+struct Namer {
+    std::string operator()(const Ticks&) const { return "run"; }
+    std::string operator()(const Dab& dab) const {
+        const bool takes = dab.mode == BrushMode::lower;
+        const std::string& material = material_names()[static_cast<std::size_t>(dab.material)];
+        if (dab.is_water()) return takes ? "take water" : "add water";
+        if (dab.is_paint()) return (takes ? "wipe " : "paint ") + material;
+        return brush_mode_names()[static_cast<std::size_t>(dab.mode)];
+    }
+    // Without the value: a slider that is dragged goes on under one name.
+    std::string operator()(const SetParameter& set) const { return set.name; }
+    std::string operator()(const PlaceSpring&) const { return "spring"; }
+    std::string operator()(const Resample& to) const {
+        return fmt::format("resample to {} × {}", to.nx, to.ny);
+    }
+    std::string operator()(const Crop&) const { return "crop"; }
+    std::string operator()(const Turn& turn) const {
+        return fmt::format("rotate by {}°", 90 * turn.quarters);
+    }
+    std::string operator()(const Import& import) const { return "import " + file_name(import.source); }
+    std::string operator()(const ChooseStamp& choose) const {
+        return choose.source.path.empty() ? "stamp from here" : "stamp " + file_name(choose.source);
+    }
+    std::string operator()(const MakeMask& make) const {
+        return "mask: " + mask_source_names()[static_cast<std::size_t>(make.source)];
+    }
+    std::string operator()(const Blur& blur) const { return blur.of_mask ? "mask: blur" : "blur"; }
+};
+
+}  // namespace
+
+std::string name_of(const Operation& operation) {
+    return std::visit(Namer(), operation);
+}
+
+}  // namespace talus

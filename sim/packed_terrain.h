@@ -1,0 +1,23 @@
+#pragma once
+#include <vector>
+
+#include "sim/packed_bytes.h"
+#include "sim/terrain/terrain.h"
+
+namespace talus {
+
+/// A whole terrain, packed: what undo keeps where an act puts another terrain in its place.
+struct PackedTerrain {
+    Grid grid;
+    PackedBytes solid;
+    PackedBytes start;
+    std::vector<PackedBytes> optional;  ///< as Terrain::optional_layers; without bytes: not there
+    std::size_t bytes() const;
+};
+
+/// Waits for the device.
+PackedTerrain pack(Terrain& terrain);
+/// The terrain again, to the bit, with all tiles marked.
+Terrain unpack(const PackedTerrain& packed);
+
+}  // namespace talus

@@ -1,0 +1,68 @@
+#include "sim/passes/mask.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/gpu/error.h"
+
+namespace talus {
+
+const std::vector<std::string>& mask_source_names() {
+    static const std::vector<std::string> names = {"height", "slope",  "curvature",
+                                                   "depth",  "itself", "everything"};
+    return names;
+}
+
+const std::vector<std::string>& mask_join_names() {
+    static const std::vector<std::string> names = {"replace", "add", "intersect", "subtract"};
+    return names;
+}
+
+void check_mask(const MaskSettings& settings) {
+    const std::string& name = mask_source_names()[static_cast<std::size_t>(settings.source)];
+    constexpr double most = 1e6;
+    const bool slope = settings.source == MaskSource::slope;
+    if (slope && !(settings.low >= 0 && settings.high <= 90))
+        throw Error(fmt::format("a mask by slope cannot go from {} to {} degrees, it must lie within 0 to 90",
+                                settings.low, settings.high));
+    if (!(settings.low >= -most && settings.high <= most && settings.low <= settings.high))
+        throw Error(fmt::format("a mask by {} cannot go from {} to {}, the first must be the lower one", name,
+                                settings.low, settings.high));
+    if (!(settings.fade >= 0 && settings.fade <= most))
+        throw Error(
+            fmt::format("a mask by {} cannot fade over {}, it must be 0 to {}", name, settings.fade, most));
+}
+
+void Mask::make(Terrain& terrain, const MaskSettings& settings) {
+    const Grid& grid = terrain.grid();
+    terrain.add_painted();
+    terrain.painted->bind_image(0, gpu::Access::read_write);
+    terrain.ground.bind_image(1, gpu::Access::read);
+    if (terrain.water) terrain.water->front.bind_image(2, gpu::Access::read);
+    terrain.tiles.bind_for_marking();
+    double low = settings.low;
+    double high = settings.high;
+    double fade = settings.fade;
+    if (settings.source == MaskSource::slope) {
+        // The shader compares tangents: it fades evenly in them.
+        const auto tangent = [](double deg) { return std::tan(glm::radians(std::clamp(deg, 0.0, 89.99))); };
+        fade = tangent(high + fade) - tangent(high);
+        low = tangent(low);
+        high = settings.high >= 90 ? 1e30 : tangent(high);
+    }
+    program_.set("samples", glm::ivec2(grid.nx, grid.ny));
+    program_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
+    program_.set("cell_m", glm::vec2(grid.dx, grid.dy));
+    program_.set("mask_source", static_cast<int>(settings.source));
+    program_.set("mask_low", static_cast<float>(low));
+    program_.set("mask_high", static_cast<float>(high));
+    program_.set("mask_fade", static_cast<float>(fade));
+    program_.set("mask_join", static_cast<int>(settings.join));
+    program_.set("mask_inverted", settings.inverted ? 1 : 0);
+    program_.set("has_water", terrain.water ? 1 : 0);
+    program_.dispatch(terrain.tiles.columns(), terrain.tiles.rows());
+}
+
+}  // namespace talus

@@ -1,0 +1,36 @@
+#pragma once
+#include "sim/terrain/terrain.h"
+
+namespace talus {
+
+/// The terrain with another number of samples over the same extent. Bedrock by cubic convolution (Keys 1981,
+/// a = -1/2), widened where samples get fewer so that nothing aliases; the other layers by the straight
+/// kernel of the same width, so that none becomes negative. Where the number stays, the bits do. Throws
+/// talus::Error when the grid cannot be used.
+TerrainState resampled(const TerrainState& state, int nx, int ny);
+
+/// A rectangle in metres from the south-west sample, moved outwards to whole samples.
+struct Rectangle {
+    double west_m = 0;
+    double south_m = 0;
+    double east_m = 0;
+    double north_m = 0;
+    bool operator==(const Rectangle&) const = default;
+};
+
+/// The samples in the rectangle, cut at the terrain's edge, to the bit. Springs outside go. Throws
+/// talus::Error when fewer than two samples a side are left.
+TerrainState cropped(const TerrainState& state, const Rectangle& rectangle);
+
+/// The terrain turned by quarters of a circle, counterclockwise, to the bit; currents and springs turn with
+/// it.
+TerrainState turned(const TerrainState& state, int quarters);
+
+/// The samples of a grid in the rectangle, cut at its edge.
+gpu::Region samples_in(const Grid& grid, const Rectangle& rectangle);
+
+/// A plane of samples blurred by a Gaussian of this standard deviation (samples east and south), its edge
+/// repeated.
+std::vector<double> blurred(const std::vector<double>& plane, int nx, int ny, glm::dvec2 deviation);
+
+}  // namespace talus

@@ -1,0 +1,18 @@
+#include "sim/terrain/stamp.h"
+
+#include <algorithm>
+
+namespace talus {
+
+Stamp stamp_of(const Grid& grid, const std::vector<float>& heights_m) {
+    check_grid(grid);
+    const auto [low, high] = std::minmax_element(heights_m.begin(), heights_m.end());
+    Stamp stamp{grid, std::vector<float>(heights_m.size(), 1.0F), static_cast<double>(*high) - *low};
+    if (stamp.relief_m > 0)
+        std::transform(heights_m.begin(), heights_m.end(), stamp.heights.begin(), [&](float height) {
+            return static_cast<float>((static_cast<double>(height) - *low) / stamp.relief_m);
+        });
+    return stamp;
+}
+
+}  // namespace talus

@@ -1,0 +1,189 @@
+#include "sim/tile_changes.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <utility>
+
+namespace talus {
+namespace {
+
+constexpr std::size_t tiles_a_chunk = 64;
+
+std::size_t layer_bytes(const gpu::Region& region, gpu::Format format) {
+    return static_cast<std::size_t>(region.width) * region.height * gpu::texel_bytes(format);
+}
+
+// Bytes of a tile with these layers.
+std::size_t tile_bytes(Terrain& terrain, int tile, unsigned layers) {
+    const gpu::Region region = terrain.tiles.region(tile);
+    std::size_t bytes = layer_bytes(region, gpu::Format::rgba32f);
+    const auto optional = terrain.optional_layers();
+    for (std::size_t i = 0; i < optional.size(); ++i)
+        if ((layers >> i & 1U) != 0) bytes += layer_bytes(region, optional[i].format);
+    return bytes;
+}
+
+unsigned layers_of(Terrain& terrain) {
+    unsigned layers = 0;
+    const auto optional = terrain.optional_layers();
+    for (std::size_t i = 0; i < optional.size(); ++i)
+        if (optional[i].front) layers |= 1U << i;
+    return layers;
+}
+
+// The tile's layers into a buffer, one behind the other.
+void copy_tile(Terrain& terrain, int tile, unsigned layers, const gpu::Buffer& target, std::size_t at) {
+    const gpu::Region region = terrain.tiles.region(tile);
+    terrain.solid.front.copy_to(target, at, region);
+    at += layer_bytes(region, gpu::Format::rgba32f);
+    const auto optional = terrain.optional_layers();
+    for (std::size_t i = 0; i < optional.size(); ++i) {
+        if ((layers >> i & 1U) == 0) continue;
+        optional[i].front->copy_to(target, at, optional[i].texels(region));
+        at += layer_bytes(region, optional[i].format);
+    }
+}
+
+// The same back.
+void put_back(Terrain& terrain, int tile, unsigned layers, const gpu::Buffer& source, std::size_t at) {
+    const gpu::Region region = terrain.tiles.region(tile);
+    terrain.solid.front.copy_from(source, at, region);
+    at += layer_bytes(region, gpu::Format::rgba32f);
+    const auto optional = terrain.optional_layers();
+    for (std::size_t i = 0; i < optional.size(); ++i) {
+        if ((layers >> i & 1U) == 0) continue;
+        optional[i].front->copy_from(source, at, optional[i].texels(region));
+        at += layer_bytes(region, optional[i].format);
+    }
+    terrain.refresh(region);
+}
+
+// What was kept with fewer layers, with the missing ones zero between.
+void copy_kept(Terrain& terrain, int tile, const KeptTile& kept, unsigned layers, gpu::Buffer& target,
+               std::size_t at) {
+    const gpu::Region region = terrain.tiles.region(tile);
+    std::size_t from = 0;
+    const auto copy = [&](std::size_t bytes) {
+        target.copy_part(at, kept.texels, from, bytes);
+        at += bytes;
+        from += bytes;
+    };
+    copy(layer_bytes(region, gpu::Format::rgba32f));
+    const auto optional = terrain.optional_layers();
+    for (std::size_t i = 0; i < optional.size(); ++i) {
+        if ((layers >> i & 1U) == 0) continue;
+        const std::size_t bytes = layer_bytes(region, optional[i].format);
+        if ((kept.layers >> i & 1U) != 0) {
+            copy(bytes);
+        } else {
+            target.write(at, std::vector<std::byte>(bytes));
+            at += bytes;
+        }
+    }
+}
+
+void flip(std::byte* words, const std::byte* bits, std::size_t bytes) {
+    for (std::size_t i = 0; i < bytes; ++i) words[i] ^= bits[i];
+}
+
+}  // namespace
+
+KeptTile copy_tile(Terrain& terrain, int tile) {
+    KeptTile kept;
+    kept.layers = layers_of(terrain);
+    kept.texels = gpu::Buffer("undo tile", tile_bytes(terrain, tile, kept.layers));
+    copy_tile(terrain, tile, kept.layers, kept.texels, 0);
+    return kept;
+}
+
+TileChanges::TileChanges(Terrain& terrain, std::map<int, KeptTile>& before) {
+    const unsigned layers = layers_of(terrain);
+    while (!before.empty()) {
+        auto chunk = std::make_unique<Chunk>();
+        chunk->layers = layers;
+        for (const auto& [tile, kept] : before) {
+            if (chunk->tiles.size() == tiles_a_chunk) break;
+            chunk->tiles.push_back(tile);
+            chunk->raw_bytes += tile_bytes(terrain, tile, layers);
+        }
+        gpu::Buffer both("undo before and after", 2 * chunk->raw_bytes);
+        std::size_t at = 0;
+        for (const int tile : chunk->tiles) {
+            copy_kept(terrain, tile, before.at(tile), layers, both, at);
+            copy_tile(terrain, tile, layers, both, chunk->raw_bytes + at);
+            at += tile_bytes(terrain, tile, layers);
+            before.erase(tile);
+        }
+        chunk->before_and_after.start(std::move(both));
+        chunks_.push_back(std::move(chunk));
+    }
+}
+
+void TileChanges::pack(Chunk& chunk, const std::vector<float>& words) {
+    chunk.packing = std::async(std::launch::async, [bytes = chunk.raw_bytes, words] {
+        std::vector<std::byte> bits(bytes);
+        const auto* both = reinterpret_cast<const std::byte*>(words.data());
+        std::memcpy(bits.data(), both, bytes);
+        flip(bits.data(), both + bytes, bytes);
+        return PackedBytes(bits);
+    });
+}
+
+void TileChanges::poll() {
+    // One after the other: packing shall not take the simulation's threads.
+    for (const auto& chunk : chunks_) {
+        if (chunk->packing.valid()) {
+            if (chunk->packing.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+            chunk->packed = chunk->packing.get();
+        } else if (chunk->before_and_after.pending()) {
+            const auto words = chunk->before_and_after.poll();
+            if (words) pack(*chunk, *words);
+            return;
+        }
+    }
+}
+
+void TileChanges::settle() {
+    for (const auto& chunk : chunks_) {
+        if (chunk->before_and_after.pending()) pack(*chunk, chunk->before_and_after.wait());
+        if (chunk->packing.valid()) chunk->packed = chunk->packing.get();
+    }
+}
+
+bool TileChanges::is_settled() const {
+    return std::none_of(chunks_.begin(), chunks_.end(), [](const auto& chunk) {
+        return chunk->packing.valid() || chunk->before_and_after.pending();
+    });
+}
+
+void TileChanges::apply(Terrain& terrain) {
+    settle();
+    for (const auto& chunk : chunks_) {
+        gpu::Buffer texels("undo tiles", chunk->raw_bytes);
+        const auto each_tile = [&](auto&& act) {
+            std::size_t at = 0;
+            for (const int tile : chunk->tiles) {
+                act(tile, at);
+                at += tile_bytes(terrain, tile, chunk->layers);
+            }
+        };
+        each_tile([&](int tile, std::size_t at) { copy_tile(terrain, tile, chunk->layers, texels, at); });
+        std::vector<std::byte> words = texels.read_all<std::byte>();
+        const std::vector<std::byte> bits = chunk->packed.unpack();
+        flip(words.data(), bits.data(), words.size());
+        texels.write(0, words);
+        each_tile([&](int tile, std::size_t at) { put_back(terrain, tile, chunk->layers, texels, at); });
+    }
+}
+
+std::size_t TileChanges::bytes() const {
+    std::size_t total = 0;
+    for (const auto& chunk : chunks_) {
+        const bool settled = !chunk->packing.valid() && !chunk->before_and_after.pending();
+        total += settled ? chunk->packed.bytes() : 2 * chunk->raw_bytes;
+    }
+    return total;
+}
+
+}  // namespace talus
