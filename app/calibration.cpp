@@ -1,12 +1,12 @@
 #include "app/calibration.h"
 
 #include <toml++/toml.h>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <sstream>
 #include <string>
 
+#include "app/user_folders.h"
 #include "render/calibration.h"
 #include "sim/io/atomic_file.h"
 
@@ -14,14 +14,6 @@ namespace talus {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path cache_file() {
-    const char* cache = std::getenv("XDG_CACHE_HOME");
-    const char* home = std::getenv("HOME");
-    if (cache && *cache) return fs::path(cache) / "talus" / "calibration.toml";
-    if (home && *home) return fs::path(home) / ".cache" / "talus" / "calibration.toml";
-    return {};
-}
 
 toml::table read_cache(const fs::path& file) {
     try {
@@ -37,7 +29,7 @@ double patch_pixels(const gpu::Device& device) {
     static std::map<std::string, double> known;
     const std::string name = device.renderer + ", " + device.version;
     if (const auto found = known.find(name); found != known.end()) return found->second;
-    const fs::path file = cache_file();
+    const fs::path file = cache_folder() / "calibration.toml";
     toml::table cache = read_cache(file);
     if (const auto value = cache[name]["patch_pixels"].value<double>();
         value && *value >= 4 && *value <= 1024) {

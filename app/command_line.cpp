@@ -50,7 +50,7 @@ glm::ivec2 size_from(const std::string& text, const char* option = "--size") {
 // Texts as they stand on the command line, read after parsing so that errors are ours.
 struct Texts {
     std::string file, preset, input, size, spacing, range, raw, eye, target, fov, method, view, shader_dir,
-        layer, samples, tolerances, texture;
+        layer, samples, tolerances, texture, window_size, tiles;
     std::vector<std::string> assignments, gauges, springs;
     std::optional<int> gpu;
     bool require_hardware = false;
@@ -141,6 +141,13 @@ int parse_and_do(int argc, char** argv) {
     app.add_option("--set", t.assignments, "section.name=value, may be repeated");
     add_texture(app, t);
     app.add_option("--journal", window_options.journal, "write what was done here when the window closes");
+    app.add_option("--window-size", t.window_size,
+                   "WxH pixels; unless given, as it was when it was last closed");
+    app.add_option("--ui-scale", window_options.ui_scale,
+                   "size of panels and text, 0.5 to 4; as the display asks for")
+        ->check(CLI::Range(0.5, 4.0));
+    app.add_option("--ui-rects", window_options.ui_rects, "keep in this file where every named widget is")
+        ->type_name("FILE");
     add_import(app, t);
     app.add_option("--shader-dir", t.shader_dir, "read shaders from this folder and follow its changes");
 
@@ -212,6 +219,16 @@ int parse_and_do(int argc, char** argv) {
     convert_command->add_option("IN", convert_options.input)->required();
     convert_command->add_option("OUT", convert_options.output)->required();
     convert_command->add_option("--layer", convert_options.layer, "a layer, as run --layer");
+    convert_command
+        ->add_option(
+            "--for", convert_options.kind,
+            "unreal, unity or godot: samples and bytes as it takes them, and what to type there; mesh "
+            "(.obj) and 'normal map' (.png) are written so too")
+        ->type_name("PROGRAM");
+    convert_command->add_option("--tiles", t.tiles,
+                                "NxM: so many files east and south, which share their edge samples");
+    convert_command->add_option("--mesh-error", convert_options.mesh_error_m,
+                                "metres that a mesh may lie above or below a sample, 1 unless given");
     add_import(*convert_command, t);
 
     CLI::App* replay_command = app.add_subcommand("replay", "do again what a journal recorded");
@@ -299,6 +316,7 @@ int parse_and_do(int argc, char** argv) {
     } else if (convert_command->parsed()) {
         convert_options.import = t.import();
         convert_options.range_m = t.range_m();
+        if (!t.tiles.empty()) convert_options.tiles = size_from(t.tiles, "--tiles");
         convert(convert_options);
     } else if (replay_command->parsed()) {
         replay_options.gpu = t.context();
@@ -316,6 +334,13 @@ int parse_and_do(int argc, char** argv) {
         if (!reason.empty()) throw Error(reason);
     } else {
         window_options.scene = t.scene(t.file);
+        if (!t.window_size.empty()) {
+            window_options.size = size_from(t.window_size, "--window-size");
+            if (glm::any(glm::lessThan(*window_options.size, glm::ivec2(320))) ||
+                glm::any(glm::greaterThan(*window_options.size, glm::ivec2(16384))))
+                throw Error(fmt::format(
+                    "--window-size {} cannot be opened, it must be 320x320 to 16384x16384", t.window_size));
+        }
         run_window(window_options);
     }
     return 0;

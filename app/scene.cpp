@@ -54,6 +54,7 @@ Scene assemble(const Parameters& all, Document document) {
     scene.view.suggest("brush.radius_m", extent / 40);
     scene.view.suggest("brush.rate_m_per_s", extent / 160);
     scene.view.suggest("camera.speed_m_per_s", extent / 12);
+    scene.view.suggest("noise.wavelength_m", extent / 12);
     return scene;
 }
 

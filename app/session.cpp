@@ -3,11 +3,14 @@
 #include "app/still.h"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 
 #include "app/calibration.h"
 #include "app/outputs.h"
+#include "app/recent_files.h"
 #include "app/wave_note.h"
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
@@ -27,6 +30,8 @@ Session::Session(const SceneRequest& request, gpu::Device device)
     : device_(std::move(device)), request_(request), scene_(make_scene(request)) {
     start(std::move(scene_));
     path_ = document_path();
+    if (!request_.input.empty()) remember_file(request_.input);
+    recent_ = recent_files();
 }
 
 void Session::start(Scene scene) {
@@ -47,27 +52,89 @@ void Session::start(Scene scene) {
     balances_.clear();
     ledger_of_changes_ = 0;
     saved_operations_.clear();
+    recovered_ = false;
+    unsaved_ = false;
+    compared_revision_ = simulation_->journal().revision();
+    marks_.cancel();
+    activity_ = {};
     playing = false;
-    stroking_ = false;
+    stroke_.reset();
+    simulated_terrain_ = simulation_->terrain_number();
+    suggest_for_terrain();
     frame_terrain();
 }
 
-void Session::frame_terrain() {
-    camera_ = overview(grid(), bounds_.x, bounds_.y);
+void Session::suggest_for_terrain() {
+    const Grid& g = grid();
+    scene_.view.suggest("map.nx", g.nx);
+    scene_.view.suggest("map.ny", g.ny);
+    scene_.view.suggest("map.east_m", g.width_m());
+    scene_.view.suggest("map.north_m", g.height_m());
+    scene_.view.suggest("terrace.step_m", std::max(0.01, (bounds_.y - bounds_.x) / 20));
+    scene_.view.suggest("brush.height_m", bounds_.x);
+    scene_.view.suggest("map.base_m", bounds_.x);
 }
 
-void Session::open(const std::string& path, const ImportSettings& import) {
+void Session::follow_terrain() {
+    if (simulated_terrain_ == simulation_->terrain_number()) return;
+    simulated_terrain_ = simulation_->terrain_number();
+    ++terrain_number_;
+    const glm::dvec2 extent_before(scene_.document.state.grid.width_m(),
+                                   scene_.document.state.grid.height_m());
+    renderer_ = std::make_unique<Renderer>(simulation_->terrain(), patch_pixels(device_));
+    const std::vector<float> ground = simulation_->terrain().ground.read_all<float>();
+    const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
+    bounds_ = {*low, *high};
+    scene_.document.state.grid = grid();
+    drape(*renderer_, scene_);
+    gauges_ = Gauges(grid());
+    balances_.clear();
+    ledger_of_changes_ = 0;
+    marks_.cancel();
+    suggest_for_terrain();
+    if (extent_before != glm::dvec2(grid().width_m(), grid().height_m())) frame_terrain();
+}
+
+void Session::frame_terrain() {
+    camera_ = overview(grid(), bounds_.x, bounds_.y, picture_aspect);
+}
+
+SceneRequest Session::request_for(const SceneRequest& wish) const {
     SceneRequest request = request_;
-    request.input = path;
+    request.input = wish.input;
     // The preset that the window began with may be made for other ground: an opened file brings its own
     // settings.
-    if (request_.input.empty()) request.preset.clear();
-    request.import = import;
+    request.preset = wish.preset;
+    request.import = wish.import;
     // An image over one terrain is not one over another.
-    if (path != request_.input) request.texture.clear();
-    start(make_scene(request));
+    if (wish.input != request_.input) request.texture.clear();
+    return request;
+}
+
+void Session::open(const SceneRequest& request, Scene scene) {
+    start(std::move(scene));
     request_ = request;
     path_ = document_path();
+    if (!request.input.empty()) remember_file(request.input);
+    recent_ = recent_files();
+}
+
+void Session::recovered(const std::string& project, const std::string& title) {
+    path_ = project;
+    scene_.title = title;
+    recovered_ = true;
+    compared_revision_ = 0;
+    // What lies in the recovery folder is no file to come back to.
+    recent_ = recent_files();
+}
+
+bool Session::unsaved() const {
+    if (recovered_) return true;
+    if (compared_revision_ != revision()) {
+        compared_revision_ = revision();
+        unsaved_ = simulation_->journal().operations() != saved_operations_;
+    }
+    return unsaved_;
 }
 
 std::string Session::document_path() const {
@@ -78,15 +145,29 @@ void Session::reset() {
     start(make_scene(request_));
 }
 
-void Session::save(const std::string& path) {
+Document Session::document() {
     while (simulation_->mid_tick()) simulation_->advance(1 << 20);
     scene_.document.state = simulation_->read();
     scene_.document.parameters = to_toml(simulation_->parameters());
-    write_terrain(path, scene_.document, "", std::nullopt);
+    return scene_.document;
+}
+
+void Session::save(const std::string& path) {
+    write_terrain(path, document(), "", std::nullopt);
+    saved(path, revision());
+}
+
+void Session::saved(const std::string& path, std::size_t revision_then) {
     // Other formats hold the ground alone: what was saved there is an export.
     if (ending_of(path) != ".exr") return;
     path_ = path;
-    saved_operations_ = simulation_->journal().operations();
+    scene_.title = std::filesystem::path(path).filename().string();
+    recovered_ = false;
+    remember_file(path);
+    recent_ = recent_files();
+    // What was done while it was written is not saved.
+    if (revision_then == revision()) saved_operations_ = simulation_->journal().operations();
+    compared_revision_ = revision() + 1;
 }
 
 void Session::write_journal_to(const std::string& path) const {
@@ -161,7 +242,7 @@ void Session::pause() {
     speed_reached_ = 0;
     owed_s_ = 0;
     while (simulation_->mid_tick()) simulation_->advance(1 << 20);
-    if (!stroking_) simulation_->end_entry();
+    if (!stroke_) simulation_->end_entry();
 }
 
 void Session::toggle_play() {
@@ -177,50 +258,33 @@ void Session::step() {
     simulation_->end_entry();
 }
 
-void Session::begin_stroke(glm::dvec3 at) {
+void Session::begin_stroke(glm::dvec3 at, const Modifiers& modifiers) {
     while (simulation_->mid_tick()) simulation_->advance(1 << 20);
-    simulation_->begin_stroke(scene_.view.choice("brush.mode"));
-    stroke_height_m_ = at.z;
-    stroke_at_ = at;
-    stroking_ = true;
+    stroke_.emplace(scene_.view, modifiers, at, strokes_++);
+    simulation_->begin_stroke(stroke_->name());
 }
 
 void Session::stroke(glm::dvec3 at, double wall_s) {
     while (simulation_->mid_tick()) simulation_->advance(1 << 20);
-    const Parameters& view = scene_.view;
-    const auto& modes = view.declaration("brush.mode").choices;
-    Dab dab;
-    dab.mode = static_cast<BrushMode>(std::find(modes.begin(), modes.end(), view.choice("brush.mode")) -
-                                      modes.begin());
-    dab.radius_m = view.number("brush.radius_m");
-    dab.falloff = view.number("brush.falloff");
-    dab.target_m = stroke_height_m_;
-    const auto& materials = view.declaration("brush.material").choices;
-    dab.material = static_cast<Material>(
-        std::find(materials.begin(), materials.end(), view.choice("brush.material")) - materials.begin());
-    // A fast stroke is a row of dabs a quarter radius apart that share the time: its strength along the way
-    // does not depend on how many frames it took.
-    const double way_m = std::hypot(at.x - stroke_at_.x, at.y - stroke_at_.y);
-    const int dabs = std::clamp(static_cast<int>(std::ceil(way_m / (0.25 * dab.radius_m))), 1, 64);
-    if (dab.is_paint())
-        dab.target_m = dab.mode == BrushMode::lower     ? 0
-                       : dab.material == Material::rain ? view.number("brush.rain")
-                                                        : 1;
-    const double dab_s = wall_s / dabs;
-    dab.amount_m = view.number("brush.rate_m_per_s") * dab_s;
-    dab.blend = -std::expm1(-view.number("brush.blend_per_s") * dab_s);
-    for (int i = 1; i <= dabs; ++i) {
-        const glm::dvec3 place = stroke_at_ + (at - stroke_at_) * (static_cast<double>(i) / dabs);
-        dab.x_m = place.x;
-        dab.y_m = place.y;
+    for (const Dab& dab : stroke_->move(scene_.view, at, wall_s, simulation_->stamp()))
         simulation_->apply(dab);
-    }
-    stroke_at_ = at;
 }
 
 void Session::end_stroke() {
-    stroking_ = false;
+    if (!stroke_) return;
+    const std::optional<Dab> last = stroke_->end(scene_.view);
+    stroke_.reset();
+    while (simulation_->mid_tick()) simulation_->advance(1 << 20);
+    if (last) simulation_->apply(*last);
     simulation_->end_entry();
+}
+
+void Session::apply(const Operation& operation) {
+    end_stroke();
+    pause();
+    simulation_->apply(operation);
+    simulation_->end_entry();
+    follow_terrain();
 }
 
 void Session::balance() {
@@ -252,19 +316,46 @@ void Session::follow_ledger() {
     simulation_->ask_ledger();
 }
 
+void Session::follow_activity() {
+    if (const auto words = marks_.poll()) {
+        const auto marked = [&](Tiles::Mark mark) {
+            return static_cast<int>(std::count_if(words->begin(), words->end(), [mark](float word) {
+                return (std::bit_cast<std::uint32_t>(word) & mark) != 0;
+            }));
+        };
+        activity_ = {marked(Tiles::activity), marked(Tiles::wet)};
+    }
+    if (marks_.pending() || now_s() - activity_asked_at_s_ < 0.5) return;
+    activity_asked_at_s_ = now_s();
+    const gpu::Buffer& marks = simulation_->terrain().tiles.marks();
+    marks_.start(marks, marks.bytes());
+}
+
 void Session::follow_gauges() {
     // Within a tick the water is at no time of the clock's.
     if (!simulation_->mid_tick()) gauges_.follow(simulation_->terrain(), simulation_->clock().simulated_s);
 }
 
 void Session::undo() {
+    end_stroke();
     pause();
     simulation_->undo();
+    follow_terrain();
 }
 
 void Session::redo() {
+    end_stroke();
     pause();
     simulation_->redo();
+    follow_terrain();
+}
+
+void Session::go_to(std::size_t done) {
+    end_stroke();
+    pause();
+    while (simulation_->can_undo() && simulation_->undo_history().done().size() > done) simulation_->undo();
+    while (simulation_->can_redo() && simulation_->undo_history().done().size() < done) simulation_->redo();
+    follow_terrain();
 }
 
 }  // namespace talus

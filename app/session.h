@@ -6,6 +6,7 @@
 
 #include "app/gauges.h"
 #include "app/scene.h"
+#include "app/tools/brush_stroke.h"
 #include "render/renderer.h"
 #include "sim/gpu/context.h"
 #include "sim/gpu/timestamp.h"
@@ -24,10 +25,11 @@ class Session {
     Renderer& renderer() { return *renderer_; }
     /// Parameters of drawing and of the hand: not recorded.
     Parameters& view() { return scene_.view; }
+    const Parameters& view() const { return scene_.view; }
     const Scene& scene() const { return scene_; }
     const SceneRequest& request() const { return request_; }
     Camera& camera() { return camera_; }
-    /// Another number for every terrain that was opened or reset.
+    /// Another number for every terrain that was opened or reset, or took the place of the one before.
     int terrain_number() const { return terrain_number_; }
     const Grid& grid() const { return simulation_->terrain().grid(); }
     /// Heights at the last open or reset, for the camera and for legends.
@@ -46,15 +48,29 @@ class Session {
     void toggle_play();
     void step();
 
-    /// Another file, or the same scene from its start: what was here before stays where that fails.
-    void open(const std::string& path, const ImportSettings& import = {});
+    /// What another scene asks for besides what this session was started with.
+    SceneRequest request_for(const SceneRequest& wish) const;
+    /// Another scene, made as the request says: what was here before stays where that fails.
+    void open(const SceneRequest& request, Scene scene);
+    /// The scene came from an autosave of this project (empty: none yet): it is unsaved, and saved there.
+    void recovered(const std::string& project, const std::string& title);
     void reset();
+    double picture_aspect = 16.0 / 9;  ///< width by height of the picture that the terrain is framed in
     void frame_terrain();
     /// Writes the document or heightmap by the path's ending; the document's path becomes the session's.
     void save(const std::string& path);
+    /// What save() writes, as it is now. Waits for the device.
+    Document document();
+    /// It was written there by others.
+    void saved(const std::string& path, std::size_t revision);
     /// The document that save goes to; empty where a heightmap was opened or nothing was saved yet.
     const std::string& path() const { return path_; }
-    bool unsaved() const { return simulation_->journal().operations() != saved_operations_; }
+    /// Whether anything was done since it was opened or saved, and not taken back.
+    bool unsaved() const;
+    /// Rises with everything that is done.
+    std::size_t revision() const { return simulation_->journal().revision(); }
+    /// Files that were opened or saved lately, as they were when the scene was opened.
+    const std::vector<std::string>& recent() const { return recent_; }
     void write_journal_to(const std::string& path) const;
 
     /// Sets any parameter by name: simulation parameters as recorded operations, the others at once.
@@ -62,14 +78,24 @@ class Session {
     const Value& value(const std::string& name) const;
     const Parameter& declaration(const std::string& name) const;
 
-    void begin_stroke(glm::dvec3 at);
-    /// A dab of this much wall time at a place on the ground.
+    void begin_stroke(glm::dvec3 at, const Modifiers& modifiers = {});
+    /// The hand is at a place on the ground after this much wall time.
     void stroke(glm::dvec3 at, double wall_s);
     void end_stroke();
-    bool stroking() const { return stroking_; }
+    bool stroking() const { return stroke_.has_value(); }
+    /// The stroke that is being made; none: none is.
+    const std::optional<BrushStroke>& stroke_made() const { return stroke_; }
+
+    /// An act of its own: ends what is open, pauses, and does it. Throws talus::Error, with nothing changed,
+    /// when it cannot be done.
+    void apply(const Operation& operation);
 
     void undo();
     void redo();
+    /// Undoes or redoes until so many acts are done.
+    void go_to(std::size_t done);
+    /// What goes on behind the acts' back. Once a loop of the window, drawn or not.
+    void poll() { simulation_->poll_undo(); }
 
     /// Reads the ledger now. Waits for the device: an act, not part of a frame.
     void balance();
@@ -83,6 +109,14 @@ class Session {
     /// somebody looks at it.
     void follow_ledger();
 
+    /// How many tiles are active, as it was told last; asked for about twice a second by follow_activity().
+    struct Activity {
+        int slope_tiles = 0;  ///< slopes that changed in their last sub-step
+        int water_tiles = 0;  ///< water that moves
+    };
+    const Activity& activity() const { return activity_; }
+    void follow_activity();
+
     Gauges& gauges() { return gauges_; }
     const Gauges& gauges() const { return gauges_; }
     const Camera& camera() const { return camera_; }
@@ -91,6 +125,9 @@ class Session {
 
   private:
     void start(Scene scene);
+    /// Makes anew what hangs on the terrain's size, where another one took its place.
+    void follow_terrain();
+    void suggest_for_terrain();
     std::string document_path() const;
     bool is_simulated(const std::string& name) const;
 
@@ -110,7 +147,14 @@ class Session {
     Gauges gauges_{Grid()};
     std::string wave_note_;
     std::string path_;
+    std::vector<std::string> recent_;
     std::vector<Operation> saved_operations_;
+    bool recovered_ = false;
+    mutable std::size_t compared_revision_ = 0;  // at which unsaved_ was found
+    mutable bool unsaved_ = false;
+    Activity activity_;
+    gpu::Readback marks_;
+    double activity_asked_at_s_ = 0;
     double owed_s_ = 0;
     double speed_reached_ = 0;
     double tick_ms_ = 0;
@@ -118,9 +162,9 @@ class Session {
     int timed_ticks_ = 0;
     double substep_ms_ = 0;
     std::uint64_t timed_substeps_ = 0;
-    bool stroking_ = false;
-    double stroke_height_m_ = 0;
-    glm::dvec3 stroke_at_{0};
+    std::optional<BrushStroke> stroke_;
+    unsigned strokes_ = 0;
+    int simulated_terrain_ = 0;  // the simulation's number of it
 };
 
 }  // namespace talus

@@ -11,16 +11,21 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/outputs.h"
 #include "app/panels/legend.h"
 #include "app/panels/panels.h"
+#include "app/recovery.h"
 #include "app/report.h"
 #include "app/session.h"
+#include "app/shortcuts.h"
+#include "app/sources.h"
 #include "app/still.h"
-#include "app/tools/camera_control.h"
-#include "app/tools/ground_probe.h"
+#include "app/tools/hand.h"
+#include "app/window_layout.h"
+#include "app/work.h"
 #include "sim/gpu/error.h"
 #include "sim/gpu/program.h"
-#include "sim/gpu/readback.h"
+#include "sim/io/atomic_file.h"
 #include "sim/io/image_file.h"
 
 namespace talus {
@@ -57,54 +62,40 @@ class Glfw {
     }
 };
 
-// What a person does with mouse and keys, turned into what the session does.
+// The window: its events, its frames, and what panels and keys ask of it.
 class Window {
   public:
-    Window(const Glfw& glfw, const WindowOptions& options)
-        : window_(glfw.open(options.size, true)),
+    Window(const Glfw& glfw, const WindowOptions& options, const WindowLayout& layout)
+        : window_(glfw.open(options.size.value_or(layout.size), true)),
           device_(gpu::adopt_current_context("window")),
           session_(options.scene, device_),
-          journal_path_(options.journal) {
-        say(gpu::describe(device_));
-        for (const std::string& note : session_.scene().document.notes) say("note: " + note);
-        gpu::on_shader_message([this](const std::string& message) {
-            say(message);
-            tell(message);
-        });
-        glfwSetWindowUserPointer(window_, this);
-        glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
-            if (count > 0) self(w)->requests_.open = paths[0];
-            self(w)->wake();
-        });
-        glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) {
-            self(w)->wheel_ += y;
-            self(w)->wake();
-        });
-        glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
-            self(w)->wake();
-            if (action != GLFW_RELEASE) self(w)->key(key, mods);
-        });
-        // Whatever a person does wakes the window.
-        glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { self(w)->wake(); });
-        glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { self(w)->wake(); });
-        glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { self(w)->wake(); });
-        glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { self(w)->wake(); });
-        glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { self(w)->wake(); });
-        glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { self(w)->wake(); });
-        glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { self(w)->wake(); });
-        ImGui::CreateContext();
-        ImGui::GetIO().IniFilename = nullptr;
-        ImGui::StyleColorsDark();
-        ImGui::GetStyle().WindowRounding = 5;
-        ImGui::GetStyle().FrameRounding = 3;
-        load_font(15);
-        // Chains to the callbacks above.
-        ImGui_ImplGlfw_InitForOpenGL(window_, true);
-        ImGui_ImplOpenGL3_Init("#version 450 core");
-        import_panel_.follow(session_);
+          hand_(window_),
+          journal_path_(options.journal),
+          rects_path_(options.ui_rects) {
+        note(gpu::describe(device_));
+        for (const std::string& guess : session_.scene().document.notes) note("note: " + guess);
+        if (!recovery_.why().empty()) tell(recovery_.why());
+        gpu::on_shader_message([this](const std::string& message) { tell(message); });
+        listen();
+        begin_panels(options.ui_scale);
+        const std::vector<std::string> panels = panel_names();
+        if (std::find(panels.begin(), panels.end(), layout.panel) != panels.end())
+            state_.shown = layout.panel;
+        state_.panels_shown = layout.panels_shown;
+        state_.left = left_behind();
+        // Who asks for nothing in particular is shown what there is; and unsaved work is offered to
+        // everybody.
+        state_.start_page =
+            (options.scene.input.empty() && options.scene.preset.empty()) || !state_.left.empty();
+        glm::ivec2 size(0);
+        glfwGetFramebufferSize(window_, &size.x, &size.y);
+        follow_area(size);
+        session_.frame_terrain();
         title();
     }
     ~Window() {
+        // What hangs on OpenGL goes before it.
+        state_ = {};
         ImGui_ImplOpenGL3_Shutdown();
         ImGui_ImplGlfw_Shutdown();
         ImGui::DestroyContext();
@@ -127,21 +118,96 @@ class Window {
                 message_.clear();
                 wake();
             }
+            session_.poll();
+            follow_recovery();
+            attempt([&] { work_.poll(); });
             // At rest nothing is drawn and nothing presented.
             if (busy()) frame();
+            if (glfwWindowShouldClose(window_) && !closing_) {
+                glfwSetWindowShouldClose(window_, GLFW_FALSE);
+                quit();
+            }
         }
         session_.pause();
         if (!journal_path_.empty()) session_.write_journal_to(journal_path_);
+        WindowLayout layout;
+        glfwGetWindowSize(window_, &layout.size.x, &layout.size.y);
+        layout.panel = state_.shown;
+        layout.panels_shown = state_.panels_shown;
+        keep_window_layout(layout);
     }
 
   private:
     static Window* self(GLFWwindow* window) { return static_cast<Window*>(glfwGetWindowUserPointer(window)); }
+
+    void listen() {
+        glfwSetWindowUserPointer(window_, this);
+        glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
+            if (count > 0) self(w)->requests_.import = paths[0];
+            self(w)->wake();
+        });
+        glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) {
+            self(w)->hand_.turn_wheel(y);
+            self(w)->wake();
+        });
+        glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
+            self(w)->wake();
+            if (action != GLFW_RELEASE)
+                press_key(key, mods, self(w)->session_, self(w)->state_, self(w)->requests_);
+        });
+        // Whatever a person does wakes the window.
+        glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { self(w)->wake(); });
+        glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { self(w)->wake(); });
+        glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { self(w)->wake(); });
+        glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { self(w)->wake(); });
+        glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { self(w)->wake(); });
+        glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { self(w)->wake(); });
+        glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { self(w)->wake(); });
+        glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { self(w)->wake(); });
+    }
+
+    void begin_panels(double scale) {
+        ImGui::CreateContext();
+        ImGui::GetIO().IniFilename = nullptr;
+        ImGui::GetIO().ConfigWindowsMoveFromTitleBarOnly = true;
+        float asked = 1;
+        glfwGetWindowContentScale(window_, &asked, nullptr);
+        const float used = scale > 0 ? static_cast<float>(scale) : std::clamp(asked, 1.0F, 4.0F);
+        ImGui::StyleColorsDark();
+        ImGuiStyle& style = ImGui::GetStyle();
+        style.WindowRounding = 0;
+        style.FrameRounding = 3;
+        style.WindowBorderSize = 0;
+        style.Colors[ImGuiCol_WindowBg] = {0.085F, 0.095F, 0.11F, 0.97F};
+        style.Colors[ImGuiCol_Button] = {0.20F, 0.24F, 0.30F, 1};
+        style.Colors[ImGuiCol_ButtonActive] = {0.16F, 0.45F, 0.75F, 1};
+        style.ScaleAllSizes(used);
+        load_font(15 * used);
+        // Chains to the callbacks above.
+        ImGui_ImplGlfw_InitForOpenGL(window_, true);
+        ImGui_ImplOpenGL3_Init("#version 450 core");
+    }
+
+    // What the panels leave to the picture.
+    PictureArea follow_area(glm::ivec2 size) {
+        const PictureArea area = picture_area(state_, size);
+        session_.picture_aspect = static_cast<double>(area.size.x) / area.size.y;
+        return area;
+    }
+
     bool busy() const {
-        return session_.playing || session_.stroking() || frames_left_ > 0 || moving_s_ > 0 ||
-               cursor_readback_.pending() || ground_.pending() || refining_;
+        return session_.playing || session_.stroking() || frames_left_ > 0 || hand_.moving() ||
+               hand_.waits() || refining_ || work_.busy() || recovery_.busy();
     }
     void wake() { frames_left_ = 3; }
+    void note(const std::string& message) {
+        say(message);
+        constexpr std::size_t most = 1000;
+        if (state_.log.size() >= most) state_.log.erase(state_.log.begin());
+        state_.log.push_back(message);
+    }
     void tell(const std::string& message) {
+        note(message);
         message_ = message;
         message_until_s_ = glfwGetTime() + 6;
         wake();
@@ -159,362 +225,345 @@ class Window {
             act();
         } catch (const std::exception& error) {
             session_.playing = false;
-            say(fmt::format("talus: {}", error.what()));
-            tell(error.what());
-        }
-        wake();
-    }
-
-    void key(int key, int mods) {
-        wake();
-        const bool control = (mods & GLFW_MOD_CONTROL) != 0;
-        const bool shift = (mods & GLFW_MOD_SHIFT) != 0;
-        if (dialog_.purpose != FileDialog::Purpose::none) {
-            // A key pressed and released within one slow frame would escape the panels.
-            if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) dialog_.accepted = true;
-            if (key == GLFW_KEY_ESCAPE) dialog_.cancelled = true;
-            return;
-        }
-        if (control) {
-            if (key == GLFW_KEY_Z) (shift ? requests_.redo : requests_.undo) = true;
-            if (key == GLFW_KEY_Y) requests_.redo = true;
-            if (key == GLFW_KEY_O) dialog_.begin(FileDialog::Purpose::open, session_.path());
-            if (key == GLFW_KEY_S && (shift || session_.path().empty()))
-                dialog_.begin(FileDialog::Purpose::save, session_.path());
-            else if (key == GLFW_KEY_S)
-                requests_.save = session_.path();
-            if (key == GLFW_KEY_Q) requests_.quit = true;
-            return;
-        }
-        if (ImGui::GetIO().WantTextInput) return;
-        const auto scale = [&](const char* name, double factor) {
-            const Parameter& p = session_.declaration(name);
-            session_.set(name, std::clamp(session_.view().number(name) * factor, p.low, p.high));
-        };
-        const std::vector<std::string>& modes = session_.declaration("brush.mode").choices;
-        switch (key) {
-            case GLFW_KEY_SPACE:
-                requests_.acts.emplace_back([](Session& session) { session.toggle_play(); });
-                break;
-            case GLFW_KEY_PERIOD:
-                requests_.acts.emplace_back([](Session& session) { session.step(); });
-                break;
-            case GLFW_KEY_F:
-                requests_.framing = true;
-                break;
-            case GLFW_KEY_F12:
-                requests_.picture = true;
-                break;
-            case GLFW_KEY_LEFT_BRACKET:
-                scale("brush.radius_m", 1 / 1.15);
-                break;
-            case GLFW_KEY_RIGHT_BRACKET:
-                scale("brush.radius_m", 1.15);
-                break;
-            case GLFW_KEY_MINUS:
-                scale("brush.rate_m_per_s", 1 / 1.15);
-                break;
-            case GLFW_KEY_EQUAL:
-                scale("brush.rate_m_per_s", 1.15);
-                break;
-            default:
-                if (key >= GLFW_KEY_1 && key < GLFW_KEY_1 + static_cast<int>(modes.size()))
-                    session_.set("brush.mode", modes[static_cast<std::size_t>(key - GLFW_KEY_1)]);
+            tell(fmt::format("talus: {}", error.what()));
         }
     }
 
-    // Where the mouse's ray met the ground when it was last read.
-    void read_cursor() {
-        if (const auto texels = cursor_readback_.poll()) {
-            const float distance = (*texels)[0];
-            cursor_.reset();
-            if (std::isfinite(distance))
-                cursor_ = cursor_camera_.eye + cursor_direction_ * static_cast<double>(distance);
-        }
+    void follow_recovery() {
+        attempt([&] {
+            recovery_.follow(session_.simulation(), session_.scene(), session_.path(), session_.unsaved(),
+                             session_.revision(), session_.view().number("autosave.interval_s"));
+        });
+        if (const auto message = recovery_.take_message()) tell(*message);
     }
 
-    void start_cursor_readback(glm::dvec2 mouse, int width, int height, int drawn_width, int drawn_height) {
-        if (cursor_readback_.pending()) {
-            // The picture has changed since: again, when it has come.
-            cursor_mouse_ = glm::dvec2(-1);
-            return;
-        }
-        if (mouse.x < 0 || mouse.y < 0 || mouse.x >= width || mouse.y >= height) return;
-        const int x = std::clamp(static_cast<int>(mouse.x * drawn_width / width), 0, drawn_width - 1);
-        const int y = std::clamp(static_cast<int>(mouse.y * drawn_height / height), 0, drawn_height - 1);
-        cursor_mouse_ = mouse;
-        cursor_camera_ = session_.camera();
-        cursor_direction_ = pixel_direction(cursor_camera_, x + 0.5, y + 0.5, drawn_width, drawn_height);
-        cursor_readback_.start(session_.renderer().hits(), {x, drawn_height - 1 - y, 1, 1});
-    }
-
-    void move_camera(glm::dvec2 mouse, double passed_s, int height) {
-        Camera& camera = session_.camera();
-        const Camera before = camera;
-        camera.fov_deg = session_.view().number("camera.fov_deg");
-        const glm::dvec2 drag = mouse - mouse_;
-        const bool captured = ImGui::GetIO().WantCaptureMouse;
-        const std::string& mode = session_.view().choice("camera.mode");
-        const bool walking = mode == "walk";
-        const bool flying = mode == "fly" || walking;
-        const glm::dvec3 ahead = cursor_.value_or(camera.target);
-        const auto held = [&](int button) { return glfwGetMouseButton(window_, button) == GLFW_PRESS; };
-        const bool turning = held(GLFW_MOUSE_BUTTON_RIGHT) && !captured;
-        if (turning && !turning_) pivot_ = ahead;
-        turning_ = turning;
-        if (turning && drag != glm::dvec2(0)) {
-            if (flying)
-                look(camera, drag.x, drag.y);
-            else
-                orbit(camera, pivot_, drag.x, drag.y);
-        }
-        if (held(GLFW_MOUSE_BUTTON_MIDDLE) && !captured)
-            pan(camera, drag.x, drag.y, glm::length(ahead - camera.eye), height);
-        if (wheel_ != 0 && !captured) zoom(camera, ahead, wheel_);
-        wheel_ = 0;
-        if (!ImGui::GetIO().WantTextInput && dialog_.purpose == FileDialog::Purpose::none &&
-            !ImGui::GetIO().KeyCtrl) {
-            const auto down = [&](int k) { return glfwGetKey(window_, k) == GLFW_PRESS ? 1.0 : 0.0; };
-            const double along = down(GLFW_KEY_W) - down(GLFW_KEY_S);
-            const double aside = down(GLFW_KEY_D) - down(GLFW_KEY_A);
-            if (walking) {
-                const double step = session_.view().number("camera.walk_m_per_s") * passed_s;
-                walk(camera, step * along, step * aside);
-            } else {
-                const double step = session_.view().number("camera.speed_m_per_s") * passed_s;
-                fly(camera, step * along, step * aside, step * (down(GLFW_KEY_E) - down(GLFW_KEY_Q)));
+    // Does it, once unsaved work is saved or given up.
+    void when_saved(std::function<void()> act) {
+        if (!session_.unsaved()) return act();
+        Question question;
+        question.text = fmt::format("'{}' was changed and not saved. Save it first?", session_.scene().title);
+        question.answers.emplace_back("Save", [this, act] {
+            if (session_.path().empty()) {
+                state_.dialog.begin(FileDialog::Purpose::save, "");
+                after_saving_ = act;
+                return;
             }
-        }
-        meet_ground(camera, walking, passed_s);
-        camera_moved_ = !(camera == before);
-        if (camera_moved_) moving_s_ = 0.25;
+            save(session_.path(), act);
+        });
+        question.answers.emplace_back("Drop the changes", [this, act] {
+            forget_recovered();
+            act();
+        });
+        question.answers.emplace_back("Cancel", [] {});
+        state_.question = std::move(question);
+        wake();
     }
 
-    // What was read of another terrain is not of this one.
-    void follow_terrain() {
-        if (terrain_number_ == session_.terrain_number()) return;
-        terrain_number_ = session_.terrain_number();
-        ground_.forget();
-        cursor_readback_.cancel();
-        cursor_.reset();
-        cursor_mouse_ = glm::dvec2(-1);
+    void forget_recovered() {
+        if (recovering_) forget(*recovering_);
+        recovering_.reset();
+        recovery_.forget_work();
     }
 
-    // Walking stands on the ground; else the eye stays out of it, where collision is on.
-    void meet_ground(Camera& camera, bool walking, double passed_s) {
-        const bool collides = session_.view().toggle("camera.collision");
-        if (!walking) walking_ = false;
-        if (!walking && !collides) {
-            ground_.forget();
-            return;
+    // The layers are read now and written on a thread of their own; what is done meanwhile stays unsaved.
+    void save(const std::string& path, std::function<void()> then) {
+        session_.pause();
+        auto document = std::make_shared<Document>(session_.document());
+        const std::size_t revision = session_.revision();
+        work_.start(fmt::format("Saving {}", path), [this, path, document, revision, then]() -> Work::Then {
+            write_terrain(path, *document, "", std::nullopt);
+            return [this, path, revision, then] {
+                session_.saved(path, revision);
+                forget_recovered();
+                if (!journal_path_.empty()) session_.write_journal_to(journal_path_);
+                tell(fmt::format("saved {}", path));
+                title();
+                if (then) then();
+            };
+        });
+    }
+
+    void open(const SceneRequest& wish) {
+        const SceneRequest request = session_.request_for(wish);
+        const auto left = std::find_if(state_.left.begin(), state_.left.end(),
+                                       [&](const LeftBehind& one) { return one.document == request.input; });
+        std::optional<LeftBehind> recovering;
+        if (left != state_.left.end()) {
+            recovering = *left;
+            state_.left.erase(left);
         }
-        const Grid& grid = session_.grid();
-        // Who begins to walk looks ahead.
-        if (walking && !walking_) look_level(camera);
-        walking_ = walking;
-        if (walking) keep_within(camera, grid);
-        ground_.follow(session_.simulation().terrain(), camera.eye);
-        const std::optional<double> ground_m = ground_.height_m(grid, camera.eye);
-        if (!ground_m) return;
-        const double eye_m = session_.view().number("camera.eye_height_m");
-        if (walking)
-            stand(camera, *ground_m + eye_m, *ground_m + 0.2 * eye_m, passed_s);
-        else
-            keep_above(camera, *ground_m + 0.02 * std::min(grid.dx, grid.dy));
+        const std::string name = request.input.empty() ? request.preset : request.input;
+        work_.start(fmt::format("Opening {}", name), [this, request, recovering]() -> Work::Then {
+            auto scene = std::make_shared<Scene>(make_scene(request));
+            return [this, request, scene, recovering] {
+                session_.open(request, std::move(*scene));
+                if (recovering) session_.recovered(recovering->project, recovering->title);
+                recovering_ = recovering;
+                recovery_.forget_work();
+                for (const std::string& guess : session_.scene().document.notes) note("note: " + guess);
+                title();
+                wake();
+            };
+        });
+    }
+
+    void export_files(const ExportSettings& settings) {
+        session_.pause();
+        auto document = std::make_shared<Document>(session_.document());
+        work_.start(fmt::format("Writing {}", settings.path.string()),
+                    [this, settings, document]() -> Work::Then {
+                        const Exported exported = export_terrain(*document, settings);
+                        return [this, exported] {
+                            tell(fmt::format("wrote {}{}", exported.files.front().string(),
+                                             exported.files.size() > 1
+                                                 ? fmt::format(" and {} more", exported.files.size() - 1)
+                                                 : ""));
+                            for (const auto& [name, value] : exported.values)
+                                note(fmt::format("{}: {}", name, value));
+                        };
+                    });
+    }
+
+    // Acts on the whole map; those that take long are made ready on a thread.
+    void act_on_map(const Operation& operation) {
+        const auto* to = std::get_if<Resample>(&operation);
+        if (!to) return session_.apply(operation);
+        session_.pause();
+        auto state = std::make_shared<TerrainState>(session_.simulation().read());
+        work_.start(name_of(operation), [this, state, resample = *to]() mutable -> Work::Then {
+            resample.made = std::make_shared<TerrainState>(resampled(*state, resample.nx, resample.ny));
+            return [this, resample] {
+                session_.apply(resample);
+                title();
+                wake();
+            };
+        });
+    }
+
+    void quit() {
+        when_saved([this] {
+            closing_ = true;
+            glfwSetWindowShouldClose(window_, GLFW_TRUE);
+        });
     }
 
     // The first free name in the folder where Talus was started.
     void save_picture() {
-        attempt([&] {
-            int width = 0;
-            int height = 0;
-            glfwGetFramebufferSize(window_, &width, &height);
-            int number = 1;
-            while (std::filesystem::exists(fmt::format("talus-{:04}.png", number))) ++number;
-            const std::string path = fmt::format("talus-{:04}.png", number);
-            const ViewSettings settings = view_settings(session_.view());
-            const glm::dvec2 bounds = session_.renderer().bounds();
-            const Still still =
-                draw_still(session_.renderer(), session_.simulation().terrain(), session_.camera(), settings,
-                           legend_of(settings, bounds.x, bounds.y), {width, height},
-                           session_.view().whole("render.samples"));
-            write_rgb(path, width, height, still.rgb);
-            tell(fmt::format("saved the picture {}", path));
-        });
-    }
-
-    void sculpt(double passed_s) {
-        const bool held = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS &&
-                          !ImGui::GetIO().WantCaptureMouse;
-        // A press counts from its second frame on: only then does the panel know whether it was meant for it.
-        const bool presses = std::exchange(held_before_, held) && held;
-        if (presses && placing_gauge_ && cursor_) {
-            attempt([&] { session_.gauges().place({cursor_->x, cursor_->y}); });
-            placing_gauge_ = false;
-            placed_ = true;
-        }
-        // The click that placed a gauge is no stroke.
-        placed_ = placed_ && held;
-        if (presses && !placed_ && !session_.stroking() && cursor_) session_.begin_stroke(*cursor_);
-        if (!held && session_.stroking()) {
-            session_.end_stroke();
-            title();
-        }
-        if (session_.stroking() && cursor_) {
-            attempt([&] { session_.stroke(*cursor_, passed_s); });
-            moving_s_ = 0.25;
-        }
+        glm::ivec2 window(0);
+        glfwGetFramebufferSize(window_, &window.x, &window.y);
+        const glm::ivec2 size = picture_area(state_, window).size;
+        int number = 1;
+        while (std::filesystem::exists(fmt::format("talus-{:04}.png", number))) ++number;
+        const std::string path = fmt::format("talus-{:04}.png", number);
+        const ViewSettings settings = view_settings(session_.view());
+        const glm::dvec2 bounds = session_.renderer().bounds();
+        const Still still = draw_still(session_.renderer(), session_.simulation().terrain(),
+                                       session_.camera(), settings, legend_of(settings, bounds.x, bounds.y),
+                                       size, session_.view().whole("render.samples"));
+        write_rgb(path, size.x, size.y, still.rgb);
+        tell(fmt::format("saved the picture {}", path));
     }
 
     void serve_requests() {
         PanelRequests asked;
         std::swap(asked, requests_);
-        if (asked.open)
+        // Long work has the session to itself.
+        if (work_.busy()) return;
+        if (asked.import) {
+            state_.import.offers_import = true;
             attempt([&] {
-                session_.open(*asked.open);
-                for (const std::string& note : session_.scene().document.notes) say("note: " + note);
-                import_panel_.follow(session_);
+                if (is_document(*asked.import))
+                    when_saved([this, path = *asked.import] {
+                        SceneRequest request;
+                        request.input = path;
+                        state_.start_page = false;
+                        open(request);
+                    });
+                else
+                    state_.import.read(*asked.import);
             });
-        if (asked.save)
-            attempt([&] {
-                session_.save(*asked.save);
-                if (!journal_path_.empty()) session_.write_journal_to(journal_path_);
-                tell(fmt::format("saved {}", *asked.save));
-            });
+        }
+        if (asked.open) when_saved([this, request = *asked.open] { open(request); });
+        if (asked.save) {
+            auto then = std::exchange(after_saving_, nullptr);
+            attempt([&] { save(*asked.save, then); });
+        }
+        if (asked.stamp) attempt([&] { session_.apply(read_stamp(*asked.stamp, {})); });
+        if (asked.write) attempt([&] { export_files(*asked.write); });
+        if (asked.map) attempt([&] { act_on_map(*asked.map); });
         for (const auto& act : asked.acts) attempt([&] { act(session_); });
-        if (asked.reset) attempt([&] { session_.reset(); });
-
+        if (asked.reset) when_saved([this] { attempt([&] { session_.reset(); }); });
         if (asked.undo) attempt([&] { session_.undo(); });
         if (asked.redo) attempt([&] { session_.redo(); });
         if (asked.framing) session_.frame_terrain();
-        if (asked.picture) save_picture();
-        if (asked.quit) glfwSetWindowShouldClose(window_, GLFW_TRUE);
+        if (asked.picture) attempt([&] { save_picture(); });
+        if (asked.quit) quit();
         if (asked.open || asked.save || asked.reset || asked.undo || asked.redo || asked.framing ||
-            !asked.acts.empty()) {
+            asked.map || asked.import || asked.stamp || asked.write || !asked.acts.empty()) {
             title();
             wake();
         }
+    }
+
+    // What passes took, told twice a second while somebody looks at it.
+    void follow_passes(double passed_s) {
+        const bool shown = state_.panels_shown && state_.shown == "Profiler";
+        if (shown != profiling_) gpu::profile_passes(shown);
+        profiling_ = shown;
+        if (!shown) return;
+        passes_s_ += passed_s;
+        for (const gpu::PassTime& time : gpu::take_pass_times()) {
+            auto found = std::find_if(passes_.begin(), passes_.end(),
+                                      [&](const gpu::PassTime& pass) { return pass.name == time.name; });
+            if (found == passes_.end()) found = passes_.insert(passes_.end(), gpu::PassTime{time.name});
+            found->calls += time.calls;
+            found->cpu_ms += time.cpu_ms;
+            found->device_ms += time.device_ms;
+        }
+        if (passes_s_ < 0.5) return;
+        state_.passes = std::exchange(passes_, {});
+        state_.passes_s = std::exchange(passes_s_, 0);
+    }
+
+    // While anything moves, the resolution gives way so that frames keep coming; at rest it is full.
+    double picture_scale(bool moving) {
+        // A camera at rest keeps its size while it can, so that changes redraw only what they touch.
+        const double haste = frame_goal_s / std::max(frame_s_, 1e-3);
+        if (moving && moved_before_ && (hand_.camera_moved() || haste < 0.7 || haste > 2))
+            scale_ = std::clamp(scale_ * std::sqrt(haste), 0.9 * scale_, 1.05 * scale_);
+        moved_before_ = moving;
+        scale_ = std::clamp(scale_, 0.3, 1.0);
+        return moving ? scale_ : 1.0;
     }
 
     void frame() {
         const double now = glfwGetTime();
         const double passed_s = std::min(now - last_s_, 0.25);
         last_s_ = now;
-        int width = 0;
-        int height = 0;
-        glfwGetFramebufferSize(window_, &width, &height);
-        if (width <= 0 || height <= 0) return;
+        glm::ivec2 size(0);
+        glfwGetFramebufferSize(window_, &size.x, &size.y);
+        if (size.x <= 0 || size.y <= 0) return;
         glm::dvec2 mouse;
         glfwGetCursorPos(window_, &mouse.x, &mouse.y);
-
-        follow_terrain();
-        read_cursor();
-        move_camera(mouse, passed_s, height);
-        sculpt(passed_s);
         if (mouse != mouse_) wake();
         mouse_ = mouse;
+        const PictureArea area = follow_area(size);
+
+        const ImGuiIO& io = ImGui::GetIO();
+        const bool dialog = is_dialog_open(state_) || work_.busy();
+        const HandMay may{!io.WantCaptureMouse && !dialog, !io.WantTextInput && !io.KeyCtrl && !dialog};
+        const bool stroked = session_.stroking();
+        attempt([&] {
+            hand_.placing_gauge = state_.placing_gauge;
+            hand_.act(session_, mouse - glm::dvec2(area.corner), passed_s, area.size, may);
+            state_.placing_gauge = hand_.placing_gauge;
+        });
+        if (stroked && !session_.stroking()) title();
         if (session_.playing) attempt([&] { session_.play(passed_s, frame_goal_s / 2); });
         session_.follow_gauges();
+        follow_passes(passed_s);
 
-        // While anything moves, the resolution gives way so that frames keep coming; at rest it is full.
-        const bool moving = session_.playing || session_.stroking() || moving_s_ > 0;
-        moving_s_ = std::max(0.0, moving_s_ - passed_s);
-        // A camera at rest keeps its size while it can, so that changes redraw only what they touch.
-        const double haste = frame_goal_s / std::max(frame_s_, 1e-3);
-        if (moving && moved_before_ && (camera_moved_ || haste < 0.7 || haste > 2))
-            scale_ = std::clamp(scale_ * std::sqrt(frame_goal_s / std::max(frame_s_, 1e-3)), 0.9 * scale_,
-                                1.05 * scale_);
-        moved_before_ = moving;
-        scale_ = std::clamp(scale_, 0.3, 1.0);
-        const double used = moving ? scale_ : 1.0;
-        const int drawn_width = std::max(1, static_cast<int>(width * used));
-        const int drawn_height = std::max(1, static_cast<int>(height * used));
+        const bool moving = session_.playing || session_.stroking() || hand_.moving();
+        const double used = picture_scale(moving);
+        const glm::ivec2 drawn_size = glm::max(glm::ivec2(glm::dvec2(area.size) * used), 1);
         if (!moving && frames_left_ > 0) --frames_left_;
         if (moving) frames_left_ = 2;
+        draw_picture(mouse - glm::dvec2(area.corner), area.size, drawn_size, moving);
+        draw_window(size, area, drawn_size, used);
+        if (!std::exchange(first_picture_shown_, true))
+            note(fmt::format("first picture after {:.2f} s", seconds_since_start()));
+        keep_rects();
+        serve_requests();
+        frame_s_ = glfwGetTime() - now;
+    }
 
-        ViewSettings settings = view_settings(session_.view());
-        if (cursor_ && !ImGui::GetIO().WantCaptureMouse)
-            settings.ring_m = {cursor_->x, cursor_->y, session_.view().number("brush.radius_m")};
+    void draw_picture(glm::dvec2 mouse, glm::ivec2 size, glm::ivec2 drawn_size, bool moving) {
+        settings_ = view_settings(session_.view());
+        if (hand_.cursor() && !ImGui::GetIO().WantCaptureMouse)
+            settings_.ring_m = {hand_.cursor()->x, hand_.cursor()->y,
+                                session_.view().number("brush.radius_m")};
         // A shader that does not compile is told, and the last picture stays.
         refining_ = false;
         try {
             Terrain& terrain = session_.simulation().terrain();
             const Drawn drawn =
-                session_.renderer().draw(terrain, session_.camera(), settings, drawn_width, drawn_height);
-            // Over a picture at rest the cursor is read where it came to, once.
-            if (drawn != Drawn::nothing || mouse != cursor_mouse_)
-                start_cursor_readback(mouse, width, height, drawn_width, drawn_height);
+                session_.renderer().draw(terrain, session_.camera(), settings_, drawn_size.x, drawn_size.y);
+            hand_.look(session_, mouse, size, drawn_size, drawn != Drawn::nothing);
             // At rest the picture gathers samples, one a frame.
             refining_ =
                 !moving && session_.renderer().refine(terrain, session_.view().whole("render.samples"));
         } catch (const std::exception& error) {
-            if (message_ != error.what()) {
-                say(fmt::format("talus: {}", error.what()));
-                tell(error.what());
-            }
+            if (message_ != error.what()) tell(error.what());
         }
+    }
 
-        gpu::bind_window(width, height);
-        session_.renderer().framebuffer().blit_to_window({0, 0, drawn_width, drawn_height},
-                                                         {0, 0, width, height});
+    void draw_window(glm::ivec2 size, const PictureArea& area, glm::ivec2 drawn_size, double used) {
+        gpu::bind_window(size.x, size.y);
+        // The window counts rows from below.
+        session_.renderer().framebuffer().blit_to_window(
+            {0, 0, drawn_size.x, drawn_size.y},
+            {area.corner.x, size.y - area.corner.y - area.size.y, area.size.x, area.size.y});
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
         ImGui::NewFrame();
-        draw_main_panel(session_, dialog_, placing_gauge_, requests_);
-        draw_gauge_marks(session_, width, height);
-        draw_import_panel(session_, import_panel_, requests_);
-        draw_file_dialog(dialog_, requests_);
-        draw_legend(legend_of(settings, session_.renderer().bounds().x, session_.renderer().bounds().y),
-                    width, height - 26);
-        StatusFigures figures{device_.renderer, now < message_until_s_ ? message_ : "", std::nullopt,
-                              frame_s_ * 1000, used};
-        if (cursor_) figures.cursor_height_m = cursor_->z;
-        draw_status_line(session_, figures, width, height);
+        draw_marks(session_, area);
+        StatusFigures figures{device_.renderer, glfwGetTime() < message_until_s_ ? message_ : "",
+                              std::nullopt, frame_s_ * 1000, used};
+        if (hand_.cursor()) figures.cursor_height_m = hand_.cursor()->z;
+        draw_legend(legend_of(settings_, session_.renderer().bounds().x, session_.renderer().bounds().y),
+                    area.corner.x + area.size.x, area.corner.y + area.size.y);
+        PanelContext context{session_, state_, requests_, work_};
+        draw_panels(context, figures, size);
+        bool cancelled = false;
+        draw_work(work_, cancelled);
+        if (cancelled) {
+            work_.cancel();
+            after_saving_ = nullptr;
+        }
         ImGui::Render();
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
         glfwSwapBuffers(window_);
-        if (!std::exchange(first_picture_shown_, true))
-            say(fmt::format("first picture after {:.2f} s", seconds_since_start()));
-        serve_requests();
-        frame_s_ = glfwGetTime() - now;
+    }
+
+    // Where the widgets are, for who drives the window by name.
+    void keep_rects() {
+        if (rects_path_.empty() || widget_rects() == rects_) return;
+        rects_ = widget_rects();
+        std::string text;
+        for (const WidgetRect& r : rects_)
+            text += fmt::format("{:.0f} {:.0f} {:.0f} {:.0f} {}\n", r.left, r.top, r.right, r.bottom, r.name);
+        write_atomically(rects_path_, text);
     }
 
     GLFWwindow* window_;
     gpu::Device device_;
     Session session_;
+    Hand hand_;
+    Recovery recovery_;
+    std::optional<LeftBehind> recovering_;  // what the session was recovered from, until it is saved
     std::string journal_path_;
+    std::string rects_path_;
+    std::vector<WidgetRect> rects_;
+    PanelState state_;
     PanelRequests requests_;
-    bool placing_gauge_ = false;  // by the next click
-    bool placed_ = false;         // by the click that is held
-    bool held_before_ = false;    // the left button, in the frame before
-    FileDialog dialog_;
-    ImportPanel import_panel_;
+    std::function<void()> after_saving_;
+    bool closing_ = false;
+    ViewSettings settings_;
+    bool profiling_ = false;
+    std::vector<gpu::PassTime> passes_;
+    double passes_s_ = 0;
     bool first_picture_shown_ = false;
     std::string message_;
     double message_until_s_ = 0;
 
-    bool refining_ = false;
-
-    bool walking_ = false;
-    int terrain_number_ = 0;
-    GroundProbe ground_;
-    gpu::Readback cursor_readback_;
-    Camera cursor_camera_;
-    glm::dvec2 cursor_mouse_{-1};  // where the last read-back began
-    glm::dvec3 cursor_direction_{0};
-    std::optional<glm::dvec3> cursor_;
     glm::dvec2 mouse_{0};
-    glm::dvec3 pivot_{0};
-    bool turning_ = false;
-    double wheel_ = 0;
-
+    bool refining_ = false;
     double last_s_ = 0;
     double frame_s_ = frame_goal_s;
     double scale_ = 1.0;
-    double moving_s_ = 0;
-    bool camera_moved_ = false;
     bool moved_before_ = false;
     int frames_left_ = 3;
+    Work work_;  // last: its thread ends before what it looks at goes
 };
 
 }  // namespace
@@ -532,7 +581,7 @@ std::string why_no_window() {
 
 void run_window(const WindowOptions& options) {
     const Glfw glfw;
-    Window window(glfw, options);
+    Window window(glfw, options, read_window_layout());
     window.loop();
 }
 

@@ -5,8 +5,10 @@ namespace talus {
 
 struct WindowOptions {
     SceneRequest scene;
-    std::string journal;  ///< written on every save and at the end
-    glm::ivec2 size{1280, 720};
+    std::string journal;             ///< written on every save and at the end
+    std::optional<glm::ivec2> size;  ///< unless given, as it was when it was last closed
+    double ui_scale = 0;             ///< of panels and text; 0: as the display asks for
+    std::string ui_rects;  ///< a file that says where every named widget is, kept up to date; empty: none
 };
 
 /// Why no window can open here: no display, a dead one, OpenGL below 4.5. Empty: one can.

@@ -1,9 +1,17 @@
-# Writes a C++ file that holds text files as raw string literals, keyed by their path below ROOT.
+# Writes a C++ file that holds text files as raw string literals, pictures byte by byte, keyed by their path below ROOT.
 # cmake -DROOT=dir -DFILES=a;b -DOUTPUT=file.cpp -DTABLE=name -P embed.cmake
 set(text "#include \"sim/gpu/embedded_text.h\"\n\nnamespace talus {\nconst std::map<std::string, std::string_view, std::less<>>& ${TABLE}() {\n    static const std::map<std::string, std::string_view, std::less<>> files = {\n")
 foreach(file IN LISTS FILES)
-    file(READ "${ROOT}/${file}" body)
-    string(APPEND text "{\"${file}\", R\"talus(${body})talus\"},\n")
+    if(file MATCHES "\\.png$")
+        file(READ "${ROOT}/${file}" body HEX)
+        string(LENGTH "${body}" digits)
+        math(EXPR bytes "${digits} / 2")
+        string(REGEX REPLACE "(..)" "\\\\x\\1" body "${body}")
+        string(APPEND text "{\"${file}\", std::string_view(\"${body}\", ${bytes})},\n")
+    else()
+        file(READ "${ROOT}/${file}" body)
+        string(APPEND text "{\"${file}\", R\"talus(${body})talus\"},\n")
+    endif()
 endforeach()
 string(APPEND text "    };\n    return files;\n}\n}  // namespace talus\n")
 file(WRITE "${OUTPUT}" "${text}")

@@ -32,12 +32,15 @@ CastOrigin cast_origin(const Grid& grid, glm::dvec3 point) {
             glm::dvec2(column - std::floor(column), row - std::floor(row)), point.z};
 }
 
-Camera overview(const Grid& grid, double lowest_m, double highest_m) {
+Camera overview(const Grid& grid, double lowest_m, double highest_m, double aspect) {
     // The whole rectangle within the view, from a little west of south and high enough to see its relief.
     Camera camera;
     const double radius = 0.5 * std::hypot(grid.width_m(), grid.height_m(), highest_m - lowest_m);
     const glm::dvec3 middle(grid.width_m() / 2, grid.height_m() / 2, (lowest_m + highest_m) / 2);
-    const double distance = 0.66 * radius / std::tan(camera.fov_deg * std::numbers::pi / 360) + 0.2 * radius;
+    // Seen from there the rectangle is about 1.45 times as wide as it is high.
+    const double narrow = std::max(1.0, 1.45 / aspect);
+    const double distance =
+        narrow * (0.66 * radius / std::tan(camera.fov_deg * std::numbers::pi / 360) + 0.2 * radius);
     const glm::dvec3 away = glm::normalize(glm::dvec3(-0.38, -0.80, 0.50));
     camera.eye = middle + distance * away;
     camera.eye.z = std::max(camera.eye.z, highest_m + 0.1 * radius);

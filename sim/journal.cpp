@@ -205,6 +205,7 @@ Operation to_operation(const json& line) {
 }  // namespace
 
 void Journal::record(const Operation& operation) {
+    ++revision_;
     if (const auto* ticks = std::get_if<Ticks>(&operation); ticks && !operations_.empty())
         if (auto* last = std::get_if<Ticks>(&operations_.back())) {
             last->count += ticks->count;
@@ -218,6 +219,7 @@ Journal::Mark Journal::mark() const {
 }
 
 std::vector<Operation> Journal::cut(const Mark& mark) {
+    ++revision_;
     // The tail begins with the operation that stood last at the mark, as it is now.
     const auto from = operations_.begin() + static_cast<std::ptrdiff_t>(mark.count > 0 ? mark.count - 1 : 0);
     std::vector<Operation> tail(from, operations_.end());
@@ -227,6 +229,7 @@ std::vector<Operation> Journal::cut(const Mark& mark) {
 }
 
 void Journal::restore(const Mark& mark, const std::vector<Operation>& tail) {
+    ++revision_;
     operations_.resize(mark.count > 0 ? mark.count - 1 : 0);
     operations_.insert(operations_.end(), tail.begin(), tail.end());
 }

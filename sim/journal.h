@@ -20,6 +20,8 @@ class Journal {
   public:
     void record(const Operation& operation);
     const std::vector<Operation>& operations() const { return operations_; }
+    /// Rises with everything that changes the list.
+    std::size_t revision() const { return revision_; }
 
     /// Where the journal stands, to come back to.
     struct Mark {
@@ -33,6 +35,7 @@ class Journal {
 
   private:
     std::vector<Operation> operations_;
+    std::size_t revision_ = 0;
 };
 
 /// A journal as text, a line of JSON an operation, the start first; and back. Throws talus::Error naming the

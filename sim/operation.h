@@ -33,7 +33,9 @@ using PlaceSpring = Spring;
 struct Resample {
     int nx = 0;
     int ny = 0;
-    bool operator==(const Resample&) const = default;
+    std::shared_ptr<const TerrainState> made =
+        nullptr;  ///< the present terrain so; none: the simulation makes it
+    bool operator==(const Resample& other) const { return nx == other.nx && ny == other.ny; }
 };
 
 /// What lies in a rectangle becomes the terrain; its south-west sample becomes the origin.

@@ -48,6 +48,7 @@ Preset read(const std::string& name, const std::string& text, const std::string&
 std::vector<Preset> built_in_presets() {
     std::vector<Preset> presets;
     for (const auto& [file, text] : embedded_presets()) {
+        if (!file.ends_with(".toml")) continue;
         const std::string name = file.substr(0, file.rfind('.'));
         presets.push_back(read(name, std::string(text), "preset " + name));
     }

@@ -259,7 +259,7 @@ void Simulation::act(const Dab& dab) {
 }
 
 void Simulation::act(const Resample& to) {
-    replace_terrain(to, resampled(read(), to.nx, to.ny), moment_.parameters);
+    replace_terrain(to, to.made ? *to.made : resampled(read(), to.nx, to.ny), moment_.parameters);
 }
 
 void Simulation::act(const Crop& crop) {
@@ -539,12 +539,23 @@ Water::Work Simulation::water_work() const {
     return water_ ? water_->work() : Water::Work();
 }
 
-TerrainState Simulation::read() const {
-    TerrainState state = terrain_.read();
+TerrainState Simulation::moment_state() const {
+    TerrainState state;
+    state.grid = terrain_.grid();
     state.clock = moment_.clock;
     state.springs = moment_.springs;
     state.edges_since_s = moment_.edges_since_s;
     state.georeference = moment_.georeference;
+    return state;
+}
+
+TerrainState Simulation::read() const {
+    TerrainState state = terrain_.read();
+    const TerrainState moment = moment_state();
+    state.clock = moment.clock;
+    state.springs = moment.springs;
+    state.edges_since_s = moment.edges_since_s;
+    state.georeference = moment.georeference;
     return state;
 }
 

@@ -86,6 +86,8 @@ class Simulation {
     Water::Work water_work() const;
     /// The whole state. Waits for the device.
     TerrainState read() const;
+    /// The state but for its layers: what read() adds to them, without waiting.
+    TerrainState moment_state() const;
 
   private:
     void act(const SetParameter& set);

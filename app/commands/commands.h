@@ -76,6 +76,9 @@ struct ConvertOptions {
     ImportSettings import;
     std::optional<glm::dvec2> range_m;  ///< heights of 0 and 65535 in integer outputs
     std::string layer;
+    std::string kind;  ///< one of export_kind_names(); empty: by the output's ending
+    glm::ivec2 tiles{1};
+    double mesh_error_m = 1;
 };
 void convert(const ConvertOptions& options);
 

@@ -23,15 +23,22 @@ void FileDialog::begin(Purpose what, const std::string& near) {
     accepted = cancelled = false;
 }
 
-void draw_file_dialog(FileDialog& dialog, PanelRequests& requests) {
-    if (dialog.purpose == FileDialog::Purpose::none) return;
-    const bool saving = dialog.purpose == FileDialog::Purpose::save;
-    const char* title = saving ? "Save as" : "Open";
-    ImGui::OpenPopup(title);
-    ImGui::SetNextWindowSize({560, 420}, ImGuiCond_Appearing);
-    if (!ImGui::BeginPopupModal(title)) return;
-    ImGui::TextUnformatted(dialog.folder.c_str());
-    ImGui::BeginChild("files", {0, -70}, true);
+namespace {
+
+const char* title_of(FileDialog::Purpose purpose) {
+    switch (purpose) {
+        case FileDialog::Purpose::save:
+            return "Save as";
+        case FileDialog::Purpose::import:
+            return "Import";
+        case FileDialog::Purpose::stamp:
+            return "Choose a stamp";
+        default:
+            return "Open";
+    }
+}
+
+void draw_entries(FileDialog& dialog) {
     std::error_code failed;
     std::vector<fs::path> entries;
     for (fs::directory_iterator at(dialog.folder, failed), end; !failed && at != end; at.increment(failed))
@@ -43,29 +50,58 @@ void draw_file_dialog(FileDialog& dialog, PanelRequests& requests) {
         if (shown.starts_with(".")) continue;
         if (fs::is_directory(entry, failed)) {
             if (ImGui::Selectable((shown + "/").c_str())) dialog.folder = entry.string();
-        } else if (ImGui::Selectable(shown.c_str(), shown == dialog.name)) {
+        } else if (ImGui::Selectable(shown.c_str(), shown == dialog.name,
+                                     ImGuiSelectableFlags_AllowDoubleClick)) {
             dialog.name = shown;
+            if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) dialog.accepted = true;
         }
+        note_widget("file " + shown);
     }
+}
+
+void accept(FileDialog& dialog, PanelRequests& requests) {
+    const fs::path given(dialog.name);
+    const std::string path = (given.is_absolute() ? given : fs::path(dialog.folder) / given).string();
+    if (dialog.purpose == FileDialog::Purpose::save) {
+        // Save keeps everything; other formats are exports.
+        if (ending_of(path) != ".exr") {
+            dialog.error = "a Talus document ends in .exr; other formats are under File > Export";
+            return;
+        }
+        requests.save = path;
+    } else if (dialog.purpose == FileDialog::Purpose::stamp) {
+        requests.stamp = path;
+    } else {
+        requests.import = path;
+    }
+    dialog.purpose = FileDialog::Purpose::none;
+}
+
+}  // namespace
+
+void draw_file_dialog(PanelContext& context) {
+    FileDialog& dialog = context.state.dialog;
+    if (dialog.purpose == FileDialog::Purpose::none) return;
+    const char* title = title_of(dialog.purpose);
+    const float em = ImGui::GetFontSize();
+    ImGui::OpenPopup(title);
+    ImGui::SetNextWindowSize({38 * em, 28 * em}, ImGuiCond_Appearing);
+    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
+    if (!ImGui::BeginPopupModal(title)) return;
+    text_line(dialog.folder);
+    ImGui::BeginChild("files", {0, -5 * em}, true);
+    draw_entries(dialog);
     ImGui::EndChild();
     ImGui::SetNextItemWidth(-1);
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     const bool entered = ImGui::InputText("##name", &dialog.name, ImGuiInputTextFlags_EnterReturnsTrue);
-    const bool accepted = ImGui::Button(title) || entered || std::exchange(dialog.accepted, false);
+    note_widget("file name");
+    const bool accepted = button(title) || entered || std::exchange(dialog.accepted, false);
     ImGui::SameLine();
-    const bool cancelled = ImGui::Button("Cancel") || dialog.cancelled;
+    const bool cancelled = button("Cancel") || dialog.cancelled;
     ImGui::SameLine();
-    ImGui::TextUnformatted(saving ? (dialog.error.empty() ? heightmap_endings : dialog.error.c_str()) : "");
-    if (accepted && !dialog.name.empty()) {
-        const fs::path given(dialog.name);
-        const std::string path = (given.is_absolute() ? given : fs::path(dialog.folder) / given).string();
-        if (saving && !can_write_heightmap(path)) {
-            dialog.error = std::string("the ending must be one of ") + heightmap_endings;
-        } else {
-            (saving ? requests.save : requests.open) = path;
-            dialog.purpose = FileDialog::Purpose::none;
-        }
-    }
+    text_line(dialog.error);
+    if (accepted && !dialog.name.empty()) accept(dialog, context.requests);
     if (cancelled) dialog.purpose = FileDialog::Purpose::none;
     if (dialog.purpose == FileDialog::Purpose::none) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();

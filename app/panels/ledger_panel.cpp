@@ -7,9 +7,7 @@ namespace talus {
 namespace {
 
 void line(const char* name, double value, const char* unit) {
-    ImGui::TextUnformatted(name);
-    ImGui::SameLine(150);
-    ImGui::TextUnformatted(fmt::format("{:.6g} {}", value, unit).c_str());
+    figure_line(name, fmt::format("{:.6g} {}", value, unit));
 }
 
 template <typename Value>
@@ -23,9 +21,11 @@ void plot(const std::vector<Session::Balance>& balances, const char* name, const
 
 }  // namespace
 
-void draw_ledger_panel(Session& session, PanelRequests& requests) {
+void draw_ledger_panel(PanelContext& context) {
+    Session& session = context.session;
     session.follow_ledger();
-    if (ImGui::Button("Balance now")) requests.acts.emplace_back([](Session& s) { s.balance(); });
+    if (button("Balance now", "reads the ledger as it stands"))
+        context.requests.acts.emplace_back([](Session& s) { s.balance(); });
     const std::vector<Session::Balance>& balances = session.balances();
     if (balances.empty()) return;
     const auto& [ledger, simulated_s] = balances.back();

@@ -1,18 +1,28 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/panels/widgets.h"
+#include "app/recovery.h"
 #include "app/session.h"
+#include "app/work.h"
+#include "sim/gpu/profile.h"
+#include "sim/io/export.h"
 
 namespace talus {
 
 /// What panels ask the window to do, once the frame's panels are done.
 struct PanelRequests {
-    std::optional<std::string> open;
-    std::optional<std::string> save;
+    std::optional<SceneRequest> open;     ///< another scene; unsaved work is asked about
+    std::optional<std::string> save;      ///< the document, to this path
+    std::optional<std::string> import;    ///< a file, by the import dialog
+    std::optional<std::string> stamp;     ///< a file, as the stamp
+    std::optional<ExportSettings> write;  ///< files for other programs
+    std::optional<Operation> map;         ///< an act on the whole map, which may take long
     bool reset = false;
     bool undo = false;
     bool redo = false;
@@ -33,7 +43,7 @@ struct StatusFigures {
 
 /// A dialog that picks a path; the window keeps one.
 struct FileDialog {
-    enum class Purpose { none, open, save };
+    enum class Purpose { none, open, save, import, stamp };
     Purpose purpose = Purpose::none;
     std::string folder;
     std::string name;
@@ -43,35 +53,115 @@ struct FileDialog {
     void begin(Purpose what, const std::string& near);
 };
 
-/// Menu bar and main panel: play, undo, tools and every declared parameter.
-void draw_main_panel(Session& session, FileDialog& dialog, bool& placing_gauge, PanelRequests& requests);
-void draw_status_line(const Session& session, const StatusFigures& figures, int width, int height);
-void draw_file_dialog(FileDialog& dialog, PanelRequests& requests);
-/// How a file was read, kept by the window: what its reader guessed, and fields to read it again otherwise.
-struct ImportPanel {
-    bool shown = true;
+/// A heightmap that is to be opened or imported: how it is read, and what it looks like then.
+struct ImportDialog {
+    std::string path;  ///< empty: the dialog is not there
+    bool offers_import = true;
+    ImportSettings settings;
     double spacing_m = 1;
     double low_m = 0;
     double high_m = 1000;
-    std::string raw;  ///< as --raw takes it
-    void follow(const Session& session);
+    glm::ivec2 raw_size{0};
+    bool big_endian = false;
+    bool south_first = false;
+    std::vector<std::string> notes;
+    std::string kind;
+    std::string crs;
+    std::string error;
+    glm::ivec2 samples{0};
+    gpu::Texture preview;
+    glm::ivec2 preview_size{0};
+    /// Reads the file with the settings. What is wrong with it stands in `error` then.
+    void read(const std::string& file);
 };
-void draw_import_panel(const Session& session, ImportPanel& panel, PanelRequests& requests);
 
-/// Gauges: a button to place one by the next click, and for each its level and speed against time; marks
-/// where they stand in the picture.
-void draw_gauges_panel(Session& session, bool& placing, PanelRequests& requests);
-void draw_gauge_marks(const Session& session, int width, int height);
+/// Files for other programs: what is written and what gets lost.
+struct ExportDialog {
+    bool shown = false;
+    ExportSettings settings;
+    std::string error;
+    std::optional<TerrainState> state;  ///< read when the dialog opens
+    std::vector<std::string> lost;      ///< with the settings as text below
+    std::string lost_with;
+};
 
+/// A question with two or three answers, in the middle of the window.
+struct Question {
+    std::string text;
+    std::vector<std::pair<std::string, std::function<void()>>> answers;  ///< the last one: Escape
+};
+
+/// What the panels keep between frames.
+struct PanelState {
+    std::string shown = "Simulation";  ///< of the panels on the right
+    bool panels_shown = true;
+    bool start_page = false;
+    bool placing_gauge = false;
+    FileDialog dialog;
+    ImportDialog import;
+    ExportDialog write;
+    std::optional<Question> question;
+    std::vector<LeftBehind> left;       ///< by sessions that ended without saving
+    std::vector<std::string> log;       ///< what was said, oldest first
+    std::vector<gpu::PassTime> passes;  ///< of the last half second
+    double passes_s = 0;                ///< how long that was
+    std::map<std::string, gpu::Texture> thumbnails;
+};
+
+/// Whether a dialog stands over everything else and has the keys.
+bool is_dialog_open(const PanelState& state);
+
+/// What a panel is drawn from, and where it says what a person wants.
+struct PanelContext {
+    Session& session;
+    PanelState& state;
+    PanelRequests& requests;
+    const Work& work;
+};
+
+/// Menu bar, tools on the left, a panel on the right, status line; dialogs over them.
+void draw_panels(PanelContext& context, const StatusFigures& figures, glm::ivec2 size);
+/// The part of a window of this size that panels leave to the picture, pixels: its corner from the upper
+/// left, its size.
+struct PictureArea {
+    glm::ivec2 corner{0};
+    glm::ivec2 size{1};
+};
+PictureArea picture_area(const PanelState& state, glm::ivec2 size);
+/// Names of the panels on the right.
+std::vector<std::string> panel_names();
+
+void draw_menu(PanelContext& context);
+void draw_tools_panel(PanelContext& context);
+void draw_simulation_panel(PanelContext& context);
+void draw_water_panel(PanelContext& context);
+void draw_erosion_panel(PanelContext& context);
+void draw_view_panel(PanelContext& context);
+void draw_mask_panel(PanelContext& context);
+/// Acts on the whole map: its size and place, its heights, noise, another heightmap.
+void draw_map_panel(PanelContext& context);
+/// What was done, by name; a click goes there.
+void draw_history_panel(PanelContext& context);
 /// The ledger of rock and water, followed while it is open: its last reading, its stores and what is missing
 /// against time, and a button to read it now.
-void draw_ledger_panel(Session& session, PanelRequests& requests);
+void draw_ledger_panel(PanelContext& context);
+/// Gauges: a button to place one by the next click, and for each its level and speed against time.
+void draw_gauges_panel(PanelContext& context);
+void draw_profiler_panel(PanelContext& context);
+void draw_presets_panel(PanelContext& context);
+void draw_log_panel(PanelContext& context);
 
-/// A line of values with its name, its last value and its range.
-void plot_line(const char* label, const std::vector<float>& values, const char* unit);
-
-/// A widget for a declared parameter: name, unit, tooltip with help and range; right click resets to the
-/// default. True when the value changed.
-bool draw_parameter(const Parameter& parameter, Value& value);
+/// Presets with their pictures, in as many columns as there is room for; a click opens one.
+void draw_preset_grid(PanelContext& context);
+void draw_start_page(PanelContext& context, glm::ivec2 size);
+void draw_file_dialog(PanelContext& context);
+void draw_import_dialog(PanelContext& context);
+void draw_export_dialog(PanelContext& context);
+void draw_question(PanelState& state);
+/// A bar for long work, with a button to give it up.
+void draw_work(const Work& work, bool& cancelled);
+void draw_status_line(const Session& session, const StatusFigures& figures, int width, int height);
+/// Where gauges stand in the picture, and the line of a ramp that is being drawn.
+void draw_marks(const Session& session, const PictureArea& area);
 
 }  // namespace talus

@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "app/panels/panels.h"
+#include "app/panels/widgets.h"
 
 namespace talus {
 namespace {
@@ -17,60 +18,82 @@ std::string label_of(const Parameter& p) {
             break;
         }
     for (char& c : label)
-        if (c == '_') c = ' ';
-    return label + "##" + p.name;
+        if (c == '_' || c == '.') c = ' ';
+    return label;
 }
 
-bool edit_number(const Parameter& p, double& real) {
+bool edit_number(const Parameter& p, const char* id, double& real) {
     const double low = p.low;
     const double high = p.high;
-    const bool wide = high / std::max(std::abs(low), 1e-9) > 1e4 || (low == 0 && high > 1e3);
+    const bool wide = high / std::max(std::abs(low), 1e-9) > 1e4 || high - low > 1e3;
     const std::string format = "%.4g " + p.unit;
     if (wide) {
         const auto speed = static_cast<float>(std::max(std::abs(real) * 0.01, 1e-4));
-        return ImGui::DragScalar(label_of(p).c_str(), ImGuiDataType_Double, &real, speed, &low, &high,
-                                 format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+        return ImGui::DragScalar(id, ImGuiDataType_Double, &real, speed, &low, &high, format.c_str(),
+                                 ImGuiSliderFlags_AlwaysClamp);
     }
-    return ImGui::SliderScalar(label_of(p).c_str(), ImGuiDataType_Double, &real, &low, &high, format.c_str(),
+    return ImGui::SliderScalar(id, ImGuiDataType_Double, &real, &low, &high, format.c_str(),
                                ImGuiSliderFlags_AlwaysClamp);
+}
+
+bool edit(const Parameter& p, const char* id, Value& value) {
+    if (auto* on = std::get_if<bool>(&value)) return ImGui::Checkbox(id, on);
+    if (auto* count = std::get_if<int>(&value)) {
+        const int low = static_cast<int>(p.low);
+        const int high = static_cast<int>(p.high);
+        return ImGui::DragScalar(id, ImGuiDataType_S32, count, 0.2F, &low, &high, "%d",
+                                 ImGuiSliderFlags_AlwaysClamp);
+    }
+    if (auto* real = std::get_if<double>(&value)) return edit_number(p, id, *real);
+    auto& name = std::get<std::string>(value);
+    bool changed = false;
+    if (ImGui::BeginCombo(id, name.c_str())) {
+        for (const std::string& choice : p.choices) {
+            if (ImGui::Selectable(choice.c_str(), choice == name)) {
+                name = choice;
+                changed = true;
+            }
+            note_widget(p.name + "=" + choice);
+        }
+        ImGui::EndCombo();
+    }
+    return changed;
+}
+
+void explain(const Parameter& p) {
+    const bool ranged = std::holds_alternative<double>(p.preset) || std::holds_alternative<int>(p.preset);
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(26 * ImGui::GetFontSize());
+    ImGui::TextDisabled("%s", p.name.c_str());
+    ImGui::TextUnformatted(p.help.c_str());
+    if (ranged) ImGui::TextUnformatted(fmt::format("{:.6g} to {:.6g} {}", p.low, p.high, p.unit).c_str());
+    ImGui::TextDisabled("%s", fmt::format("default {}: right click{}", to_text(p.preset),
+                                          ranged ? "; Ctrl+click: an exact value" : "")
+                                  .c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
 }
 
 }  // namespace
 
 bool draw_parameter(const Parameter& p, Value& value) {
-    bool changed = false;
-    if (auto* on = std::get_if<bool>(&value)) {
-        changed = ImGui::Checkbox(label_of(p).c_str(), on);
-    } else if (auto* count = std::get_if<int>(&value)) {
-        const int low = static_cast<int>(p.low);
-        const int high = static_cast<int>(p.high);
-        changed = ImGui::DragScalar(label_of(p).c_str(), ImGuiDataType_S32, count, 1, &low, &high, "%d",
-                                    ImGuiSliderFlags_AlwaysClamp);
-    } else if (auto* real = std::get_if<double>(&value)) {
-        changed = edit_number(p, *real);
-    } else {
-        auto& name = std::get<std::string>(value);
-        if (ImGui::BeginCombo(label_of(p).c_str(), name.c_str())) {
-            for (const std::string& choice : p.choices)
-                if (ImGui::Selectable(choice.c_str(), choice == name)) {
-                    name = choice;
-                    changed = true;
-                }
-            ImGui::EndCombo();
-        }
-    }
-    if (ImGui::IsItemHovered()) {
-        const std::string range =
-            std::holds_alternative<double>(p.preset) || std::holds_alternative<int>(p.preset)
-                ? fmt::format("\n{:.6g} to {:.6g} {}", p.low, p.high, p.unit)
-                : "";
-        ImGui::SetTooltip("%s\n%s%s\ndefault %s: right click", p.name.c_str(), p.help.c_str(), range.c_str(),
-                          to_text(p.preset).c_str());
-    }
+    ImGui::PushID(p.name.c_str());
+    ImGui::BeginGroup();
+    ImGui::AlignTextToFramePadding();
+    const float begin = ImGui::GetCursorPosX();
+    const float room = ImGui::GetContentRegionAvail().x;
+    ImGui::TextUnformatted(label_of(p).c_str());
+    ImGui::SameLine(begin + 0.46F * room);
+    ImGui::SetNextItemWidth(0.54F * room);
+    bool changed = edit(p, "##value", value);
+    note_widget(p.name);
+    ImGui::EndGroup();
+    if (ImGui::IsItemHovered()) explain(p);
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
         value = p.preset;
         changed = true;
     }
+    ImGui::PopID();
     return changed;
 }
 

@@ -11,6 +11,7 @@
 #include "sim/gpu/debug.h"
 #include "sim/gpu/embedded_text.h"
 #include "sim/gpu/error.h"
+#include "sim/gpu/profile.h"
 
 namespace talus::gpu {
 namespace {
@@ -282,6 +283,7 @@ void Program::set(std::string_view name, unsigned value) {
 }
 
 void Program::dispatch(int groups_x, int groups_y, int groups_z) {
+    const PassSpan timed(paths_.back());
     use();
     glDispatchCompute(static_cast<GLuint>(groups_x), static_cast<GLuint>(groups_y),
                       static_cast<GLuint>(groups_z));
@@ -290,6 +292,7 @@ void Program::dispatch(int groups_x, int groups_y, int groups_z) {
 }
 
 void Program::dispatch_indirect(const Buffer& arguments, std::size_t offset) {
+    const PassSpan timed(paths_.back());
     use();
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, arguments.name());
     glDispatchComputeIndirect(static_cast<GLintptr>(offset));
@@ -333,12 +336,14 @@ const void* as_offset(std::size_t offset) {
 }  // namespace
 
 void Program::draw_fullscreen() {
+    const PassSpan timed(paths_.back());
     use();
     with_vertex_array(0, [] { glDrawArrays(GL_TRIANGLES, 0, 3); });
     raise_errors();
 }
 
 void Program::draw_indirect(const Buffer& arguments, std::size_t offset, Depth depth) {
+    const PassSpan timed(paths_.back());
     use();
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, arguments.name());
     with_vertex_array(
@@ -347,6 +352,7 @@ void Program::draw_indirect(const Buffer& arguments, std::size_t offset, Depth d
 }
 
 void Program::draw_points_indirect(const Buffer& arguments, std::size_t offset, Depth depth) {
+    const PassSpan timed(paths_.back());
     use();
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, arguments.name());
     glEnable(GL_PROGRAM_POINT_SIZE);
@@ -358,6 +364,7 @@ void Program::draw_points_indirect(const Buffer& arguments, std::size_t offset, 
 
 void Program::draw_indexed_indirect(const Buffer& indices, const Buffer& arguments, std::size_t offset,
                                     Depth depth) {
+    const PassSpan timed(paths_.back());
     use();
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, arguments.name());
     with_vertex_array(indices.name(), [&] {

@@ -1,5 +1,6 @@
 #include "sim/io/colour_image.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <fmt/format.h>
 
 #include "sim/gpu/error.h"
@@ -11,11 +12,8 @@ namespace {
 // As OpenGL 4.5 promises for a texture.
 constexpr int largest_side = 16384;
 
-}  // namespace
-
-ColourImage read_colour_image(const std::filesystem::path& path) {
-    const auto input = open_picture(path);
-    const OIIO::ImageSpec& spec = input->spec();
+ColourImage all_of(const std::filesystem::path& path, OIIO::ImageInput& input) {
+    const OIIO::ImageSpec& spec = input.spec();
     if (spec.nchannels == 2 || spec.nchannels > 4)
         throw Error(fmt::format("'{}' has {} channels, a picture in colours has 1, 3 or 4", path.string(),
                                 spec.nchannels));
@@ -29,7 +27,7 @@ ColourImage read_colour_image(const std::filesystem::path& path) {
     const std::size_t pixels = static_cast<std::size_t>(spec.width) * spec.height;
     const auto channels = static_cast<std::size_t>(spec.nchannels);
     std::vector<std::uint8_t> read(pixels * channels);
-    read_bytes(path, *input, spec.nchannels, read.data());
+    read_bytes(path, input, spec.nchannels, read.data());
     image.rgba.resize(4 * pixels);
     for (std::size_t i = 0; i < pixels; ++i) {
         for (std::size_t c = 0; c < 3; ++c)
@@ -37,6 +35,19 @@ ColourImage read_colour_image(const std::filesystem::path& path) {
         image.rgba[4 * i + 3] = 255;
     }
     return image;
+}
+
+}  // namespace
+
+ColourImage read_colour_image(const std::filesystem::path& path) {
+    return all_of(path, *open_picture(path));
+}
+
+ColourImage decode_png(std::string_view bytes, const std::string& name) {
+    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
+    const auto input = OIIO::ImageInput::open(name + ".png", nullptr, &memory);
+    if (!input) throw Error(fmt::format("the picture '{}' cannot be read: {}", name, OIIO::geterror()));
+    return all_of(name, *input);
 }
 
 }  // namespace talus

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace talus {
@@ -15,5 +17,8 @@ struct ColourImage {
 /// Reads any picture that OpenImageIO knows (PNG, JPEG, TIFF …), of one, three or four channels, at most
 /// 16384 pixels a side. Throws talus::Error.
 ColourImage read_colour_image(const std::filesystem::path& path);
+
+/// The same from a PNG in memory; `name` stands in errors.
+ColourImage decode_png(std::string_view bytes, const std::string& name);
 
 }  // namespace talus

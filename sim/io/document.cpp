@@ -79,13 +79,6 @@ void check_inundation(const fs::path& path, const glm::vec2& inundation) {
                     path.string(), inundation.x, inundation.y));
 }
 
-bool is_document(const fs::path& path) {
-    if (ending_of(path) != ".exr") return false;
-    std::error_code ignored;
-    if (!fs::is_regular_file(path, ignored) || fs::file_size(path, ignored) == 0) return false;
-    return open_picture(path)->spec().channelindex("bedrock") >= 0;
-}
-
 Document read_document(const fs::path& path, const ImportSettings& settings) {
     const auto input = open_picture(path);
     check_file_size(path, input->spec().width, input->spec().height);
@@ -169,6 +162,13 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
 }
 
 }  // namespace
+
+bool is_document(const fs::path& path) {
+    if (ending_of(path) != ".exr") return false;
+    std::error_code ignored;
+    if (!fs::is_regular_file(path, ignored) || fs::file_size(path, ignored) == 0) return false;
+    return open_picture(path)->spec().channelindex("bedrock") >= 0;
+}
 
 Document open_document(const fs::path& path, const ImportSettings& settings) {
     if (is_document(path)) return read_document(path, settings);

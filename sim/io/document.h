@@ -16,6 +16,9 @@ struct Document {
     std::vector<std::string> notes;
 };
 
+/// Whether a file is a Talus document rather than a heightmap of another kind.
+bool is_document(const std::filesystem::path& path);
+
 /// Opens a Talus document (multi-channel EXR with a channel `bedrock`) or, as bedrock, any heightmap.
 Document open_document(const std::filesystem::path& path, const ImportSettings& settings);
 

@@ -40,6 +40,7 @@ const std::vector<std::string>& stamp_mode_names() {
 void check_dab(const Dab& dab) {
     // Flatten away from its target exaggerates the relief.
     const double least_blend = dab.mode == BrushMode::flatten ? -1000 : 0;
+    const double least_amount_m = dab.mode == BrushMode::noise || dab.mode == BrushMode::stamp ? -1e6 : 0;
     const struct {
         const char* name;
         double value;
@@ -50,7 +51,7 @@ void check_dab(const Dab& dab) {
                   {"radius_m", dab.radius_m, 1e-6, 1e9},
                   {"falloff", dab.falloff, 0, 1},
                   {"blend", dab.blend, least_blend, 1},
-                  {"amount_m", dab.amount_m, 0, 1e6},
+                  {"amount_m", dab.amount_m, least_amount_m, 1e6},
                   {"target_m", dab.target_m, -1e6, 1e6},
                   {"way_x_m", dab.way_m.x, -1e9, 1e9},
                   {"way_y_m", dab.way_m.y, -1e9, 1e9},

@@ -53,8 +53,9 @@ struct Dab {
     double x_m = 0;
     double y_m = 0;
     double radius_m = 1;
-    double falloff = 1;   ///< 0 hard edge … 1 soft all the way
-    double amount_m = 0;  ///< raise, lower: metres in the middle; noise, stamp: the height of 1
+    double falloff = 1;  ///< 0 hard edge … 1 soft all the way
+    double amount_m =
+        0;  ///< raise, lower: metres in the middle; noise, stamp: the height of 1, below 0 a hollow
     double blend =
         0;  ///< smooth, flatten, ramp, terrace, stamp, paint: share of the way in the middle, 0 … 1
     /// Flatten: the height to reach; ramp: at its beginning; terrace: of a step; stamp: that its lowest part

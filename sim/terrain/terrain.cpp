@@ -12,6 +12,18 @@ std::vector<float> TerrainState::ground() const {
     return heights;
 }
 
+void drop_zero_layers(TerrainState& state) {
+    const auto drop = [](auto& layer) {
+        using Texel = typename std::remove_reference_t<decltype(layer)>::value_type;
+        if (std::all_of(layer.begin(), layer.end(), [](const Texel& texel) { return texel == Texel(0); }))
+            layer.clear();
+    };
+    drop(state.water);
+    drop(state.inundation);
+    drop(state.suspended);
+    drop(state.painted);
+}
+
 TerrainState bedrock_terrain(const Grid& grid, const std::vector<float>& heights_m) {
     check_grid(grid);
     TerrainState state;
@@ -144,16 +156,7 @@ TerrainState Terrain::read() const {
                               std::as_writable_bytes(std::span(state.suspended)));
     }
     if (painted) state.painted = painted->read_all<glm::vec4>();
-    // A layer that is zero throughout is none.
-    const auto drop_zeros = [](auto& layer) {
-        using Texel = typename std::remove_reference_t<decltype(layer)>::value_type;
-        if (std::all_of(layer.begin(), layer.end(), [](const Texel& texel) { return texel == Texel(0); }))
-            layer.clear();
-    };
-    drop_zeros(state.water);
-    drop_zeros(state.inundation);
-    drop_zeros(state.suspended);
-    drop_zeros(state.painted);
+    drop_zero_layers(state);
     return state;
 }
 

@@ -54,6 +54,9 @@ struct TerrainState {
     std::vector<float> ground() const;
 };
 
+/// An optional layer that is zero throughout is none.
+void drop_zero_layers(TerrainState& state);
+
 /// A terrain of one layer of bedrock. Throws talus::Error when the grid cannot be used.
 TerrainState bedrock_terrain(const Grid& grid, const std::vector<float>& heights_m);
 

@@ -56,6 +56,8 @@ class Tiles {
     /// that does, then clears the mark everywhere. The list's dispatch is groups_per_tile x tiles x 1.
     void take(Mark mark, int reach_low, int reach_high, int groups_per_tile, TileList& list);
     void clear(Mark mark);
+    /// A word of marks a tile, on the device.
+    const gpu::Buffer& marks() const { return flags_; }
     /// Which tiles carry the mark. Waits for the device.
     std::vector<bool> read(Mark mark) const;
 

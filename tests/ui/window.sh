@@ -9,6 +9,8 @@ rm -rf "$folder"
 mkdir -p "$folder"
 cd "$folder"
 export LIBGL_ALWAYS_SOFTWARE=1
+# Nothing of the person's own, and nothing left to them.
+export XDG_STATE_HOME=$PWD/state XDG_CONFIG_HOME=$PWD/config
 
 fail() { echo "FAILED: $1"; cat window.log; exit 1; }
 
@@ -32,3 +34,53 @@ close_window() {
     kill -0 "$pid" 2>/dev/null && fail "Ctrl+Q did not close the window"
     wait "$pid" || fail "the window ended with an error"
 }
+
+# Where a named widget is, as "left top right bottom"; the window must have been opened with --ui-rects rects.
+rect_of() { sed -n "s/^\([-0-9]* [-0-9]* [-0-9]* [-0-9]*\) $1\$/\1/p" rects 2>/dev/null | head -n 1; }
+# Waits until the widget is there.
+await_widget() {
+    for _ in $(seq 150); do [ -n "$(rect_of "$1")" ] && return; sleep 0.1; done
+    fail "there is no widget '$1'"
+}
+# Clicks in the middle of a named widget, once it is there and has stopped moving.
+click() {
+    local before= now
+    await_widget "$1"
+    for _ in $(seq 50); do
+        now=$(rect_of "$1")
+        [ "$now" = "$before" ] && break
+        before=$now
+        sleep 0.15
+    done
+    set -- $now
+    xdotool mousemove $((($1 + $3) / 2)) $((($2 + $4) / 2))
+    sleep 0.25
+    xdotool mousedown 1
+    sleep 0.15
+    xdotool mouseup 1
+    sleep 0.25
+}
+# Types an exact number into a parameter.
+type_into() {
+    local name=$1
+    await_widget "$name"
+    set -- "$2" $(rect_of "$name")
+    xdotool mousemove $((($2 + $4) / 2)) $((($3 + $5) / 2))
+    sleep 0.25
+    xdotool keydown ctrl mousedown 1
+    sleep 0.2
+    xdotool mouseup 1 keyup ctrl
+    sleep 0.3
+    xdotool key ctrl+a
+    sleep 0.1
+    xdotool type --delay 40 "$1"
+    sleep 0.2
+    xdotool key Return
+    sleep 0.3
+}
+# Waits for a line in the window's own words.
+await_word() {
+    for _ in $(seq "${2:-300}"); do grep -q "$1" window.log && return; sleep 0.1; done
+    fail "the window never said '$1'"
+}
+hash_of() { "$talus" info --json "$1" | sed -n 's/.*"hash": "\(.*\)".*/\1/p'; }

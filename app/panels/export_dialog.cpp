@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/panels/panels.h"
+
+namespace talus {
+namespace {
+
+const char* usual_ending(ExportKind kind) {
+    switch (kind) {
+        case ExportKind::mesh:
+            return ".obj";
+        case ExportKind::normal_map:
+        case ExportKind::unreal:
+            return ".png";
+        case ExportKind::unity:
+            return ".raw";
+        case ExportKind::godot:
+            return ".r16";
+        default:
+            return ".tif";
+    }
+}
+
+const char* what_it_is(ExportKind kind) {
+    switch (kind) {
+        case ExportKind::mesh:
+            return "Wavefront OBJ, simplified: no sample lies farther from it than the error below.";
+        case ExportKind::normal_map:
+            return "PNG, 16 bits: red east, green north, blue up.";
+        case ExportKind::unreal:
+            return "A landscape's heightmap: .png or .r16, and what to type there in a .txt beside it.";
+        case ExportKind::unity:
+            return "A terrain's RAW: .raw or .r16, and what to type there in a .txt beside it.";
+        case ExportKind::godot:
+            return "For Terrain3D or HTerrain: .r16 or .exr, and what to type there in a .txt beside it.";
+        default:
+            return "GeoTIFF (.tif), EXR, PNG of 16 bits, raw .r16 and .r32.";
+    }
+}
+
+// Reads the terrain once, and looks at it anew when the settings change.
+void follow_losses(const Session& session, ExportDialog& dialog) {
+    const ExportSettings& settings = dialog.settings;
+    const std::string with = fmt::format(
+        "{} {} {} {} {}", static_cast<int>(settings.kind), settings.path.string(), settings.tiles.x,
+        settings.tiles.y, settings.range_m ? settings.range_m->x + 7 * settings.range_m->y : 0);
+    if (!dialog.state) dialog.state = session.simulation().read();
+    if (dialog.lost_with == with) return;
+    dialog.lost_with = with;
+    dialog.lost = losses(*dialog.state, settings);
+}
+
+}  // namespace
+
+void draw_export_dialog(PanelContext& context) {
+    ExportDialog& dialog = context.state.write;
+    if (!dialog.shown) return;
+    ExportSettings& settings = dialog.settings;
+    if (settings.path.empty()) {
+        const std::filesystem::path near =
+            context.session.path().empty() ? context.session.request().input : context.session.path();
+        std::error_code ignored;
+        const auto folder = near.empty() ? std::filesystem::current_path(ignored) : near.parent_path();
+        settings.path = folder / ((near.empty() ? "terrain" : near.stem().string()) + "-export.tif");
+    }
+    ImGui::OpenPopup("Export");
+    ImGui::SetNextWindowSize({36 * ImGui::GetFontSize(), 0});
+    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
+    if (!ImGui::BeginPopupModal("Export", nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize))
+        return;
+    const float spacing = ImGui::GetStyle().ItemSpacing.x;
+    const float third = (ImGui::GetContentRegionAvail().x - 2 * spacing) / 3;
+    const std::vector<std::string>& kinds = export_kind_names();
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        const auto kind = static_cast<ExportKind>(i);
+        if (choice_button(kinds[i], settings.kind == kind, what_it_is(kind), third)) {
+            settings.kind = kind;
+            settings.path.replace_extension(usual_ending(kind));
+        }
+        if (i % 3 != 2) ImGui::SameLine();
+    }
+    ImGui::TextWrapped("%s", what_it_is(settings.kind));
+    ImGui::Spacing();
+    std::string path = settings.path.string();
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::InputText("##path", &path)) settings.path = path;
+    note_widget("export path");
+    ImGui::PushItemWidth(12 * ImGui::GetFontSize());
+    if (settings.kind == ExportKind::mesh) {
+        ImGui::InputDouble("m of error", &settings.mesh_error_m, 0, 0, "%.6g");
+    } else {
+        ImGui::InputInt2("tiles east, south", &settings.tiles.x);
+        settings.tiles = glm::clamp(settings.tiles, 1, 64);
+        bool given = settings.range_m.has_value();
+        if (ImGui::Checkbox("heights of the smallest and largest integer", &given))
+            settings.range_m = given ? std::optional<Range>(context.session.bounds()) : std::nullopt;
+        if (settings.range_m) ImGui::InputScalarN("m", ImGuiDataType_Double, &settings.range_m->x, 2);
+    }
+    ImGui::PopItemWidth();
+    heading("What gets lost");
+    follow_losses(context.session, dialog);
+    ImGui::PushTextWrapPos(0);
+    if (dialog.lost.empty()) ImGui::TextUnformatted("nothing");
+    for (const std::string& lost : dialog.lost) {
+        ImGui::Bullet();
+        ImGui::TextUnformatted(lost.c_str());
+    }
+    ImGui::PopTextWrapPos();
+    if (!dialog.error.empty()) ImGui::TextColored({1, 0.7F, 0.3F, 1}, "%s", dialog.error.c_str());
+    ImGui::Spacing();
+    if (button("Write")) {
+        context.requests.write = settings;
+        dialog.shown = false;
+    }
+    ImGui::SameLine();
+    if (button("Cancel export") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
+        dialog.shown = false;
+    if (!dialog.shown) {
+        dialog.state.reset();
+        dialog.lost_with.clear();
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+}
+
+}  // namespace talus

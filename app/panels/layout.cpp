@@ -1,0 +1,146 @@
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/panels/panels.h"
+
+namespace talus {
+namespace {
+
+struct SidePanel {
+    const char* name;
+    const char* what;
+    void (*draw)(PanelContext&);
+};
+constexpr std::array<SidePanel, 12> side_panels = {{
+    {"Simulation", "time, and slopes that slide", draw_simulation_panel},
+    {"Water", "rain, sea, edges, waves", draw_water_panel},
+    {"Erosion", "what water takes, carries and lays down", draw_erosion_panel},
+    {"View", "what the colours show, sun, camera", draw_view_panel},
+    {"Mask", "where brushes and simulations act", draw_mask_panel},
+    {"Map", "size, place, heights and noise of the whole map", draw_map_panel},
+    {"History", "what was done; back and forth", draw_history_panel},
+    {"Ledger", "where all rock and water is", draw_ledger_panel},
+    {"Gauges", "the water at a place, against time", draw_gauges_panel},
+    {"Profiler", "what takes how long", draw_profiler_panel},
+    {"Presets", "scenes to start from", draw_presets_panel},
+    {"Log", "what was said", draw_log_panel},
+}};
+
+// Before the first frame too.
+float em(float times) {
+    return times * ImGui::GetIO().Fonts->Fonts[0]->FontSize;
+}
+float menu_height() {
+    return em(1) + 2 * ImGui::GetStyle().FramePadding.y;
+}
+float status_height() {
+    return em(1) + 8;
+}
+
+constexpr float tools_width_em = 17;
+constexpr float side_width_em = 23;
+
+// A window that fills the height between menu and status line, at one of the sides.
+bool begin_side(const char* name, bool right, float width, glm::ivec2 size) {
+    const auto w = static_cast<float>(size.x);
+    const float height = static_cast<float>(size.y) - menu_height() - status_height();
+    ImGui::SetNextWindowPos({right ? w - width : 0, menu_height()});
+    ImGui::SetNextWindowSize({width, height});
+    return ImGui::Begin(name, nullptr,
+                        ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
+}
+
+void draw_side(PanelContext& context) {
+    PanelState& state = context.state;
+    const float spacing = ImGui::GetStyle().ItemSpacing.x / 2;
+    const float width = (ImGui::GetContentRegionAvail().x - 3 * spacing) / 4;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {spacing, spacing});
+    for (std::size_t i = 0; i < side_panels.size(); ++i) {
+        if (choice_button(side_panels[i].name, state.shown == side_panels[i].name, side_panels[i].what,
+                          width))
+            state.shown = side_panels[i].name;
+        if (i % 4 != 3) ImGui::SameLine();
+    }
+    ImGui::PopStyleVar();
+    ImGui::Separator();
+    ImGui::BeginChild("side");
+    for (const SidePanel& panel : side_panels)
+        if (state.shown == panel.name) panel.draw(context);
+    ImGui::EndChild();
+}
+
+}  // namespace
+
+std::vector<std::string> panel_names() {
+    std::vector<std::string> names;
+    std::transform(side_panels.begin(), side_panels.end(), std::back_inserter(names),
+                   [](const SidePanel& panel) { return panel.name; });
+    return names;
+}
+
+PictureArea picture_area(const PanelState& state, glm::ivec2 size) {
+    const auto pixels = [](float length) { return static_cast<int>(std::ceil(length)); };
+    const int left = state.panels_shown ? pixels(em(tools_width_em)) : 0;
+    const int right = state.panels_shown ? pixels(em(side_width_em)) : 0;
+    const int top = pixels(menu_height());
+    const int bottom = pixels(status_height());
+    return {{left, top}, glm::max(size - glm::ivec2(left + right, top + bottom), 16)};
+}
+
+bool is_dialog_open(const PanelState& state) {
+    return state.dialog.purpose != FileDialog::Purpose::none || !state.import.path.empty() ||
+           state.write.shown || state.question.has_value();
+}
+
+void draw_panels(PanelContext& context, const StatusFigures& figures, glm::ivec2 size) {
+    begin_widgets();
+    if (ImGui::BeginMainMenuBar()) {
+        draw_menu(context);
+        ImGui::EndMainMenuBar();
+    }
+    if (context.state.panels_shown) {
+        if (begin_side("Tools", false, em(tools_width_em), size)) draw_tools_panel(context);
+        ImGui::End();
+        if (begin_side("Panels", true, em(side_width_em), size)) draw_side(context);
+        ImGui::End();
+    }
+    if (context.state.start_page) draw_start_page(context, size);
+    draw_file_dialog(context);
+    draw_import_dialog(context);
+    draw_export_dialog(context);
+    draw_question(context.state);
+    draw_status_line(context.session, figures, size.x, size.y);
+}
+
+void draw_status_line(const Session& session, const StatusFigures& figures, int width, int height) {
+    const Grid& grid = session.grid();
+    std::string text = fmt::format("{} × {} samples, {:.4g} × {:.4g} m", grid.nx, grid.ny, grid.dx, grid.dy);
+    text += figures.cursor_height_m ? fmt::format("  |  height {:.1f} m", *figures.cursor_height_m)
+                                    : "  |  height –";
+    text += fmt::format("  |  {:.2f} s, speed {:.3g} of {:.3g}", session.simulation().clock().simulated_s,
+                        session.speed_reached(), std::get<double>(session.value("time.speed")));
+    text += fmt::format("  |  tick {:.1f} ms, frame {:.1f} ms at {:.0f} %  |  {}", session.tick_ms(),
+                        figures.frame_ms, 100 * figures.scale, figures.device);
+    ImDrawList* list = ImGui::GetForegroundDrawList();
+    const float line = status_height();
+    const auto w = static_cast<float>(width);
+    const auto h = static_cast<float>(height);
+    list->AddRectFilled({0, h - line}, {w, h}, IM_COL32(18, 20, 24, 255));
+    list->AddText({8, h - line + 4}, IM_COL32(225, 228, 232, 255), text.c_str());
+    if (figures.message.empty()) return;
+    // What does not fit into a line goes on in the next.
+    const float room = std::min(w - em(4), em(60));
+    const ImVec2 text_size = ImGui::CalcTextSize(figures.message.c_str(), nullptr, false, room);
+    const float left = (w - text_size.x) / 2;
+    const float top = h - line - text_size.y - em(1.2F);
+    list->AddRectFilled({left - 10, top - 5}, {left + text_size.x + 10, top + text_size.y + 5},
+                        IM_COL32(70, 50, 20, 245), 4);
+    list->AddText(nullptr, 0, {left, top}, IM_COL32_WHITE, figures.message.c_str(), nullptr, room);
+}
+
+}  // namespace talus

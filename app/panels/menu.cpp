@@ -1,0 +1,69 @@
+#include <imgui.h>
+
+#include "app/panels/panels.h"
+
+namespace talus {
+namespace {
+
+void draw_file_menu(PanelContext& context) {
+    Session& session = context.session;
+    PanelState& state = context.state;
+    PanelRequests& requests = context.requests;
+    if (menu_item("Start page", nullptr)) state.start_page = true;
+    if (menu_item("Open…", "Ctrl+O")) state.dialog.begin(FileDialog::Purpose::open, session.path());
+    if (ImGui::BeginMenu("Recent")) {
+        for (const std::string& file : session.recent())
+            if (menu_item(file, nullptr)) requests.import = file;
+        ImGui::EndMenu();
+    }
+    ImGui::Separator();
+    if (menu_item("Save", "Ctrl+S", !session.path().empty())) requests.save = session.path();
+    if (menu_item("Save as…", "Ctrl+Shift+S")) state.dialog.begin(FileDialog::Purpose::save, session.path());
+    ImGui::Separator();
+    if (menu_item("Import into this terrain…", nullptr))
+        state.dialog.begin(FileDialog::Purpose::import, session.path());
+    if (menu_item("Export…", "Ctrl+E")) state.write.shown = true;
+    if (menu_item("Save a picture", "F12")) requests.picture = true;
+    ImGui::Separator();
+    if (menu_item("Quit", "Ctrl+Q")) requests.quit = true;
+}
+
+void draw_edit_menu(PanelContext& context) {
+    const Undo& history = context.session.simulation().undo_history();
+    const std::string undo = history.can_undo() ? "Undo " + history.undo_name() : "Undo";
+    const std::string redo = history.can_redo() ? "Redo " + history.redo_name() : "Redo";
+    if (menu_item(undo, "Ctrl+Z", history.can_undo())) context.requests.undo = true;
+    if (menu_item(redo, "Ctrl+Shift+Z", history.can_redo())) context.requests.redo = true;
+    ImGui::Separator();
+    if (menu_item("Back to the start of the scene", nullptr)) context.requests.reset = true;
+}
+
+}  // namespace
+
+void draw_menu(PanelContext& context) {
+    if (ImGui::BeginMenu("File")) {
+        draw_file_menu(context);
+        ImGui::EndMenu();
+    }
+    note_widget("File");
+    if (ImGui::BeginMenu("Edit")) {
+        draw_edit_menu(context);
+        ImGui::EndMenu();
+    }
+    note_widget("Edit");
+    if (ImGui::BeginMenu("View")) {
+        if (menu_item("Whole terrain", "F")) context.requests.framing = true;
+        if (menu_item("Panels", "Tab", true, context.state.panels_shown))
+            context.state.panels_shown = !context.state.panels_shown;
+        ImGui::Separator();
+        const std::string& shown = context.session.view().choice("render.view");
+        for (const std::string& name : view_names())
+            if (menu_item(name, nullptr, true, shown == name)) context.session.set("render.view", name);
+        ImGui::EndMenu();
+    }
+    note_widget("View menu");
+    ImGui::TextDisabled("  |  %s%s", context.session.scene().title.c_str(),
+                        context.session.unsaved() ? " *" : "");
+}
+
+}  // namespace talus

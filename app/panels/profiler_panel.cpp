@@ -1,0 +1,42 @@
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/panels/panels.h"
+
+namespace talus {
+
+void draw_profiler_panel(PanelContext& context) {
+    Session& session = context.session;
+    session.follow_activity();
+    const Session::Activity& activity = session.activity();
+    heading("Tiles that are active");
+    const int all = session.simulation().terrain().tiles.count();
+    figure_line("slopes", fmt::format("{} of {}", activity.slope_tiles, all));
+    figure_line("water", fmt::format("{} of {}", activity.water_tiles, all));
+    figure_line("a tick", fmt::format("{:.2f} ms", session.tick_ms()));
+    heading("Passes, ms a second");
+    if (context.state.passes_s <= 0) return;
+    std::vector<gpu::PassTime> passes = context.state.passes;
+    std::sort(passes.begin(), passes.end(),
+              [](const gpu::PassTime& a, const gpu::PassTime& b) { return a.device_ms > b.device_ms; });
+    if (!ImGui::BeginTable("passes", 4, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg)) return;
+    for (const char* column : {"pass", "calls", "CPU", "GPU"}) ImGui::TableSetupColumn(column);
+    ImGui::TableHeadersRow();
+    const double a_second = 1 / context.state.passes_s;
+    for (const gpu::PassTime& pass : passes) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        text_line(pass.name);
+        for (const std::string& figure :
+             {fmt::format("{:.0f}", pass.calls * a_second), fmt::format("{:.1f}", pass.cpu_ms * a_second),
+              fmt::format("{:.1f}", pass.device_ms * a_second)}) {
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(figure.c_str());
+        }
+    }
+    ImGui::EndTable();
+}
+
+}  // namespace talus

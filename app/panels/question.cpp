@@ -1,0 +1,52 @@
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <cmath>
+
+#include "app/panels/panels.h"
+
+namespace talus {
+
+void draw_question(PanelState& state) {
+    if (!state.question) return;
+    ImGui::OpenPopup("Question");
+    const ImVec2 middle = ImGui::GetMainViewport()->GetCenter();
+    ImGui::SetNextWindowPos(middle, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize({26 * ImGui::GetFontSize(), 0});
+    if (!ImGui::BeginPopupModal("Question", nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove))
+        return;
+    ImGui::TextWrapped("%s", state.question->text.c_str());
+    ImGui::Spacing();
+    std::function<void()> answer;
+    for (std::size_t i = 0; i < state.question->answers.size(); ++i) {
+        if (i > 0) ImGui::SameLine();
+        const auto& [name, act] = state.question->answers[i];
+        const bool last = i + 1 == state.question->answers.size();
+        if (button(name) || (last && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))) answer = act;
+    }
+    if (answer) {
+        ImGui::CloseCurrentPopup();
+        state.question.reset();
+    }
+    ImGui::EndPopup();
+    // It may ask the next one.
+    if (answer) answer();
+}
+
+void draw_work(const Work& work, bool& cancelled) {
+    // What is short needs no bar.
+    if (!work.busy() || work.seconds() < 0.3) return;
+    const ImVec2 middle = ImGui::GetMainViewport()->GetCenter();
+    ImGui::SetNextWindowPos(middle, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize({24 * ImGui::GetFontSize(), 0});
+    ImGui::Begin("Work", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize);
+    text_line(work.name());
+    // How far it is nobody knows: the bar says that it goes on, and for how long it has.
+    const auto turn = static_cast<float>(work.seconds() - std::floor(work.seconds()));
+    ImGui::ProgressBar(turn, {-1, 0}, fmt::format("{:.0f} s", work.seconds()).c_str());
+    cancelled = button("Cancel", "everything stays as it was");
+    ImGui::End();
+}
+
+}  // namespace talus

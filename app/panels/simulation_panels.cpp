@@ -1,0 +1,33 @@
+#include <imgui.h>
+
+#include "app/panels/panels.h"
+
+namespace talus {
+
+void draw_simulation_panel(PanelContext& context) {
+    heading("Time");
+    draw_section(context.session, context.requests, "time");
+    heading("Slopes (thermal erosion)");
+    draw_section(context.session, context.requests, "thermal");
+    heading("Memory");
+    draw_section(context.session, context.requests, "undo");
+    draw_section(context.session, context.requests, "autosave");
+}
+
+void draw_water_panel(PanelContext& context) {
+    draw_section(context.session, context.requests, "water");
+    if (!context.session.wave_note().empty()) ImGui::TextWrapped("%s", context.session.wave_note().c_str());
+}
+
+void draw_erosion_panel(PanelContext& context) {
+    draw_section(context.session, context.requests, "erosion");
+}
+
+void draw_view_panel(PanelContext& context) {
+    heading("Picture");
+    draw_section(context.session, context.requests, "render");
+    heading("Camera");
+    draw_section(context.session, context.requests, "camera");
+}
+
+}  // namespace talus

@@ -1,0 +1,121 @@
+#include "app/panels/widgets.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/panels/panels.h"
+
+namespace talus {
+namespace {
+
+// Of ImGui's one context, as everything that it draws.
+std::vector<WidgetRect>& rects() {
+    static std::vector<WidgetRect> the;
+    return the;
+}
+
+void tooltip_of(const std::string& text) {
+    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(24 * ImGui::GetFontSize());
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+}  // namespace
+
+const std::vector<WidgetRect>& widget_rects() {
+    return rects();
+}
+
+void begin_widgets() {
+    rects().clear();
+}
+
+void note_widget(const std::string& name) {
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    rects().push_back({name, low.x, low.y, high.x, high.y});
+}
+
+bool button(const std::string& name, const std::string& tooltip, bool enabled) {
+    ImGui::BeginDisabled(!enabled);
+    const bool pressed = ImGui::Button(name.c_str());
+    ImGui::EndDisabled();
+    note_widget(name);
+    tooltip_of(tooltip);
+    return pressed;
+}
+
+bool choice_button(const std::string& name, bool chosen, const std::string& tooltip, float width) {
+    if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    const bool pressed = ImGui::Button(name.c_str(), {width, 0});
+    if (chosen) ImGui::PopStyleColor();
+    note_widget(name);
+    tooltip_of(tooltip);
+    return pressed;
+}
+
+bool menu_item(const std::string& name, const char* keys, bool enabled, bool chosen) {
+    const bool pressed = ImGui::MenuItem(name.c_str(), keys, chosen, enabled);
+    note_widget(name);
+    return pressed;
+}
+
+void text_line(const std::string& text) {
+    const float room = ImGui::GetContentRegionAvail().x;
+    std::string shown = text;
+    while (!shown.empty() && ImGui::CalcTextSize((shown + "…").c_str()).x > room &&
+           ImGui::CalcTextSize(shown.c_str()).x > room) {
+        shown.pop_back();
+        // Never half of a letter.
+        while (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0xC0U) == 0x80U)
+            shown.pop_back();
+    }
+    ImGui::TextUnformatted(shown.size() < text.size() ? (shown + "…").c_str() : text.c_str());
+    if (shown.size() < text.size()) tooltip_of(text);
+}
+
+void figure_line(const std::string& name, const std::string& value) {
+    ImGui::TextUnformatted(name.c_str());
+    ImGui::SameLine(0.5F * ImGui::GetWindowContentRegionMax().x);
+    text_line(value);
+}
+
+void heading(const char* text) {
+    ImGui::Spacing();
+    ImGui::TextColored({0.62F, 0.78F, 0.95F, 1}, "%s", text);
+    ImGui::Separator();
+}
+
+void draw_parameters(const Session& session, PanelRequests& requests, const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+        Value value = session.value(name);
+        if (draw_parameter(session.declaration(name), value))
+            requests.acts.emplace_back([name, value](Session& s) { s.set(name, value); });
+    }
+}
+
+void draw_section(const Session& session, PanelRequests& requests, const std::string& section) {
+    std::vector<std::string> names;
+    for (const Parameters* parameters : {&session.simulation().parameters(), &session.view()})
+        for (const Parameter& p : parameters->declared())
+            if (p.name.starts_with(section + ".")) names.push_back(p.name);
+    draw_parameters(session, requests, names);
+}
+
+void plot_line(const char* label, const std::vector<float>& values, const char* unit) {
+    if (values.empty()) return;
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    text_line(fmt::format("{} {:.4g} {}  ({:.4g} to {:.4g})", label, values.back(), unit, *low, *high));
+    // A line that does not move lies in the middle, not at an edge.
+    const float room = std::max(0.05F * (*high - *low), 1e-6F);
+    ImGui::PlotLines(fmt::format("##{}", label).c_str(), values.data(), static_cast<int>(values.size()), 0,
+                     nullptr, *low - room, *high + room,
+                     {ImGui::GetContentRegionAvail().x, 2.6F * ImGui::GetFontSize()});
+}
+
+}  // namespace talus

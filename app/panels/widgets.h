@@ -1,0 +1,51 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/session.h"
+
+namespace talus {
+
+/// What panels ask the window to do, once the frame's panels are done.
+struct PanelRequests;
+
+/// Where a widget is in the window, pixels from the upper left. For tests, which find widgets by name.
+struct WidgetRect {
+    std::string name;
+    float left = 0;
+    float top = 0;
+    float right = 0;
+    float bottom = 0;
+    bool operator==(const WidgetRect&) const = default;
+};
+/// The widgets of this frame so far; begin_widgets() forgets those of the one before.
+const std::vector<WidgetRect>& widget_rects();
+void begin_widgets();
+/// Notes where the last ImGui item is.
+void note_widget(const std::string& name);
+
+/// A button that is named and explained.
+bool button(const std::string& name, const std::string& tooltip = "", bool enabled = true);
+/// A button that stays down while chosen, as wide as given (0: as its text).
+bool choice_button(const std::string& name, bool chosen, const std::string& tooltip, float width);
+/// A line of a menu.
+bool menu_item(const std::string& name, const char* keys, bool enabled = true, bool chosen = false);
+/// A line of text that ends with an ellipsis where the panel does; whole in the tooltip then.
+void text_line(const std::string& text);
+/// A name on the left and what it is on the right.
+void figure_line(const std::string& name, const std::string& value);
+/// A heading within a panel.
+void heading(const char* text);
+
+/// A declared parameter: name, value with unit, a tooltip with help and range. Right click resets it, Ctrl
+/// and a click take an exact number. True when the value changed.
+bool draw_parameter(const Parameter& parameter, Value& value);
+/// The session's parameters of these names, set as they change.
+void draw_parameters(const Session& session, PanelRequests& requests, const std::vector<std::string>& names);
+/// All of a section.
+void draw_section(const Session& session, PanelRequests& requests, const std::string& section);
+
+/// A line of values with its name, its last value and its range.
+void plot_line(const char* label, const std::vector<float>& values, const char* unit);
+
+}  // namespace talus

@@ -1,0 +1,101 @@
+#include "app/shortcuts.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/tools/brush_stroke.h"
+
+namespace talus {
+namespace {
+
+void scale(Session& session, const char* name, double factor) {
+    const Parameter& p = session.declaration(name);
+    session.set(name, std::clamp(session.view().number(name) * factor, p.low, p.high));
+}
+
+void pick_tool(Session& session, std::size_t number) {
+    if (number < tool_names().size()) session.set("brush.tool", tool_names()[number]);
+}
+
+void press_with_control(int key, bool shift, Session& session, PanelState& state, PanelRequests& requests) {
+    switch (key) {
+        case GLFW_KEY_Z:
+            (shift ? requests.redo : requests.undo) = true;
+            break;
+        case GLFW_KEY_Y:
+            requests.redo = true;
+            break;
+        case GLFW_KEY_O:
+            state.dialog.begin(FileDialog::Purpose::open, session.path());
+            break;
+        case GLFW_KEY_S:
+            if (shift || session.path().empty())
+                state.dialog.begin(FileDialog::Purpose::save, session.path());
+            else
+                requests.save = session.path();
+            break;
+        case GLFW_KEY_E:
+            state.write.shown = true;
+            break;
+        case GLFW_KEY_Q:
+            requests.quit = true;
+            break;
+        default:
+            break;
+    }
+}
+
+}  // namespace
+
+void press_key(int key, int mods, Session& session, PanelState& state, PanelRequests& requests) {
+    const bool shift = (mods & GLFW_MOD_SHIFT) != 0;
+    if (state.dialog.purpose != FileDialog::Purpose::none) {
+        // A key pressed and released within one slow frame would escape the panels.
+        if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) state.dialog.accepted = true;
+        if (key == GLFW_KEY_ESCAPE) state.dialog.cancelled = true;
+        return;
+    }
+    if (is_dialog_open(state)) return;
+    if ((mods & GLFW_MOD_CONTROL) != 0) return press_with_control(key, shift, session, state, requests);
+    if (ImGui::GetIO().WantTextInput) return;
+    switch (key) {
+        case GLFW_KEY_SPACE:
+            requests.acts.emplace_back([](Session& s) { s.toggle_play(); });
+            break;
+        case GLFW_KEY_PERIOD:
+            requests.acts.emplace_back([](Session& s) { s.step(); });
+            break;
+        case GLFW_KEY_F:
+            requests.framing = true;
+            break;
+        case GLFW_KEY_F12:
+            requests.picture = true;
+            break;
+        case GLFW_KEY_TAB:
+            state.panels_shown = !state.panels_shown;
+            break;
+        case GLFW_KEY_ESCAPE:
+            state.start_page = false;
+            break;
+        case GLFW_KEY_LEFT_BRACKET:
+            scale(session, "brush.radius_m", 1 / 1.15);
+            break;
+        case GLFW_KEY_RIGHT_BRACKET:
+            scale(session, "brush.radius_m", 1.15);
+            break;
+        case GLFW_KEY_MINUS:
+            scale(session, "brush.rate_m_per_s", 1 / 1.15);
+            break;
+        case GLFW_KEY_EQUAL:
+            scale(session, "brush.rate_m_per_s", 1.15);
+            break;
+        default:
+            // 1 to 9 are the first tools, with Shift the others.
+            if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9)
+                pick_tool(session, static_cast<std::size_t>(key - GLFW_KEY_1 + (shift ? 9 : 0)));
+    }
+}
+
+}  // namespace talus

@@ -1,0 +1,19 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <string>
+
+namespace talus {
+
+/// How the window looked when it was last closed.
+struct WindowLayout {
+    glm::ivec2 size{1280, 720};
+    std::string panel = "Simulation";
+    bool panels_shown = true;
+};
+
+/// As it was kept, or the first one. What cannot be read is as if it were not there.
+WindowLayout read_window_layout();
+/// A layout that cannot be written costs the next start its looks.
+void keep_window_layout(const WindowLayout& layout);
+
+}  // namespace talus

@@ -1,0 +1,48 @@
+#include "app/work.h"
+
+#include <chrono>
+#include <utility>
+
+namespace talus {
+namespace {
+
+double now_s() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+bool has_ended(const std::future<Work::Then>& job) {
+    return job.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+}  // namespace
+
+Work::~Work() {
+    cancel();
+    for (const std::future<Then>& job : given_up_) job.wait();
+}
+
+void Work::start(std::string name, Job job) {
+    if (busy()) return;
+    name_ = std::move(name);
+    started_s_ = now_s();
+    job_ = std::async(std::launch::async, std::move(job));
+}
+
+double Work::seconds() const {
+    return now_s() - started_s_;
+}
+
+void Work::poll() {
+    std::erase_if(given_up_, has_ended);
+    if (!job_ || !has_ended(*job_)) return;
+    std::future<Then> ended = std::move(*job_);
+    job_.reset();
+    ended.get()();
+}
+
+void Work::cancel() {
+    if (job_) given_up_.push_back(std::move(*job_));
+    job_.reset();
+}
+
+}  // namespace talus

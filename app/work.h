@@ -1,0 +1,38 @@
+#pragma once
+#include <functional>
+#include <future>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace talus {
+
+/// Long work on a thread of its own, while the window stays alive. A job touches neither OpenGL nor the
+/// session; what it returns is done on the window's thread when it has ended.
+class Work {
+  public:
+    using Then = std::function<void()>;
+    using Job = std::function<Then()>;
+
+    /// Waits for jobs that were given up.
+    ~Work();
+    /// One at a time: while one goes on, another is refused by doing nothing.
+    void start(std::string name, Job job);
+    bool busy() const { return job_.has_value(); }
+    const std::string& name() const { return name_; }
+    /// Seconds since it was started.
+    double seconds() const;
+
+    /// Does what a job that has ended wants done. Rethrows what it threw.
+    void poll();
+    /// Gives the job up: it ends by itself, and nothing is done then.
+    void cancel();
+
+  private:
+    std::string name_;
+    double started_s_ = 0;
+    std::optional<std::future<Then>> job_;
+    std::vector<std::future<Then>> given_up_;
+};
+
+}  // namespace talus

@@ -1,0 +1,64 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/io/document.h"
+
+namespace talus {
+
+/// What other programs get of a terrain.
+enum class ExportKind { heightmap, mesh, normal_map, unreal, unity, godot };
+const std::vector<std::string>& export_kind_names();
+
+/// How it is written. The endings: heightmaps as write_heightmap takes them; .obj for a mesh; .png for a
+/// normal map; .png or .r16 for Unreal, .raw or .r16 for Unity, .r16 or .exr for Godot.
+struct ExportSettings {
+    ExportKind kind = ExportKind::heightmap;
+    std::filesystem::path path;
+    std::string layer = "ground";
+    std::optional<Range>
+        range_m;          ///< heights of the smallest and largest integer; unless given, lowest and highest
+    glm::ivec2 tiles{1};  ///< columns and rows of tiles that share their edge samples; file names get _xC_yR
+    double mesh_error_m = 1;  ///< a mesh: how far it may lie above or below a sample
+};
+
+/// A file that an export leaves, and, for engines, what is to be typed there.
+struct Exported {
+    std::vector<std::filesystem::path> files;
+    std::vector<std::pair<std::string, std::string>> values;  ///< name and value, as the engine calls them
+    glm::ivec2 tile_samples{0};
+    glm::dvec2 spacing_m{0};
+    Range range_m{0};
+};
+
+/// Writes it. Throws talus::Error that names what cannot be written so.
+Exported export_terrain(const Document& document, const ExportSettings& settings);
+
+/// What gets lost on the way, a sentence each: layers, depth of heights, what lies beyond the range, samples
+/// that are resampled.
+std::vector<std::string> losses(const TerrainState& state, const ExportSettings& settings);
+
+/// Columns (or rows) of samples that an engine takes nearest to this many, from its documentation.
+int engine_samples(ExportKind engine, int samples);
+
+/// First sample and number of samples of each of so many tiles along an axis of so many samples; neighbours
+/// share one.
+std::vector<std::pair<int, int>> split_samples(int samples, int tiles);
+
+/// A mesh of triangles over the samples of a heightmap.
+struct TerrainMesh {
+    std::vector<glm::vec3> positions;  ///< metres: east, north, up from the south-west sample
+    std::vector<unsigned> indices;     ///< counterclockwise from above
+    double error_m = 0;                ///< measured: the farthest that a sample lies above or below it
+};
+/// Simplified by meshoptimizer until no sample lies farther than `error_m` above or below it; the border
+/// keeps its line.
+TerrainMesh simplified_mesh(const Heightmap& heightmap, double error_m);
+void write_obj(const std::filesystem::path& path, const TerrainMesh& mesh);
+
+/// The ground's unit normals as a picture: red east, green north, blue up, each from -1 to 1 as 0 to 65535.
+void write_normal_map(const std::filesystem::path& path, const Heightmap& heightmap);
+
+}  // namespace talus
