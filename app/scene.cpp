@@ -48,13 +48,7 @@ Scene assemble(const Parameters& all, Document document) {
     Scene scene{
         std::move(document), part_of(all, simulation_parameters()), part_of(all, view), {}, {}, {}, {}};
     scene.start.parameters = to_toml(scene.simulation);
-    const Grid& grid = scene.document.state.grid;
-    const double extent = std::max(grid.width_m(), grid.height_m());
     scene.view.suggest("render.level_m", scene.simulation.number("water.sea_level"));
-    scene.view.suggest("brush.radius_m", extent / 40);
-    scene.view.suggest("brush.rate_m_per_s", extent / 160);
-    scene.view.suggest("camera.speed_m_per_s", extent / 12);
-    scene.view.suggest("noise.wavelength_m", extent / 12);
     return scene;
 }
 

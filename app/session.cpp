@@ -66,6 +66,14 @@ void Session::start(Scene scene) {
 
 void Session::suggest_for_terrain() {
     const Grid& g = grid();
+    const double extent = std::max(g.width_m(), g.height_m());
+    scene_.view.suggest("brush.radius_m", extent / 40);
+    scene_.view.suggest("brush.rate_m_per_s", extent / 160);
+    scene_.view.suggest("camera.speed_m_per_s", extent / 12);
+    scene_.view.suggest("noise.wavelength_m", extent / 12);
+    // What was said of another terrain's size and place is not of this one.
+    for (const char* name : {"map.nx", "map.ny", "map.west_m", "map.south_m", "map.east_m", "map.north_m"})
+        scene_.view.reset(name);
     scene_.view.suggest("map.nx", g.nx);
     scene_.view.suggest("map.ny", g.ny);
     scene_.view.suggest("map.east_m", g.width_m());

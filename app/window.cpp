@@ -146,24 +146,53 @@ class Window {
             if (count > 0) self(w)->requests_.import = paths[0];
             self(w)->wake();
         });
-        glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) {
+        // Whatever a person does wakes the window, and goes to the panels too.
+        glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) {
             self(w)->hand_.turn_wheel(y);
             self(w)->wake();
+            ImGui_ImplGlfw_ScrollCallback(w, x, y);
         });
-        glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
+        glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int code, int action, int mods) {
             self(w)->wake();
             if (action != GLFW_RELEASE)
                 press_key(key, mods, self(w)->session_, self(w)->state_, self(w)->requests_);
+            self(w)->pass_key(key, code, action, mods);
         });
-        // Whatever a person does wakes the window.
+        glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int mouse_button, int action, int mods) {
+            self(w)->wake();
+            ImGui_ImplGlfw_MouseButtonCallback(w, mouse_button, action, mods);
+        });
+        glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) {
+            self(w)->wake();
+            ImGui_ImplGlfw_WindowFocusCallback(w, focused);
+        });
+        glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int entered) {
+            self(w)->wake();
+            ImGui_ImplGlfw_CursorEnterCallback(w, entered);
+        });
+        glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned letter) {
+            self(w)->wake();
+            ImGui_ImplGlfw_CharCallback(w, letter);
+        });
         glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { self(w)->wake(); });
-        glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { self(w)->wake(); });
-        glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { self(w)->wake(); });
-        glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { self(w)->wake(); });
-        glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { self(w)->wake(); });
         glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { self(w)->wake(); });
         glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { self(w)->wake(); });
         glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { self(w)->wake(); });
+    }
+
+    // Panels look at keys once a frame: one that is let go in the frame in which it was pressed would never have been
+    // down, so that it is let go a frame later for them.
+    void pass_key(int key, int code, int action, int mods) {
+        if (action == GLFW_PRESS) pressed_.push_back(key);
+        if (action == GLFW_RELEASE && std::find(pressed_.begin(), pressed_.end(), key) != pressed_.end())
+            released_.push_back({key, code, mods});
+        else
+            ImGui_ImplGlfw_KeyCallback(window_, key, code, action, mods);
+    }
+    void pass_releases() {
+        pressed_.clear();
+        for (const Release& release : std::exchange(released_, {}))
+            ImGui_ImplGlfw_KeyCallback(window_, release.key, release.code, GLFW_RELEASE, release.mods);
     }
 
     void begin_panels(double scale) {
@@ -183,8 +212,8 @@ class Window {
         style.Colors[ImGuiCol_ButtonActive] = {0.16F, 0.45F, 0.75F, 1};
         style.ScaleAllSizes(used);
         load_font(15 * used);
-        // Chains to the callbacks above.
-        ImGui_ImplGlfw_InitForOpenGL(window_, true);
+        // The callbacks above pass on what it needs.
+        ImGui_ImplGlfw_InitForOpenGL(window_, false);
         ImGui_ImplOpenGL3_Init("#version 450 core");
     }
 
@@ -483,16 +512,18 @@ class Window {
             settings_.ring_m = {hand_.cursor()->x, hand_.cursor()->y,
                                 session_.view().number("brush.radius_m")};
         // A shader that does not compile is told, and the last picture stays.
-        refining_ = false;
         try {
             Terrain& terrain = session_.simulation().terrain();
             const Drawn drawn =
                 session_.renderer().draw(terrain, session_.camera(), settings_, drawn_size.x, drawn_size.y);
             hand_.look(session_, mouse, size, drawn_size, drawn != Drawn::nothing);
-            // At rest the picture gathers samples, one a frame.
-            refining_ =
-                !moving && session_.renderer().refine(terrain, session_.view().whole("render.samples"));
+            // At rest the picture gathers samples, one a frame; while somebody works at the panels they come first.
+            if (!moving && frames_left_ == 0 && !ImGui::IsAnyItemActive())
+                refining_ = session_.renderer().refine(terrain, session_.view().whole("render.samples"));
+            else
+                refining_ = frames_left_ == 0 && refining_ && !ImGui::IsAnyItemActive();
         } catch (const std::exception& error) {
+            refining_ = false;
             if (message_ != error.what()) tell(error.what());
         }
     }
@@ -522,6 +553,7 @@ class Window {
         }
         ImGui::Render();
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+        pass_releases();
         glfwSwapBuffers(window_);
     }
 
@@ -557,6 +589,13 @@ class Window {
     double message_until_s_ = 0;
 
     glm::dvec2 mouse_{0};
+    struct Release {
+        int key;
+        int code;
+        int mods;
+    };
+    std::vector<int> pressed_;  // since the last frame
+    std::vector<Release> released_;
     bool refining_ = false;
     double last_s_ = 0;
     double frame_s_ = frame_goal_s;

@@ -37,8 +37,8 @@ Camera overview(const Grid& grid, double lowest_m, double highest_m, double aspe
     Camera camera;
     const double radius = 0.5 * std::hypot(grid.width_m(), grid.height_m(), highest_m - lowest_m);
     const glm::dvec3 middle(grid.width_m() / 2, grid.height_m() / 2, (lowest_m + highest_m) / 2);
-    // Seen from there the rectangle is about 1.45 times as wide as it is high.
-    const double narrow = std::max(1.0, 1.45 / aspect);
+    // Seen from there the rectangle is about 1.6 times as wide as it is high.
+    const double narrow = std::max(1.0, 1.6 / aspect);
     const double distance =
         narrow * (0.66 * radius / std::tan(camera.fov_deg * std::numbers::pi / 360) + 0.2 * radius);
     const glm::dvec3 away = glm::normalize(glm::dvec3(-0.38, -0.80, 0.50));

@@ -117,4 +117,9 @@ void Parameters::suggest(std::string_view name, const Value& value) {
     values_.find(name)->second = checked(p, v);
 }
 
+void Parameters::reset(std::string_view name) {
+    values_.find(name)->second = declaration(name).preset;
+    given_.erase(std::string(name));
+}
+
 }  // namespace talus

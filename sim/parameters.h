@@ -58,6 +58,9 @@ class Parameters {
     /// given.
     void suggest(std::string_view name, const Value& value);
 
+    /// Back to the default, as if nobody had given a value. Throws talus::Error for an unknown name.
+    void reset(std::string_view name);
+
     bool operator==(const Parameters& other) const { return values_ == other.values_; }
 
   private:

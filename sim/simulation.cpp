@@ -203,6 +203,11 @@ void Simulation::record(const Operation& operation, Change&& change) {
 void Simulation::act(const SetParameter& set) {
     Parameters changed = moment_.parameters;
     changed.set(set.name, set.value);
+    // Unless somebody set it, it follows the tick.
+    if (set.name == "time.tick_s")
+        changed.suggest("thermal.rate_m2_per_s",
+                        natural_thermal_rate(terrain_.grid(), changed.number("time.tick_s"),
+                                             changed.number("erosion.porosity")));
     check_tick(terrain_.grid(), changed);
     const bool fills = set.name == "water.sea_level";
     if (fills) withdraw_sea();

@@ -13,7 +13,7 @@ namespace talus {
 void Hand::act(Session& session, glm::dvec2 mouse, double passed_s, glm::ivec2 size, const HandMay& may) {
     moving_s_ = std::max(0.0, moving_s_ - passed_s);
     follow_terrain(session);
-    read_cursor();
+    read_cursor(session.grid());
     move_camera(session, mouse, passed_s, size.y, may);
     mouse_ = mouse;
     sculpt(session, passed_s, may);
@@ -30,13 +30,18 @@ void Hand::follow_terrain(const Session& session) {
 }
 
 // Where the mouse's ray met the ground when it was last read.
-void Hand::read_cursor() {
+void Hand::read_cursor(const Grid& grid) {
     const auto texels = cursor_readback_.poll();
     if (!texels) return;
     const float distance = (*texels)[0];
     cursor_.reset();
-    if (std::isfinite(distance))
-        cursor_ = cursor_camera_.eye + cursor_direction_ * static_cast<double>(distance);
+    if (!std::isfinite(distance)) return;
+    const glm::dvec3 point = cursor_camera_.eye + cursor_direction_ * static_cast<double>(distance);
+    // On the terrain's sides there is nothing to sculpt.
+    const glm::dvec2 edge(1e-3 * grid.dx, 1e-3 * grid.dy);
+    if (point.x > edge.x && point.y > edge.y && point.x < grid.width_m() - edge.x &&
+        point.y < grid.height_m() - edge.y)
+        cursor_ = point;
 }
 
 void Hand::look(Session& session, glm::dvec2 mouse, glm::ivec2 size, glm::ivec2 drawn, bool changed) {

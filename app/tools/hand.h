@@ -43,7 +43,7 @@ class Hand {
     bool placing_gauge = false;  ///< the next click on the ground places one
 
   private:
-    void read_cursor();
+    void read_cursor(const Grid& grid);
     void move_camera(Session& session, glm::dvec2 mouse, double passed_s, int height, const HandMay& may);
     void meet_ground(Session& session, Camera& camera, bool walking, double passed_s);
     void sculpt(Session& session, double passed_s, const HandMay& may);

@@ -1,0 +1,167 @@
+#!/usr/bin/env bash
+# A person's session in a real window, no internals touched: a file is opened by the dialog and cropped to a valley, a dam
+# is sculpted across it, it rains, a lake rises behind the dam, the brush breaches it; everything is undone to before the
+# dam and redone, played on, saved, exported, closed and opened again: the same hash. The session's journal replays
+# without a window to that hash, on one thread and on two. A screenshot of each step stays in the folder.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/window.sh"
+
+# The valley, and where the dam begins, ends and is breached in the picture that the window frames of it.
+if [ -f "${TALUS_DATA:-}/santa_ynez_coast_30m_1537.tif" ]; then
+    file=$TALUS_DATA/santa_ynez_coast_30m_1537.tif
+    edges=(33300 19500 36000 22800)
+    dam=(620 393 665 380)
+    breach=(642 386)
+else
+    "$talus" run --preset still --set terrain.kind=valley --set terrain.relief_m=400 --size 193x193 --spacing 20 --ticks 0 \
+        --out valley.tif 2>/dev/null
+    file=$PWD/valley.tif
+    edges=(0 0 3200 3840)
+    dam=(661 328 608 278)
+    breach=(634 302)
+fi
+
+shot() { import -window root "$1.png"; }
+# A drag of the left button, slowly enough that the cursor is read on the way.
+drag() {
+    xdotool mousemove "$1" "$2"
+    sleep 1
+    xdotool mousedown 1
+    sleep 0.8
+    xdotool mousemove $((($1 + $3) / 2)) $((($2 + $4) / 2))
+    sleep 0.6
+    xdotool mousemove "$3" "$4"
+    sleep 1.2
+    xdotool mouseup 1
+    sleep 0.8
+}
+play() {
+    xdotool key space
+    sleep "$1"
+    xdotool key space
+    sleep 1.5
+}
+# The document as it is now.
+save() {
+    local said
+    said=$(grep -c "saved .*saved.exr" window.log || true)
+    xdotool key ctrl+s
+    for _ in $(seq 150); do
+        [ "$(grep -c "saved .*saved.exr" window.log || true)" -gt "$said" ] && break
+        sleep 0.1
+    done
+    cp saved.exr "$1"
+}
+
+open_window --preset blank --journal window.journal --ui-rects rects --window-size 1280x720
+await_widget Play
+sleep 1.5
+xdotool mousemove 600 400 key ctrl+o
+await_widget "file name"
+sleep 0.5
+xdotool type --delay 12 "$file"
+sleep 0.5
+xdotool key Return
+await_widget "Open it"
+sleep 1
+shot 01_import
+click "Open it"
+sleep 3
+shot 02_opened
+
+click Map
+names=(map.west_m map.south_m map.east_m map.north_m)
+for i in 0 1 2 3; do type_into "${names[$i]}" "${edges[$i]}"; done
+click Crop
+sleep 2.5
+shot 03_valley
+xdotool mousemove 600 600 key ctrl+shift+s
+await_widget "file name"
+sleep 0.5
+xdotool key ctrl+a
+xdotool type --delay 12 "$PWD/saved.exr"
+sleep 0.5
+xdotool key Return
+await_word "saved .*saved.exr"
+cp saved.exr valley.exr
+
+click ramp
+type_into brush.radius_m 70
+drag "${dam[@]}"
+shot 04_dam
+save dam.exr
+[ "$(hash_of dam.exr)" != "$(hash_of valley.exr)" ] || fail "the ramp changed nothing"
+
+click Simulation
+type_into time.tick_s 1
+type_into time.speed 60
+click Water
+type_into water.rain 10000
+xdotool mousemove 600 600
+play 8
+shot 05_lake
+save lake.exr
+
+click lower
+type_into brush.radius_m 60
+type_into brush.rate_m_per_s 60
+xdotool mousemove "${breach[@]}"
+sleep 0.6
+xdotool key space
+sleep 1.5
+xdotool mousedown 1
+sleep 2.5
+xdotool mouseup 1
+sleep 3
+shot 06_breach
+# In mid-rain, back to before the dam: there it pauses.
+click History
+click "history 1"
+sleep 2
+shot 07_undone
+save undone.exr
+[ "$(hash_of undone.exr)" = "$(hash_of valley.exr)" ] || fail "undo to before the dam is not the valley to the bit"
+sleep 1
+last=$(sed -n 's/.* history \([0-9]*\)$/\1/p' rects | sort -n | tail -n 1)
+click "history $last"
+sleep 2
+shot 08_redone
+xdotool mousemove 600 600
+play 3
+shot 09_played
+save played.exr
+[ "$(hash_of played.exr)" != "$(hash_of lake.exr)" ] || fail "nothing happened after the lake"
+
+xdotool mousemove 600 600 key ctrl+e
+click heightmap
+sleep 0.5
+shot 10_export
+click "export path"
+xdotool key ctrl+a
+sleep 0.3
+xdotool type --delay 12 "$PWD/exported.tif"
+sleep 0.5
+click Write
+await_word "wrote .*exported.tif"
+close_window
+
+"$talus" info exported.tif >/dev/null || fail "the export cannot be read"
+cp window.journal session.journal
+open_window saved.exr --ui-rects rects --window-size 1280x720
+await_widget Play
+sleep 2
+shot 11_reopened
+save reopened.exr
+close_window
+[ "$(hash_of reopened.exr)" = "$(hash_of played.exr)" ] || fail "closed and opened again it is another terrain"
+for threads in 1 2; do
+    LP_NUM_THREADS=$threads "$talus" replay session.journal --out replayed.exr 2>replay.log ||
+        { cat replay.log; fail "the journal does not replay"; }
+    [ "$(hash_of replayed.exr)" = "$(hash_of played.exr)" ] || fail "replayed on $threads threads it is another terrain"
+done
+
+# The lake lies where the valley was dry.
+depth() { "$talus" convert "$1" depth.tif --layer water && "$talus" info --json depth.tif | sed -n 's/.*"height_max": \([0-9.]*\).*/\1/p'; }
+deepest=$(depth lake.exr)
+[ "${deepest%.*}" -ge 10 ] || fail "behind the dam the water is only $deepest m deep"
+echo "window: a lake of $deepest m behind a dam, breached, undone, redone, saved, exported, reopened, replayed: $(hash_of played.exr)"
