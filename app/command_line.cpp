@@ -146,6 +146,8 @@ int parse_and_do(int argc, char** argv) {
     app.add_option("--ui-scale", window_options.ui_scale,
                    "size of panels and text, 0.5 to 4; as the display asks for")
         ->check(CLI::Range(0.5, 4.0));
+    app.add_option("--frame-log", window_options.frame_log, "write what every frame took")
+        ->type_name("FILE.csv");
     app.add_option("--ui-rects", window_options.ui_rects, "keep in this file where every named widget is")
         ->type_name("FILE");
     add_import(app, t);

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "app/calibration.h"
 #include "app/outputs.h"
@@ -219,7 +220,14 @@ void Session::play(double wall_s, double budget_s) {
         if (timed_ticks_ > 0) tick_ms_ = *ms / timed_ticks_;
         if (timed_substeps_ > 0) substep_ms_ = *ms / static_cast<double>(timed_substeps_);
     }
-    const double fitting = tick_ms_ > 0 ? std::floor(budget_s * 1000 / tick_ms_) : 1;
+    // A sub-step that does not fit waits until enough is saved. Under a hand whole ticks do: a tick that goes
+    // on over frames would keep its dabs waiting.
+    const double substep_s = substep_ms_ / 1000;
+    const double needed_s = stroke_ && !simulation_->mid_tick() ? tick_ms_ / 1000 : substep_s;
+    credit_s_ = std::min(credit_s_ + budget_s, std::max(budget_s, 1.2 * needed_s));
+    if (needed_s > credit_s_) return;
+    const double allowed_s = credit_s_;
+    const double fitting = tick_ms_ > 0 ? std::floor(allowed_s * 1000 / tick_ms_) : 1;
     const double begin = now_s();
     const bool timing = !tick_timer_.pending();
     if (timing) tick_timer_.begin();
@@ -227,13 +235,18 @@ void Session::play(double wall_s, double budget_s) {
     // Sub-steps go out in batches that fit the budget: each question for what is left costs a device that is
     // not this process more than a sub-step.
     const int batch =
-        substep_ms_ > 0 ? static_cast<int>(std::clamp(budget_s * 1000 / substep_ms_, 1.0, 64.0)) : 1;
+        substep_ms_ > 0 ? static_cast<int>(std::clamp(allowed_s * 1000 / substep_ms_, 1.0, 64.0)) : 1;
     int ticks = 0;
-    while (owed_s_ >= tick_s * 0.999 && now_s() - begin < budget_s && ticks < std::max(1.0, fitting)) {
+    const auto fits = [&] {
+        return (stroke_ && simulation_->mid_tick()) || now_s() - begin + substep_s <= allowed_s;
+    };
+    while (owed_s_ >= tick_s * 0.999 && ticks < std::max(1.0, fitting) && fits()) {
         if (!simulation_->advance(batch)) continue;
         owed_s_ -= tick_s;
         ++ticks;
+        if (stroke_) break;
     }
+    credit_s_ -= now_s() - begin;
     if (timing) {
         timed_ticks_ = ticks;
         timed_substeps_ = simulation_->substeps_sent() - sent_before;
@@ -267,24 +280,37 @@ void Session::step() {
 }
 
 void Session::begin_stroke(glm::dvec3 at, const Modifiers& modifiers) {
-    while (simulation_->mid_tick()) simulation_->advance(1 << 20);
     stroke_.emplace(scene_.view, modifiers, at, strokes_++);
-    simulation_->begin_stroke(stroke_->name());
+    stroke_owed_s_ = 0;
+    stroke_begun_ = false;
+    stroke_let_go_ = false;
 }
 
 void Session::stroke(glm::dvec3 at, double wall_s) {
-    while (simulation_->mid_tick()) simulation_->advance(1 << 20);
-    for (const Dab& dab : stroke_->move(scene_.view, at, wall_s, simulation_->stamp()))
-        simulation_->apply(dab);
+    stroke_owed_s_ += wall_s;
+    if (simulation_->mid_tick()) return;
+    if (!stroke_begun_) simulation_->begin_stroke(stroke_->name());
+    stroke_begun_ = true;
+    dabs_waited_s_ = stroke_owed_s_;
+    const std::vector<Dab> dabs =
+        stroke_->move(scene_.view, at, std::exchange(stroke_owed_s_, 0), simulation_->stamp());
+    for (const Dab& dab : dabs) simulation_->apply(dab);
+    dabs_ += static_cast<int>(dabs.size());
 }
 
 void Session::end_stroke() {
     if (!stroke_) return;
+    while (simulation_->mid_tick()) simulation_->advance(1 << 20);
+    if (stroke_owed_s_ > 0) stroke(stroke_->at(), 0);
     const std::optional<Dab> last = stroke_->end(scene_.view);
     stroke_.reset();
-    while (simulation_->mid_tick()) simulation_->advance(1 << 20);
     if (last) simulation_->apply(*last);
     simulation_->end_entry();
+}
+
+void Session::let_go_of_stroke() {
+    stroke_let_go_ = true;
+    if (!simulation_->mid_tick()) end_stroke();
 }
 
 void Session::apply(const Operation& operation) {

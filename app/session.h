@@ -40,7 +40,9 @@ class Session {
     const std::string& wave_note() const { return wave_note_; }
 
     bool playing = false;
-    /// Plays for this much wall time within this much work (seconds); measures the speed reached.
+    /// Plays for this much wall time within this much work (seconds), on average: where a sub-step is longer,
+    /// it is saved for. Measures the speed reached. While a stroke waits for the tick's end, no other tick is
+    /// begun.
     void play(double wall_s, double budget_s);
     double speed_reached() const { return speed_reached_; }
     double tick_ms() const { return tick_ms_; }
@@ -79,10 +81,16 @@ class Session {
     const Parameter& declaration(const std::string& name) const;
 
     void begin_stroke(glm::dvec3 at, const Modifiers& modifiers = {});
-    /// The hand is at a place on the ground after this much wall time.
+    /// The hand is at a place on the ground after this much wall time. Within a tick the dabs wait for its
+    /// end, so that a frame need not.
     void stroke(glm::dvec3 at, double wall_s);
     void end_stroke();
+    /// The same once the tick that goes on has ended: the stroke goes on until then.
+    void let_go_of_stroke();
     bool stroking() const { return stroke_.has_value(); }
+    /// Dabs that strokes made so far, and the wall time that the newest had waited for since the ones before.
+    int dabs() const { return dabs_; }
+    double dabs_waited_s() const { return dabs_waited_s_; }
     /// The stroke that is being made; none: none is.
     const std::optional<BrushStroke>& stroke_made() const { return stroke_; }
 
@@ -164,6 +172,12 @@ class Session {
     std::uint64_t timed_substeps_ = 0;
     std::optional<BrushStroke> stroke_;
     unsigned strokes_ = 0;
+    double stroke_owed_s_ = 0;   // wall time of the stroke that made no dabs yet
+    bool stroke_begun_ = false;  // as an entry of undo
+    double credit_s_ = 0;        // work that ticks may do and have not
+    int dabs_ = 0;
+    double dabs_waited_s_ = 0;
+    bool stroke_let_go_ = false;
     int simulated_terrain_ = 0;  // the simulation's number of it
 };
 

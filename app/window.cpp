@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/frame_log.h"
 #include "app/outputs.h"
 #include "app/panels/legend.h"
 #include "app/panels/panels.h"
@@ -71,6 +72,7 @@ class Window {
           session_(options.scene, device_),
           hand_(window_),
           journal_path_(options.journal),
+          frame_log_path_(options.frame_log),
           rects_path_(options.ui_rects) {
         note(gpu::describe(device_));
         for (const std::string& guess : session_.scene().document.notes) note("note: " + guess);
@@ -130,6 +132,7 @@ class Window {
         }
         session_.pause();
         if (!journal_path_.empty()) session_.write_journal_to(journal_path_);
+        if (!frame_log_path_.empty()) write_atomically(frame_log_path_, to_csv(frames_));
         WindowLayout layout;
         glfwGetWindowSize(window_, &layout.size.x, &layout.size.y);
         layout.panel = state_.shown;
@@ -180,8 +183,8 @@ class Window {
         glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { self(w)->wake(); });
     }
 
-    // Panels look at keys once a frame: one that is let go in the frame in which it was pressed would never have been
-    // down, so that it is let go a frame later for them.
+    // Panels look at keys once a frame: one that is let go in the frame in which it was pressed would never
+    // have been down, so that it is let go a frame later for them.
     void pass_key(int key, int code, int action, int mods) {
         if (action == GLFW_PRESS) pressed_.push_back(key);
         if (action == GLFW_RELEASE && std::find(pressed_.begin(), pressed_.end(), key) != pressed_.end())
@@ -210,6 +213,7 @@ class Window {
         style.Colors[ImGuiCol_WindowBg] = {0.085F, 0.095F, 0.11F, 0.97F};
         style.Colors[ImGuiCol_Button] = {0.20F, 0.24F, 0.30F, 1};
         style.Colors[ImGuiCol_ButtonActive] = {0.16F, 0.45F, 0.75F, 1};
+        style.Colors[ImGuiCol_ModalWindowDimBg] = {0, 0, 0, 0.45F};
         style.ScaleAllSizes(used);
         load_font(15 * used);
         // The callbacks above pass on what it needs.
@@ -457,13 +461,21 @@ class Window {
     // While anything moves, the resolution gives way so that frames keep coming; at rest it is full.
     double picture_scale(bool moving) {
         // A camera at rest keeps its size while it can, so that changes redraw only what they touch.
-        const double haste = frame_goal_s / std::max(frame_s_, 1e-3);
-        if (moving && moved_before_ && (hand_.camera_moved() || haste < 0.7 || haste > 2))
+        const double haste = frame_goal_s / std::max(rest_s_ + frame_goal_s / 8, 1e-3);
+        if (moving && moved_before_ && (hand_.camera_moved() || haste < 0.92 || haste > 1.6))
             scale_ = std::clamp(scale_ * std::sqrt(haste), 0.9 * scale_, 1.05 * scale_);
         moved_before_ = moving;
         scale_ = std::clamp(scale_, 0.3, 1.0);
         return moving ? scale_ : 1.0;
     }
+
+    // Ticks get what the rest of a frame leaves of its goal, an eighth at least and half at most.
+    double ticks_budget_s() const {
+        return std::clamp(frame_goal_s - rest_s_, frame_goal_s / 8, frame_goal_s / 2);
+    }
+
+    // Milliseconds.
+    static double since(double begin_s) { return 1000 * (glfwGetTime() - begin_s); }
 
     void frame() {
         const double now = glfwGetTime();
@@ -482,13 +494,18 @@ class Window {
         const bool dialog = is_dialog_open(state_) || work_.busy();
         const HandMay may{!io.WantCaptureMouse && !dialog, !io.WantTextInput && !io.KeyCtrl && !dialog};
         const bool stroked = session_.stroking();
+        FrameTimes times{now};
+        const int dabs_before = session_.dabs();
         attempt([&] {
             hand_.placing_gauge = state_.placing_gauge;
             hand_.act(session_, mouse - glm::dvec2(area.corner), passed_s, area.size, may);
             state_.placing_gauge = hand_.placing_gauge;
         });
         if (stroked && !session_.stroking()) title();
-        if (session_.playing) attempt([&] { session_.play(passed_s, frame_goal_s / 2); });
+        times.act_ms = since(now);
+        times.dabs = session_.dabs() - dabs_before;
+        if (times.dabs > 0) times.waited_ms = 1000 * session_.dabs_waited_s();
+        if (session_.playing) attempt([&] { session_.play(passed_s, ticks_budget_s()); });
         session_.follow_gauges();
         follow_passes(passed_s);
 
@@ -497,8 +514,16 @@ class Window {
         const glm::ivec2 drawn_size = glm::max(glm::ivec2(glm::dvec2(area.size) * used), 1);
         if (!moving && frames_left_ > 0) --frames_left_;
         if (moving) frames_left_ = 2;
+        times.scale = used;
+        times.play_ms = since(now) - times.act_ms;
         draw_picture(mouse - glm::dvec2(area.corner), area.size, drawn_size, moving);
+        times.picture_ms = since(now) - times.total_ms();
         draw_window(size, area, drawn_size, used);
+        times.panels_ms = since(now) - times.total_ms();
+        glfwSwapBuffers(window_);
+        times.present_ms = since(now) - times.total_ms();
+        rest_s_ += 0.2 * ((times.total_ms() - times.play_ms) / 1000 - rest_s_);
+        if (!frame_log_path_.empty()) frames_.push_back(times);
         if (!std::exchange(first_picture_shown_, true))
             note(fmt::format("first picture after {:.2f} s", seconds_since_start()));
         keep_rects();
@@ -508,6 +533,7 @@ class Window {
 
     void draw_picture(glm::dvec2 mouse, glm::ivec2 size, glm::ivec2 drawn_size, bool moving) {
         settings_ = view_settings(session_.view());
+        settings_.quick = moving && scale_ < 0.6;
         if (hand_.cursor() && !ImGui::GetIO().WantCaptureMouse)
             settings_.ring_m = {hand_.cursor()->x, hand_.cursor()->y,
                                 session_.view().number("brush.radius_m")};
@@ -517,7 +543,8 @@ class Window {
             const Drawn drawn =
                 session_.renderer().draw(terrain, session_.camera(), settings_, drawn_size.x, drawn_size.y);
             hand_.look(session_, mouse, size, drawn_size, drawn != Drawn::nothing);
-            // At rest the picture gathers samples, one a frame; while somebody works at the panels they come first.
+            // At rest the picture gathers samples, one a frame; while somebody works at the panels they come
+            // first.
             if (!moving && frames_left_ == 0 && !ImGui::IsAnyItemActive())
                 refining_ = session_.renderer().refine(terrain, session_.view().whole("render.samples"));
             else
@@ -554,7 +581,6 @@ class Window {
         ImGui::Render();
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
         pass_releases();
-        glfwSwapBuffers(window_);
     }
 
     // Where the widgets are, for who drives the window by name.
@@ -574,6 +600,8 @@ class Window {
     Recovery recovery_;
     std::optional<LeftBehind> recovering_;  // what the session was recovered from, until it is saved
     std::string journal_path_;
+    std::string frame_log_path_;
+    std::vector<FrameTimes> frames_;
     std::string rects_path_;
     std::vector<WidgetRect> rects_;
     PanelState state_;
@@ -599,6 +627,7 @@ class Window {
     bool refining_ = false;
     double last_s_ = 0;
     double frame_s_ = frame_goal_s;
+    double rest_s_ = frame_goal_s / 2;  // a frame without its ticks, lately
     double scale_ = 1.0;
     bool moved_before_ = false;
     int frames_left_ = 3;

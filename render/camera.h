@@ -39,7 +39,8 @@ struct CastOrigin {
 };
 CastOrigin cast_origin(const Grid& grid, glm::dvec3 point);
 
-/// A view over the whole terrain from the south-west, for a first look; aspect: the picture's width by its height.
+/// A view over the whole terrain from the south-west, for a first look; aspect: the picture's width by its
+/// height.
 Camera overview(const Grid& grid, double lowest_m, double highest_m, double aspect = 16.0 / 9);
 
 /// Sets the uniforms of shaders/render/picture.glsl and the origin's of surface.glsl.

@@ -122,7 +122,8 @@ Drawn Renderer::redraw(Terrain& terrain, const Picture& picture, const std::opti
     const Method& method = method_of(picture.settings, " drawn ", redraws_blocks);
     // What water shows of the ground may lie anywhere in the picture.
     const bool blocks = redraws_blocks && same_view && before->settings == picture.settings && !terrain.water;
-    const bool shadows = picture.settings.shadows && picture.settings.view == View::shaded;
+    const bool shadows =
+        picture.settings.shadows && !picture.settings.quick && picture.settings.view == View::shaded;
     const glm::dvec3 sun = shadows ? picture.settings.sun : glm::dvec3(0);
     const bool looks_far = picture.settings.occlusion && picture.settings.view == View::shaded;
     const int reach = looks_far ? sky_reach : normals_reach;
@@ -173,6 +174,33 @@ void Renderer::colour(const Terrain& terrain, const Picture& picture, const gpu:
                         picture.height, hits, ground_colour_, target);
 }
 
+// What the ring can cover: the box around it, from the lowest to the highest ground. All of the picture where
+// a part of that lies beside or behind the eye.
+gpu::Region Renderer::ring_region(const Picture& picture) const {
+    const CameraRays rays = camera_rays(picture.camera, picture.width, picture.height);
+    glm::dvec2 low(1e9);
+    glm::dvec2 high(-1e9);
+    // As wide as its line besides.
+    const double reach = 1.1 * ring_m_.z;
+    const glm::dvec2 heights(bounds_.x - reach, bounds_.y + reach);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 point(ring_m_.x + ((corner & 1) != 0 ? reach : -reach),
+                               ring_m_.y + ((corner & 2) != 0 ? reach : -reach), heights[corner >> 2]);
+        const glm::dvec3 from_eye = point - picture.camera.eye;
+        const double depth = glm::dot(from_eye, rays.forward);
+        if (depth < 0.05 * glm::length(from_eye)) return {0, 0, picture.width, picture.height};
+        const glm::dvec3 aside = from_eye / depth - rays.middle;
+        const glm::dvec2 at(glm::dot(aside, rays.right) / glm::dot(rays.right, rays.right),
+                            glm::dot(aside, rays.up) / glm::dot(rays.up, rays.up));
+        low = glm::min(low, at);
+        high = glm::max(high, at);
+    }
+    const glm::dvec2 size(picture.width, picture.height);
+    const glm::ivec2 first = glm::clamp((0.5 + 0.5 * low) * size - 8.0, glm::dvec2(0), size);
+    const glm::ivec2 last = glm::clamp((0.5 + 0.5 * high) * size + 8.0, glm::dvec2(0), size);
+    return {first.x, first.y, last.x - first.x, last.y - first.y};
+}
+
 void Renderer::draw_ring(const Grid& grid) {
     const Picture& picture = *drawn_;
     set_camera(ring_, grid, picture.camera, picture.width, picture.height);
@@ -184,7 +212,9 @@ void Renderer::draw_ring(const Grid& grid) {
               static_cast<float>(pixels * picture.camera.fov_deg * std::numbers::pi / 180 / picture.height));
     ring_.set("ring_m",
               glm::vec3(ring_m_.x - picture.camera.eye.x, ring_m_.y - picture.camera.eye.y, ring_m_.z));
-    ringed_buffer_.bind({0, 0, picture.width, picture.height});
+    const gpu::Region all{0, 0, picture.width, picture.height};
+    ringed_colour_.copy_from(refined() ? refinement_.mean() : colour_, all);
+    ringed_buffer_.bind(all, ring_region(picture));
     ring_.draw_fullscreen();
 }
 

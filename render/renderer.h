@@ -78,6 +78,7 @@ class Renderer {
     void colour(const Terrain& terrain, const Picture& picture, const gpu::Texture& hits,
                 const gpu::Framebuffer& target, const Redraw* redraw);
     void draw_ring(const Grid& grid);
+    gpu::Region ring_region(const Picture& picture) const;
 
     Pyramid pyramid_;
     SkyView sky_view_;

@@ -1,7 +1,6 @@
 #include "render/shading.h"
 
 #include <algorithm>
-#include <array>
 
 #include "render/blocks.h"
 #include "render/grain.h"
@@ -9,9 +8,6 @@
 namespace talus {
 
 namespace {
-
-// As in shaders/render/shade_list.comp: two indirect draws.
-constexpr std::size_t head_words = 8;
 
 // Views of the water, of what was painted, of its load: each reads a layer that may not be there.
 const char* layer_define(View view) {
@@ -27,7 +23,7 @@ bool is_there(const Terrain& terrain, View view) {
 
 }  // namespace
 
-Shading::Shading() : list_("render/shade_list.comp"), grain_(grain_texture()) {}
+Shading::Shading() : grain_(grain_texture()) {}
 
 void Shading::drape(int width, int height, std::span<const std::byte> rgba) {
     drape_ = gpu::Texture();
@@ -45,7 +41,7 @@ gpu::Program& Shading::program_of(const ViewSettings& settings, bool sky, bool t
         defines.emplace_back("SKY");
     } else if (settings.view == View::shaded) {
         if (!gpu::filters_along()) defines.emplace_back("FILTERS_ROUND");
-        if (settings.shadows) defines.emplace_back("SHADOWS");
+        if (settings.shadows && !settings.quick) defines.emplace_back("SHADOWS");
         if (settings.occlusion) defines.emplace_back("OCCLUSION");
         if (drape_.width() > 0) defines.emplace_back("DRAPED");
     } else if (there) {
@@ -88,20 +84,7 @@ void Shading::draw(const Terrain& terrain, const Pyramid& pyramid, const SkyView
     };
     // Steps are counted for the sky too.
     const bool skips_sky = !redraw && settings.view != View::steps;
-    const glm::ivec2 blocks = blocks_of(width, height);
-    const std::size_t count = static_cast<std::size_t>(blocks.x) * blocks.y;
-    const std::size_t bytes = (head_words + 2 * count) * sizeof(std::uint32_t);
-    if (lists_.bytes() != bytes) lists_ = gpu::Buffer("shading blocks", bytes);
-    if (!redraw) {
-        const std::array<std::uint32_t, head_words> none = {0, 1, 0, 0, 0, 1, 0, 0};
-        lists_.write(0, std::as_bytes(std::span(none)));
-        hits.bind_sampled(0);
-        lists_.bind_storage(6);
-        list_.set("blocks", blocks);
-        list_.set("size", glm::ivec2(width, height));
-        const glm::ivec2 groups = large_blocks_of(blocks);
-        list_.dispatch(groups.x, groups.y);
-    }
+    if (!redraw) list_.make(hits, width, height);
     pyramid.lowest.bind_sampled(2);
     terrain.solid.front.bind_sampled(3);
     hits.bind_sampled(4);
@@ -121,8 +104,8 @@ void Shading::draw(const Terrain& terrain, const Pyramid& pyramid, const SkyView
     }
     gpu::Program& nothing = skips_sky ? program_of(settings, true, false) : ground;
     if (skips_sky) prepare(nothing);
-    draw_blocks(nothing, target, {width, height}, {lists_, 0, head_words}, gpu::Depth::none);
-    draw_blocks(ground, target, {width, height}, {lists_, 4, head_words + count}, gpu::Depth::none);
+    draw_blocks(nothing, target, {width, height}, list_.nothing(), gpu::Depth::none);
+    draw_blocks(ground, target, {width, height}, list_.something(), gpu::Depth::none);
 }
 
 }  // namespace talus

@@ -5,6 +5,7 @@
 
 #include "render/pyramid.h"
 #include "render/redraw.h"
+#include "render/shade_list.h"
 #include "render/sky_view.h"
 #include "render/view.h"
 #include "sim/gpu/texture.h"
@@ -30,8 +31,7 @@ class Shading {
     gpu::Program& program_of(const ViewSettings& settings, bool sky, bool there);
 
     std::map<std::string, gpu::Program> programs_;
-    gpu::Program list_;
-    gpu::Buffer lists_;
+    ShadeList list_;
     gpu::Texture grain_;
     gpu::Texture drape_;
 };

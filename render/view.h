@@ -66,6 +66,9 @@ struct ViewSettings {
     double suspended_mm = 20;
     double regolith_m = 5;
     int hillshade_lights = 1;
+    /// Leaves out what is costly and little missed where frames are late: shadows, and ground that water
+    /// mirrors.
+    bool quick = false;
     glm::dvec3 ring_m{0};  ///< brush ring: world x, y, radius; radius 0: none
     bool operator==(const ViewSettings&) const = default;
 };

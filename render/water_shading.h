@@ -1,6 +1,7 @@
 #pragma once
 #include "render/camera.h"
 #include "render/pyramid.h"
+#include "render/shade_list.h"
 #include "render/view.h"
 #include "render/water_surface.h"
 
@@ -10,7 +11,7 @@ namespace talus {
 /// water, and sky and terrain reflected (docs/numerics.md, "Seeing water").
 class WaterShading {
   public:
-    WaterShading() : program_({"render/fullscreen.vert", "render/water.frag"}) {}
+    WaterShading();
 
     /// hits and colours are the ground's; the water must have been cast for the same camera.
     void draw(const Terrain& terrain, const Pyramid& ground, const WaterSurface& water, const Camera& camera,
@@ -18,7 +19,10 @@ class WaterShading {
               const gpu::Texture& colours, const gpu::Framebuffer& target);
 
   private:
-    gpu::Program program_;
+    ShadeList list_;
+    gpu::Program dry_;  // where there is no water: the ground as it is
+    gpu::Program mirroring_;
+    gpu::Program quick_;
 };
 
 }  // namespace talus

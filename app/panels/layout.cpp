@@ -32,7 +32,7 @@ constexpr std::array<SidePanel, 12> side_panels = {{
 
 // Before the first frame too.
 float em(float times) {
-    return times * ImGui::GetIO().Fonts->Fonts[0]->FontSize;
+    return times * ImGui::GetIO().Fonts->ConfigData[0].SizePixels;
 }
 float menu_height() {
     return em(1) + 2 * ImGui::GetStyle().FramePadding.y;

@@ -80,10 +80,9 @@ bool draw_parameter(const Parameter& p, Value& value) {
     ImGui::PushID(p.name.c_str());
     ImGui::BeginGroup();
     ImGui::AlignTextToFramePadding();
-    const float begin = ImGui::GetCursorPosX();
     const float room = ImGui::GetContentRegionAvail().x;
     ImGui::TextUnformatted(label_of(p).c_str());
-    ImGui::SameLine(begin + 0.46F * room);
+    ImGui::SameLine(0.46F * room);
     ImGui::SetNextItemWidth(0.54F * room);
     bool changed = edit(p, "##value", value);
     note_widget(p.name);

@@ -146,11 +146,12 @@ void Hand::sculpt(Session& session, double passed_s, const HandMay& may) {
         placed_ = true;
     }
     if (presses && !placed_ && !session.stroking() && cursor_) session.begin_stroke(*cursor_, modifiers);
-    if (!held && session.stroking()) session.end_stroke();
-    if (session.stroking() && cursor_) {
-        moving_s_ = 0.25;
+    if (!session.stroking()) return;
+    moving_s_ = 0.25;
+    if (!held)
+        session.let_go_of_stroke();
+    else if (cursor_)
         session.stroke(*cursor_, passed_s);
-    }
 }
 
 }  // namespace talus

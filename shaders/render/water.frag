@@ -60,6 +60,9 @@ vec3 reflected_ground(vec2 place, float above_eye) {
     return albedo * (max(dot(normal, sun), 0.0) * vec3(3.5, 3.2, 2.75) + vec3(0.30, 0.36, 0.46));
 }
 
+#ifdef DRY
+void main() { colour_out = vec4(texelFetch(colours, ivec2(gl_FragCoord.xy), 0).rgb, 1.0); }
+#else
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 ground_colour = texelFetch(colours, pixel, 0).rgb;
@@ -111,11 +114,13 @@ void main() {
     mirror.z = max(mirror.z, 0.01);
     vec3 reflection = sky(normalize(mirror));
     float lift = 1e-3 * min(cell_m.x, cell_m.y) + 2e-5 * distance_m + 0.02;
+#ifdef MIRRORS_GROUND
     CastHit ahead = cast_ray(origin_cell + ivec2(floor(place)), place - floor(place), vec3(mirror.x / cell_m.x, -mirror.y / cell_m.y, mirror.z), 0.0, 2, above_eye + lift);
     if (ahead.distance_m > lift) {
         vec2 there = place + ahead.distance_m * vec2(mirror.x / cell_m.x, -mirror.y / cell_m.y);
         reflection = reflected_ground(there, above_eye + ahead.distance_m * mirror.z);
     }
+#endif
     vec3 colour = mix(body, reflection, fresnel);
     if (!through_side) colour += 3.0 * min(glitter, 1.0) * vec3(1.0, 0.92, 0.78) * max(sun.z, 0.0);
     // White water where it shoots (Froude number above 1) down a slope of its own, deep enough to break, and on the steep
@@ -131,3 +136,4 @@ void main() {
     colour = mix(colour, sky(normalize(vec3(world_ray.xy, 0.06))), 0.85 * haze * (through_side ? 0.5 : 1.0));
     colour_out = vec4(sqrt(clamp(colour, 0.0, 1.0)), 1.0);
 }
+#endif

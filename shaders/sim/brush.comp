@@ -9,7 +9,10 @@ layout(binding = 4, r32f) uniform readonly image2D stamp;
 real painted_mask(int2 at) { return imageLoad(painted, at).y; }
 #include "sim/dab.glsl"
 
-uniform int dab_mode;
+uniform int2 dab_low;   // samples that it can change, both included
+uniform int2 dab_high;
+// Software runs what a branch leaves out: a program for each mode.
+const int dab_mode = DAB_MODE;
 uniform real dab_amount_m;
 uniform real dab_blend;
 uniform real2 dab_target_m;
@@ -47,7 +50,9 @@ void main() {
     dvec4 book = dvec4(0.0);
     bool changed = false;
     for (int block = 0; block < 16; ++block) {
-        int2 at = tile * 64 + int2(block & 3, block >> 2) * 16 + int2(gl_LocalInvocationID.xy);
+        int2 corner = tile * 64 + int2(block & 3, block >> 2) * 16;
+        if (any(lessThan(corner + 15, dab_low)) || any(greaterThan(corner, dab_high))) continue;
+        int2 at = corner + int2(gl_LocalInvocationID.xy);
         if (at.x >= samples.x || at.y >= samples.y) continue;
         real4 before = load_solid(at);
         real change = brush_change(at, before);

@@ -240,13 +240,12 @@ std::vector<std::string> losses(const TerrainState& state, const ExportSettings&
         if (there) layers += (layers.empty() ? "" : ", ") + std::string(name);
     };
     layer(std::any_of(state.regolith.begin(), state.regolith.end(), [](glm::vec2 r) { return r.x > 0; }),
-          "what of the ground is regolith");
+          "which part of the ground is regolith");
     layer(!state.water.empty(), "water");
     layer(!state.suspended.empty(), "load");
     layer(!state.painted.empty(), "hardness, mask and rain");
     if (!layers.empty())
-        lost.push_back(fmt::format("{} {} not written: a Talus document (Save as) keeps all", layers,
-                                   layers.find(',') == std::string::npos ? "is" : "are"));
+        lost.push_back(fmt::format("not written: {}; a Talus document (Save as) keeps all", layers));
     const std::vector<float> heights = layer_of(state, settings.layer);
     if (is_engine(settings.kind)) {
         const glm::ivec2 tile(

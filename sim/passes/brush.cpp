@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim/gpu/error.h"
 #include "sim/passes/paint.h"
@@ -150,50 +151,61 @@ void set_dab(gpu::Program& program, const Terrain& terrain, const Dab& dab, unsi
 }
 
 Brush::Brush(const Terrain& terrain)
-    : books("brush books", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(glm::dvec4)),
-      program_("sim/brush.comp") {
+    : books("brush books", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(glm::dvec4)) {
     books.fill(0);
 }
 
+gpu::Program& Brush::program_of(BrushMode mode) {
+    const auto found = programs_.find(mode);
+    if (found != programs_.end()) return found->second;
+    gpu::Program program({"sim/brush.comp"}, {fmt::format("DAB_MODE {}", static_cast<int>(mode))});
+    return programs_.emplace(mode, std::move(program)).first->second;
+}
+
 void Brush::dab(Terrain& terrain, const Dab& dab, const gpu::Texture* stamp) {
-    const std::vector<int> tiles = terrain.tiles.touched_by(dab_region(terrain.grid(), dab));
+    const gpu::Region region = dab_region(terrain.grid(), dab);
+    const std::vector<int> tiles = terrain.tiles.touched_by(region);
     if (tiles.empty()) return;
+    const glm::ivec2 low = glm::max(glm::ivec2(region.x, region.y), 0);
+    const glm::ivec2 high = glm::min(glm::ivec2(region.x + region.width, region.y + region.height),
+                                     glm::ivec2(terrain.grid().nx, terrain.grid().ny)) -
+                            1;
     const glm::ivec2 stamp_samples = stamp ? glm::ivec2(stamp->width(), stamp->height()) : glm::ivec2(2);
     const DabStep step = dab_step(terrain.grid(), dab, stamp_samples);
-    terrain.bind(program_);
+    gpu::Program& program = program_of(dab.mode);
+    terrain.bind(program);
     books.bind_storage(1);
-    set_dab(program_, terrain, dab, 3);
+    set_dab(program, terrain, dab, 3);
     const TileBlock block = tile_block(terrain.tiles, tiles);
-    program_.set("first_tile", block.first);
-    program_.set("dab_mode", step.mode);
-    program_.set("dab_amount_m", step.amount_m);
-    program_.set("dab_blend", step.blend);
-    program_.set("dab_target_m", step.target_m);
-    program_.set("dab_on_regolith", step.on_regolith);
-    if (dab.mode == BrushMode::ramp) program_.set("dab_rise_m", step.rise_m);
+    program.set("first_tile", block.first);
+    program.set("dab_amount_m", step.amount_m);
+    program.set("dab_blend", step.blend);
+    program.set("dab_target_m", step.target_m);
+    program.set("dab_on_regolith", step.on_regolith);
+    if (dab.mode == BrushMode::ramp) program.set("dab_rise_m", step.rise_m);
     if (dab.mode == BrushMode::noise) {
-        program_.set("noise_kind", dab.noise.kind);
-        program_.set("noise_octaves", dab.noise.octaves);
-        program_.set("noise_gain", static_cast<float>(dab.noise.gain));
-        program_.set("noise_warp", static_cast<float>(dab.noise.warp));
-        program_.set("noise_seed", dab.noise.seed);
-        program_.set("noise_wave_m", static_cast<float>(dab.noise.wavelength_m));
+        program.set("noise_kind", dab.noise.kind);
+        program.set("noise_octaves", dab.noise.octaves);
+        program.set("noise_gain", static_cast<float>(dab.noise.gain));
+        program.set("noise_warp", static_cast<float>(dab.noise.warp));
+        program.set("noise_seed", dab.noise.seed);
+        program.set("noise_wave_m", static_cast<float>(dab.noise.wavelength_m));
     }
     if (dab.mode == BrushMode::terrace) {
-        program_.set("terrace_step_m", static_cast<float>(dab.step_m));
-        program_.set("terrace_flat", static_cast<float>(dab.flat));
+        program.set("terrace_step_m", static_cast<float>(dab.step_m));
+        program.set("terrace_flat", static_cast<float>(dab.flat));
     }
     if (dab.mode == BrushMode::stamp && stamp) {
         stamp->bind_image(4, gpu::Access::read);
-        program_.set("stamp_samples", stamp_samples);
-        program_.set("stamp_columns", step.stamp_columns);
-        program_.set("stamp_rows", step.stamp_rows);
-        program_.set("stamp_mode", static_cast<int>(dab.stamp.mode));
+        program.set("stamp_samples", stamp_samples);
+        program.set("stamp_columns", step.stamp_columns);
+        program.set("stamp_rows", step.stamp_rows);
+        program.set("stamp_mode", static_cast<int>(dab.stamp.mode));
     }
-    program_.dispatch(block.size.x, block.size.y);
-    const gpu::Region low = terrain.tiles.region(tiles.front());
-    const gpu::Region high = terrain.tiles.region(tiles.back());
-    terrain.settle({low.x, low.y, high.x + high.width - low.x, high.y + high.height - low.y});
+    program.set("dab_low", low);
+    program.set("dab_high", high);
+    program.dispatch(block.size.x, block.size.y);
+    terrain.settle({low.x, low.y, high.x - low.x + 1, high.y - low.y + 1});
 }
 
 }  // namespace talus

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -139,7 +140,9 @@ class Brush {
     gpu::Buffer books;
 
   private:
-    gpu::Program program_;
+    gpu::Program& program_of(BrushMode mode);
+
+    std::map<BrushMode, gpu::Program> programs_;
 };
 
 }  // namespace talus

@@ -1,0 +1,36 @@
+#include "render/shade_list.h"
+
+#include <array>
+
+namespace talus {
+namespace {
+
+// As in shaders/render/shade_list.comp: two indirect draws.
+constexpr std::size_t head_words = 8;
+
+}  // namespace
+
+void ShadeList::make(const gpu::Texture& hits, int width, int height) {
+    const glm::ivec2 blocks = blocks_of(width, height);
+    blocks_ = static_cast<std::size_t>(blocks.x) * blocks.y;
+    const std::size_t bytes = (head_words + 2 * blocks_) * sizeof(std::uint32_t);
+    if (words_.bytes() != bytes) words_ = gpu::Buffer("shading blocks", bytes);
+    const std::array<std::uint32_t, head_words> none = {0, 1, 0, 0, 0, 1, 0, 0};
+    words_.write(0, std::as_bytes(std::span(none)));
+    hits.bind_sampled(0);
+    words_.bind_storage(6);
+    program_.set("blocks", blocks);
+    program_.set("size", glm::ivec2(width, height));
+    const glm::ivec2 groups = large_blocks_of(blocks);
+    program_.dispatch(groups.x, groups.y);
+}
+
+BlockList ShadeList::nothing() const {
+    return {words_, 0, head_words};
+}
+
+BlockList ShadeList::something() const {
+    return {words_, 4, head_words + blocks_};
+}
+
+}  // namespace talus
