@@ -230,7 +230,7 @@ int parse_and_do(int argc, char** argv) {
     convert_command->add_option("--tiles", t.tiles,
                                 "NxM: so many files east and south, which share their edge samples");
     convert_command->add_option("--mesh-error", convert_options.mesh_error_m,
-                                "metres that a mesh may lie above or below a sample, 1 unless given");
+                                "error that a mesh is simplified to, metres, 1 unless given");
     add_import(*convert_command, t);
 
     CLI::App* replay_command = app.add_subcommand("replay", "do again what a journal recorded");

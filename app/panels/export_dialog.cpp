@@ -29,7 +29,7 @@ const char* usual_ending(ExportKind kind) {
 const char* what_it_is(ExportKind kind) {
     switch (kind) {
         case ExportKind::mesh:
-            return "Wavefront OBJ, simplified: no sample lies farther from it than the error below.";
+            return "Wavefront OBJ, simplified within the error below.";
         case ExportKind::normal_map:
             return "PNG, 16 bits: red east, green north, blue up.";
         case ExportKind::unreal:

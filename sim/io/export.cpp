@@ -194,8 +194,12 @@ Exported export_terrain(const Document& document, const ExportSettings& settings
     }
     Exported exported;
     if (settings.kind == ExportKind::mesh) {
-        write_obj(settings.path, simplified_mesh(whole, settings.mesh_error_m));
+        const TerrainMesh mesh = simplified_mesh(whole, settings.mesh_error_m);
+        write_obj(settings.path, mesh);
         exported.files = {settings.path};
+        exported.values = {{"Triangles", fmt::format("{}", mesh.indices.size() / 3)},
+                           {"Mean error", fmt::format("{:.3g} m", mesh.mean_m)},
+                           {"Largest error", fmt::format("{:.3g} m", mesh.farthest_m)}};
         return exported;
     }
     // One range for all tiles: they meet.

@@ -51,7 +51,9 @@ std::vector<std::pair<int, int>> split_samples(int samples, int tiles);
 struct TerrainMesh {
     std::vector<glm::vec3> positions;  ///< metres: east, north, up from the south-west sample
     std::vector<unsigned> indices;     ///< counterclockwise from above
-    double error_m = 0;                ///< measured: the farthest that a sample lies above or below it
+    double error_m = 0;                ///< as meshoptimizer counts it: a mean distance over what was merged
+    double mean_m = 0;  ///< measured: how far samples lie above or below it on average, and at most
+    double farthest_m = 0;
 };
 /// Simplified by meshoptimizer until no sample lies farther than `error_m` above or below it; the border
 /// keeps its line.

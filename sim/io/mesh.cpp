@@ -25,10 +25,12 @@ std::optional<double> height_over(const glm::dvec3& a, const glm::dvec3& b, cons
     return u * a.z + v * b.z + w * c.z;
 }
 
-// The farthest that a sample lies above or below the triangles.
-double farthest_m(const Heightmap& heightmap, const TerrainMesh& mesh) {
+// How far samples lie above or below the triangles.
+void measure(const Heightmap& heightmap, TerrainMesh& mesh) {
     const Grid& grid = heightmap.grid;
-    double farthest = 0;
+    mesh.farthest_m = 0;
+    double sum = 0;
+    std::size_t count = 0;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
         const glm::dvec3 a = mesh.positions[mesh.indices[i]];
         const glm::dvec3 b = mesh.positions[mesh.indices[i + 1]];
@@ -45,10 +47,12 @@ double farthest_m(const Heightmap& heightmap, const TerrainMesh& mesh) {
                 if (!height) continue;
                 const float sample =
                     heightmap.heights[static_cast<std::size_t>(grid.ny - 1 - y) * grid.nx + x];
-                farthest = std::max(farthest, std::abs(*height - sample));
+                mesh.farthest_m = std::max(mesh.farthest_m, std::abs(*height - sample));
+                sum += std::abs(*height - sample);
+                ++count;
             }
     }
-    return farthest;
+    mesh.mean_m = count > 0 ? sum / static_cast<double>(count) : 0;
 }
 
 }  // namespace
@@ -76,20 +80,14 @@ TerrainMesh simplified_mesh(const Heightmap& heightmap, double error_m) {
         }
     const float scale = meshopt_simplifyScale(&full.positions[0].x, full.positions.size(), sizeof(glm::vec3));
     TerrainMesh best = full;
-    // meshoptimizer's error is a mean over what was merged; ours is the farthest sample: less is asked for
-    // until it holds.
-    double asked_m = error_m;
-    for (int attempt = 0; attempt < 12 && error_m > 0; ++attempt, asked_m /= 2) {
-        TerrainMesh mesh;
-        mesh.indices.resize(full.indices.size());
-        mesh.indices.resize(meshopt_simplify(mesh.indices.data(), full.indices.data(), full.indices.size(),
+    if (error_m > 0) {
+        float reached = 0;
+        best.indices.resize(meshopt_simplify(best.indices.data(), full.indices.data(), full.indices.size(),
                                              &full.positions[0].x, full.positions.size(), sizeof(glm::vec3),
-                                             0, static_cast<float>(asked_m / scale), 0, nullptr));
-        mesh.positions = full.positions;
-        mesh.error_m = farthest_m(heightmap, mesh);
-        if (mesh.error_m > error_m) continue;
-        best = std::move(mesh);
-        break;
+                                             0, static_cast<float>(error_m / scale),
+                                             meshopt_SimplifyLockBorder, &reached));
+        best.error_m = static_cast<double>(reached) * scale;
+        measure(heightmap, best);
     }
     meshopt_optimizeVertexCache(best.indices.data(), best.indices.data(), best.indices.size(),
                                 best.positions.size());
@@ -103,9 +101,11 @@ void write_obj(const std::filesystem::path& path, const TerrainMesh& mesh) {
     // Wavefront OBJ as most programs read it: y up, so north is -z.
     fmt::memory_buffer text;
     const auto out = std::back_inserter(text);
-    fmt::format_to(
-        out, "# {} vertices, {} triangles, within {:.6g} m of the heightmap; metres, x east, y up, z south\n",
-        mesh.positions.size(), mesh.indices.size() / 3, mesh.error_m);
+    fmt::format_to(out,
+                   "# {} vertices, {} triangles; samples lie {:.3g} m above or below it on average, {:.3g} m "
+                   "at most; metres, x "
+                   "east, y up, z south\n",
+                   mesh.positions.size(), mesh.indices.size() / 3, mesh.mean_m, mesh.farthest_m);
     for (const glm::vec3& p : mesh.positions) fmt::format_to(out, "v {:.9g} {:.9g} {:.9g}\n", p.x, p.z, -p.y);
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
         fmt::format_to(out, "f {} {} {}\n", mesh.indices[i] + 1, mesh.indices[i + 1] + 1,

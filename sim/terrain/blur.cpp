@@ -1,6 +1,7 @@
 #include "sim/terrain/blur.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "shaders/maths/twin.h"
 #include "sim/terrain/reshape.h"
@@ -31,6 +32,8 @@ void blur_ground(Terrain& terrain, glm::dvec2 deviation, bool masked) {
     maths::SolidTwin twin;
     for (std::size_t i = 0; i < solid.size(); ++i) {
         const auto change = static_cast<float>((target[i] - ground[i]) * (masked ? painted[i].y : 1.0F));
+        // Roundings of the mean are no change: what is level stays as it is, to the bit.
+        if (std::abs(change) < 1e-9F) continue;
         glm::vec4& s = solid[i];
         if (change > 0)
             s = glm::vec4(twin.add_increment({s.x, s.y}, change), s.z, s.w);

@@ -1,5 +1,5 @@
-// Benchmarks: talus_bench render | methods | update | frame | waves | erosion [SHADER_DIR]. Figures are
-// process CPU time, interleaved, medians (docs/benchmarks.md).
+// Benchmarks: talus_bench render | methods | update | frame | waves | erosion | sculpt [SHADER_DIR]. Figures
+// are process CPU time, interleaved, medians (docs/benchmarks.md).
 #include <fmt/format.h>
 
 #include <exception>
@@ -13,8 +13,9 @@
 int main(int argc, char** argv) {
     const std::string_view which = argc > 1 ? argv[1] : "";
     if (which != "render" && which != "methods" && which != "update" && which != "frame" &&
-        which != "waves" && which != "erosion") {
-        fmt::print(stderr, "usage: talus_bench render|methods|update|frame|waves|erosion [SHADER_DIR]\n");
+        which != "waves" && which != "erosion" && which != "sculpt") {
+        fmt::print(stderr,
+                   "usage: talus_bench render|methods|update|frame|waves|erosion|sculpt [SHADER_DIR]\n");
         return 2;
     }
     try {
@@ -29,6 +30,8 @@ int main(int argc, char** argv) {
             talus::bench::bench_frame(talus::patch_pixels(context.device()));
         else if (which == "waves")
             talus::bench::bench_waves();
+        else if (which == "sculpt")
+            talus::bench::bench_sculpt(talus::patch_pixels(context.device()));
         else if (which == "erosion")
             talus::bench::bench_erosion(talus::patch_pixels(context.device()));
         else

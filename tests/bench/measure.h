@@ -22,6 +22,8 @@ void bench_waves();
 /// patch_pixels: the hybrid's choice on this device.
 void bench_erosion(double patch_pixels);
 /// patch_pixels: the hybrid's choice on this device.
+void bench_sculpt(double patch_pixels);
+/// patch_pixels: the hybrid's choice on this device.
 void bench_frame(double patch_pixels);
 
 }  // namespace talus::bench

@@ -1,0 +1,75 @@
+// What a dab costs, and whether that depends on the map: 200 dabs of 256 m radius on 512 and on 4096 samples
+// a side, each with its tiles kept for undo, and the picture after every tenth.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "render/renderer.h"
+#include "sim/simulation.h"
+#include "sim/simulation_parameters.h"
+#include "sim/terrain/generate.h"
+#include "tests/bench/measure.h"
+
+namespace talus::bench {
+namespace {
+
+struct Place {
+    Place(int n, double patch_pixels)
+        : simulation(state_of(n), Parameters(simulation_parameters()), std::size_t{1} << 30U),
+          renderer(simulation.terrain(), patch_pixels) {
+        const Grid& grid = simulation.terrain().grid();
+        camera = overview({512, 512, grid.dx, grid.dy}, 0, 900);
+        ViewSettings settings;
+        renderer.draw(simulation.terrain(), camera, settings, 640, 360);
+    }
+    static TerrainState state_of(int n) {
+        const Grid grid{n, n, 10, 10};
+        return bedrock_terrain(grid, generate_heights(grid, {"hills", 4, 900}));
+    }
+    // A stroke of 200 dabs around a circle of the south-western 5 km.
+    void stroke() {
+        simulation.begin_stroke("raise");
+        for (int i = 0; i < 200; ++i) {
+            Dab dab;
+            dab.x_m = 2500 + 1500 * std::cos(i * 0.0314);
+            dab.y_m = 2500 + 1500 * std::sin(i * 0.0314);
+            dab.radius_m = 256;
+            dab.amount_m = 0.5;
+            simulation.apply(dab);
+        }
+        simulation.end_entry();
+    }
+    // One dab, and the picture with it.
+    void dab_and_picture() {
+        Dab dab;
+        dab.x_m = dab.y_m = 2500;
+        dab.radius_m = 256;
+        dab.amount_m = 0.5;
+        simulation.apply(dab);
+        renderer.draw(simulation.terrain(), camera, ViewSettings(), 640, 360);
+        const std::vector<std::uint8_t> wait = renderer.read_rgb(1, 1);
+    }
+    Simulation simulation;
+    Renderer renderer;
+    Camera camera;
+};
+
+}  // namespace
+
+void bench_sculpt(double patch_pixels) {
+    Place small(512, patch_pixels);
+    Place large(4096, patch_pixels);
+    const std::vector<double> strokes =
+        interleave({{"stroke, 512", [&] { small.stroke(); }}, {"stroke, 4096", [&] { large.stroke(); }}}, 9);
+    const std::vector<double> pictures =
+        interleave({{"dab and picture, 512", [&] { small.dab_and_picture(); }},
+                    {"dab and picture, 4096", [&] { large.dab_and_picture(); }}},
+                   9);
+    fmt::print(
+        "200 dabs of 256 m, CPU time a dab: 512 a side {:.3f} ms, 4096 a side {:.3f} ms, ratio {:.2f}\n",
+        5 * strokes[0], 5 * strokes[1], strokes[1] / strokes[0]);
+    fmt::print("a dab and the picture after it: 512 a side {:.2f} ms, 4096 a side {:.2f} ms\n",
+               1e3 * pictures[0], 1e3 * pictures[1]);
+}
+
+}  // namespace talus::bench

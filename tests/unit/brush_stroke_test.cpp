@@ -1,0 +1,107 @@
+// What a hand's stroke does follows from where it went and for how long, not from how many frames that took.
+#include <gtest/gtest.h>
+
+#include "app/app_parameters.h"
+#include "app/tools/brush_stroke.h"
+
+namespace talus {
+namespace {
+
+Parameters view(const std::string& tool) {
+    Parameters parameters(app_parameters());
+    parameters.set("brush.tool", tool);
+    parameters.set("brush.radius_m", 100.0);
+    return parameters;
+}
+
+double metres(const std::vector<Dab>& dabs) {
+    double sum = 0;
+    for (const Dab& dab : dabs) sum += dab.amount_m;
+    return sum;
+}
+
+TEST(BrushStroke, TakesTheSameTimeInFewFramesAndInMany) {
+    const Parameters parameters = view("raise");
+    for (const int frames : {1, 7, 60}) {
+        BrushStroke stroke(parameters, {}, {0, 0, 500}, 0);
+        std::vector<Dab> dabs;
+        for (int i = 1; i <= frames; ++i)
+            for (const Dab& dab :
+                 stroke.move(parameters, {800.0 * i / frames, 0, 500}, 2.0 / frames, nullptr))
+                dabs.push_back(dab);
+        EXPECT_NEAR(metres(dabs), 2 * parameters.number("brush.rate_m_per_s"), 1e-9) << frames;
+        EXPECT_GE(dabs.size(), 32U) << frames << ": a quarter radius apart at most";
+        EXPECT_EQ(dabs.back().x_m, 800);
+        for (std::size_t i = 1; i < dabs.size(); ++i) EXPECT_LE(dabs[i].x_m - dabs[i - 1].x_m, 25.001);
+    }
+}
+
+TEST(BrushStroke, BlendsAddUpToTheSameShare) {
+    const Parameters parameters = view("smooth");
+    for (const int frames : {1, 10, 100}) {
+        BrushStroke stroke(parameters, {}, {0, 0, 0}, 0);
+        double left = 1;
+        for (int i = 0; i < frames; ++i)
+            for (const Dab& dab : stroke.move(parameters, {0, 0, 0}, 0.5 / frames, nullptr))
+                left *= 1 - dab.blend;
+        EXPECT_NEAR(left, std::exp(-0.5 * parameters.number("brush.blend_per_s")), 1e-9) << frames;
+    }
+}
+
+TEST(BrushStroke, CtrlTurnsAroundAndShiftSmooths) {
+    const auto dab = [](const std::string& tool, const Modifiers& modifiers) {
+        return tool_dab(view(tool), modifiers, 12, 1, nullptr);
+    };
+    EXPECT_EQ(dab("raise", {true, false}).mode, BrushMode::lower);
+    EXPECT_EQ(dab("lower", {true, false}).mode, BrushMode::raise);
+    EXPECT_EQ(dab("raise", {false, true}).mode, BrushMode::smooth);
+    EXPECT_EQ(dab("mask", {false, true}).mode, BrushMode::smooth);
+    EXPECT_LT(dab("noise", {true, false}).amount_m, 0);
+    EXPECT_EQ(dab("mask", {true, false}).target_m, 0);
+    EXPECT_TRUE(dab("water", {true, false}).is_water());
+    EXPECT_EQ(dab("flatten", {}).target_m, 12);
+    for (const std::string& tool : tool_names())
+        for (const bool inverted : {false, true})
+            for (const bool smooth : {false, true})
+                EXPECT_NO_THROW(check_dab(dab(tool, {inverted, smooth}))) << tool;
+}
+
+TEST(BrushStroke, StampsStandASpacingApart) {
+    Parameters parameters = view("stamp");
+    parameters.set("brush.spacing", 2.0);
+    BrushStroke stroke(parameters, {}, {0, 0, 0}, 0);
+    std::vector<Dab> dabs;
+    for (int i = 1; i <= 100; ++i)
+        for (const Dab& dab : stroke.move(parameters, {10.0 * i, 0, 0}, 0.01, nullptr)) dabs.push_back(dab);
+    ASSERT_EQ(dabs.size(), 6U);
+    for (std::size_t i = 0; i < dabs.size(); ++i) EXPECT_NEAR(dabs[i].x_m, 200.0 * i, 1e-6);
+}
+
+TEST(BrushStroke, ARampIsOneDabFromItsBeginningToItsEnd) {
+    const Parameters parameters = view("ramp");
+    BrushStroke stroke(parameters, {}, {100, 200, 50}, 0);
+    EXPECT_TRUE(stroke.move(parameters, {300, 250, 90}, 0.5, nullptr).empty());
+    const std::optional<Dab> dab = stroke.end(parameters);
+    ASSERT_TRUE(dab);
+    EXPECT_EQ(dab->way_m, glm::dvec2(200, 50));
+    EXPECT_EQ(dab->target_m, 50);
+    EXPECT_EQ(dab->rise_m, 40);
+}
+
+TEST(BrushStroke, JitterIsTheSameForTheSameSeedAndStroke) {
+    Parameters parameters = view("raise");
+    parameters.set("brush.jitter", 0.5);
+    const auto places = [&](unsigned number) {
+        BrushStroke stroke(parameters, {}, {0, 0, 0}, number);
+        std::vector<glm::dvec2> found;
+        for (const Dab& dab : stroke.move(parameters, {500, 0, 0}, 1, nullptr))
+            found.emplace_back(dab.x_m, dab.y_m);
+        return found;
+    };
+    EXPECT_EQ(places(3), places(3));
+    EXPECT_NE(places(3), places(4));
+    for (const glm::dvec2& place : places(3)) EXPECT_LE(std::abs(place.y), 50);
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,264 @@
+// What other programs get: the values that are to be typed there give the heights back, tiles meet, meshes
+// keep their error.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <map>
+
+#include "sim/gpu/error.h"
+#include "sim/io/atomic_file.h"
+#include "sim/io/colour_image.h"
+#include "sim/io/export.h"
+#include "sim/terrain/generate.h"
+#include "sim/terrain/reshape.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Export : public testing::Test {
+  protected:
+    Export() {
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    fs::path path(const std::string& name) const { return folder_ / name; }
+
+    static Document hills(int nx, int ny) {
+        const Grid grid{nx, ny, 12.5, 10};
+        Document document;
+        document.state = bedrock_terrain(grid, generate_heights(grid, {"hills", 3, 640}));
+        for (glm::vec2& height : document.state.bedrock) height.x -= 170;
+        document.state.georeference = Georeference{"", {1000, 12.5, 0, 2000, 0, -10}};
+        return document;
+    }
+
+  private:
+    fs::path folder_ = fs::path(testing::TempDir()) / "talus_export_test";
+};
+
+std::vector<std::uint16_t> integers_in(const fs::path& path) {
+    const std::string bytes = read_text(path);
+    std::vector<std::uint16_t> values(bytes.size() / 2);
+    std::memcpy(values.data(), bytes.data(), bytes.size());
+    return values;
+}
+
+// The heights that an engine is to show: the ground with the samples that it takes, rows from the north.
+std::vector<float> expected(const Document& document, int nx, int ny) {
+    return resampled(document.state, nx, ny).ground();
+}
+
+std::map<std::string, double> typed(const Exported& exported) {
+    std::map<std::string, double> values;
+    for (const auto& [name, value] : exported.values) values[name] = std::atof(value.c_str());
+    return values;
+}
+
+TEST_F(Export, UnrealsValuesGiveTheHeightsBackWithinHalfAStep) {
+    const Document document = hills(300, 410);
+    ExportSettings settings;
+    settings.kind = ExportKind::unreal;
+    settings.path = path("land.r16");
+    const Exported exported = export_terrain(document, settings);
+    ASSERT_EQ(exported.tile_samples, glm::ivec2(253, 505));
+    const std::vector<std::uint16_t> values = integers_in(settings.path);
+    const std::vector<float> heights = expected(document, 253, 505);
+    ASSERT_EQ(values.size(), heights.size());
+    auto t = typed(exported);
+    const double step_m = t["Scale Z"] / 128 / 100;
+    double worst = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        // Landscape Technical Guide: (value - 32768) / 128 * scale, in centimetres.
+        const double centimetres = t["Location Z"] + (values[i] - 32768.0) / 128 * t["Scale Z"];
+        worst = std::max(worst, std::abs(centimetres / 100 - heights[i]));
+    }
+    EXPECT_LE(worst, 0.5001 * step_m + 1e-4);
+    EXPECT_LT(step_m, 0.02);
+    EXPECT_NEAR(t["Scale X"] / 100 * 252, document.state.grid.width_m(), 1e-5);
+    EXPECT_NEAR(t["Scale Y"] / 100 * 504, document.state.grid.height_m(), 1e-5);
+    EXPECT_TRUE(fs::exists(path("land.r16.txt")));
+}
+
+TEST_F(Export, UnitysTilesCountFromTheSouthAndMeet) {
+    const Document document = hills(500, 480);
+    ExportSettings settings;
+    settings.kind = ExportKind::unity;
+    settings.path = path("terrain.raw");
+    settings.tiles = {2, 2};
+    const Exported exported = export_terrain(document, settings);
+    ASSERT_EQ(exported.tile_samples, glm::ivec2(257));
+    const std::vector<float> heights = expected(document, 513, 513);
+    auto t = typed(exported);
+    EXPECT_EQ(t["Resolution"], 257);
+    EXPECT_NEAR(t["Terrain Width"], document.state.grid.width_m() / 2, 1e-4);
+    EXPECT_NEAR(t["Terrain Length"], document.state.grid.height_m() / 2, 1e-4);
+    double worst = 0;
+    for (int tile_y = 0; tile_y < 2; ++tile_y)
+        for (int tile_x = 0; tile_x < 2; ++tile_x) {
+            const auto values = integers_in(
+                path("terrain_x" + std::to_string(tile_x) + "_y" + std::to_string(tile_y) + ".raw"));
+            ASSERT_EQ(values.size(), 257U * 257);
+            for (int z = 0; z < 257; ++z)
+                for (int x = 0; x < 257; ++x) {
+                    // Unity: row 0 is at z = 0, the south; a height is value / 65535 of the terrain's.
+                    const double height = t["Position Y"] + values[static_cast<std::size_t>(z) * 257 + x] /
+                                                                65535.0 * t["Terrain Height"];
+                    const int row = 512 - (256 * tile_y + z);
+                    worst = std::max(
+                        worst,
+                        std::abs(height - heights[static_cast<std::size_t>(row) * 513 + 256 * tile_x + x]));
+                }
+        }
+    EXPECT_LE(worst, 0.5001 * t["Terrain Height"] / 65535 + 1e-4);
+}
+
+TEST_F(Export, GodotsRangeGivesTheHeightsBack) {
+    const Document document = hills(260, 200);
+    ExportSettings settings;
+    settings.kind = ExportKind::godot;
+    settings.path = path("terrain.r16");
+    const Exported exported = export_terrain(document, settings);
+    ASSERT_EQ(exported.tile_samples, glm::ivec2(257));
+    double low = 0;
+    double high = 0;
+    for (const auto& [name, value] : exported.values)
+        if (name == "r16_range") {
+            ASSERT_EQ(std::sscanf(value.c_str(), "%lf, %lf", &low, &high), 2);
+        }
+    const std::vector<std::uint16_t> values = integers_in(settings.path);
+    const std::vector<float> heights = expected(document, 257, 257);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        ASSERT_NEAR(low + values[i] / 65535.0 * (high - low), heights[i],
+                    0.5001 * (high - low) / 65535 + 1e-4);
+}
+
+TEST_F(Export, TilesShareTheirEdgesAndTheirRangeAndStandWhereTheyWere) {
+    const Document document = hills(100, 75);
+    ExportSettings settings;
+    settings.path = path("t.png");
+    settings.tiles = {3, 2};
+    const Exported exported = export_terrain(document, settings);
+    EXPECT_EQ(exported.files.size(), 6U);
+    const auto columns = split_samples(100, 3);
+    const auto rows = split_samples(75, 2);
+    const std::vector<float> heights = document.state.ground();
+    const double step = (exported.range_m.y - exported.range_m.x) / 65535;
+    for (std::size_t y = 0; y < 2; ++y)
+        for (std::size_t x = 0; x < 3; ++x) {
+            const Heightmap tile =
+                read_heightmap(path("t_x" + std::to_string(x) + "_y" + std::to_string(y) + ".png"), {});
+            ASSERT_EQ(tile.grid.nx, columns[x].second);
+            ASSERT_EQ(tile.grid.ny, rows[y].second);
+            for (int r = 0; r < tile.grid.ny; ++r)
+                for (int c = 0; c < tile.grid.nx; ++c)
+                    ASSERT_NEAR(
+                        tile.heights[static_cast<std::size_t>(r) * tile.grid.nx + c],
+                        heights[static_cast<std::size_t>(rows[y].first + r) * 100 + columns[x].first + c],
+                        0.5001 * step + 1e-4);
+            EXPECT_DOUBLE_EQ(tile.georeference->transform[0], 1000 + 12.5 * columns[x].first);
+            EXPECT_DOUBLE_EQ(tile.georeference->transform[3], 2000 - 10.0 * rows[y].first);
+        }
+    EXPECT_EQ(columns[0].first + columns[0].second - 1, columns[1].first);
+    EXPECT_EQ(columns[2].first + columns[2].second, 100);
+}
+
+TEST_F(Export, AMeshHasFewerTrianglesWithinItsErrorAndKeepsItsBorder) {
+    // Smooth, as triangles can be: fBm of few octaves at this spacing.
+    Document document = hills(40, 30);
+    for (glm::vec2& height : document.state.bedrock) height *= 0.1F;
+    document.state = resampled(document.state, 157, 117);
+    Heightmap heightmap;
+    heightmap.grid = document.state.grid;
+    heightmap.heights = document.state.ground();
+    const std::size_t all = 2U * 156 * 116;
+    std::size_t before = all + 1;
+    for (const double error_m : {0.0, 0.1, 1.0}) {
+        const TerrainMesh mesh = simplified_mesh(heightmap, error_m);
+        const std::size_t triangles = mesh.indices.size() / 3;
+        EXPECT_LE(mesh.error_m, error_m);
+        EXPECT_LE(mesh.mean_m, error_m);
+        EXPECT_GE(mesh.farthest_m, mesh.mean_m);
+        EXPECT_LE(mesh.farthest_m, 6 * error_m);
+        EXPECT_LT(triangles, before) << error_m;
+        before = triangles;
+        // The border's samples are all there.
+        const auto on_border = [&](const glm::vec3& p) { return p.x == 0 || p.y == 0; };
+        EXPECT_EQ(std::count_if(mesh.positions.begin(), mesh.positions.end(), on_border), 157 + 117 - 1);
+        // Seen from above it covers the rectangle, once.
+        double area = 0;
+        double folded = 0;
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+            const glm::dvec3 a = mesh.positions[mesh.indices[i]];
+            const glm::dvec3 b = mesh.positions[mesh.indices[i + 1]];
+            const glm::dvec3 c = mesh.positions[mesh.indices[i + 2]];
+            const double twice = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+            area += twice / 2;
+            folded += std::max(-twice, 0.0) / 2;
+        }
+        // meshoptimizer looks at angles in space, not from above: a sliver may fold.
+        EXPECT_LT(folded / area, 0.002) << error_m;
+        EXPECT_NEAR(area / (heightmap.grid.width_m() * heightmap.grid.height_m()), 1, 1e-6) << error_m;
+    }
+    EXPECT_LT(before, all / 5);
+
+    ExportSettings settings;
+    settings.kind = ExportKind::mesh;
+    settings.path = path("hills.obj");
+    settings.mesh_error_m = 1;
+    export_terrain(document, settings);
+    const std::string obj = read_text(settings.path);
+    EXPECT_NE(obj.find("\nv "), std::string::npos);
+    std::size_t faces = 0;
+    for (std::size_t at = obj.find("\nf "); at != std::string::npos; at = obj.find("\nf ", at + 1)) ++faces;
+    EXPECT_EQ(faces, before);
+}
+
+TEST_F(Export, ANormalMapIsTheSlope) {
+    Heightmap plane;
+    plane.grid = {20, 30, 2, 4};
+    // Rises half a metre a metre eastwards and falls a quarter northwards.
+    for (int y = 0; y < 30; ++y)
+        for (int x = 0; x < 20; ++x) plane.heights.push_back(0.5F * 2 * x - 0.25F * 4 * (29 - y));
+    write_normal_map(path("normal.png"), plane);
+    const ColourImage image = read_colour_image(path("normal.png"));
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(-0.5, 0.25, 1));
+    for (const std::size_t pixel : {0U, 19U, 20U * 15 + 7, 599U})
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_NEAR(image.rgba[4 * pixel + k], (0.5 + 0.5 * normal[static_cast<int>(k)]) * 255, 1);
+}
+
+TEST_F(Export, SaysWhatGetsLost) {
+    Document document = hills(60, 50);
+    ExportSettings settings;
+    settings.path = path("a.tif");
+    EXPECT_TRUE(losses(document.state, settings).empty());
+    document.state.water.assign(document.state.bedrock.size(), glm::vec4(1, 0, 0, 0));
+    EXPECT_EQ(losses(document.state, settings).size(), 1U);
+    settings.path = path("a.png");
+    settings.range_m = Range(0, 100);
+    const std::vector<std::string> lost = losses(document.state, settings);
+    ASSERT_EQ(lost.size(), 3U);
+    EXPECT_NE(lost[1].find("16 bits"), std::string::npos);
+    EXPECT_NE(lost[2].find("cut off"), std::string::npos);
+}
+
+TEST_F(Export, RefusesWhatCannotBeWritten) {
+    const Document document = hills(60, 50);
+    ExportSettings settings;
+    settings.path = path("a.jpg");
+    EXPECT_THROW(export_terrain(document, settings), Error);
+    settings.path = path("a.png");
+    settings.tiles = {0, 1};
+    EXPECT_THROW(export_terrain(document, settings), Error);
+    settings.tiles = {60, 1};
+    EXPECT_THROW(export_terrain(document, settings), Error);
+    settings.kind = ExportKind::unity;
+    EXPECT_THROW(export_terrain(document, settings), Error);
+}
+
+}  // namespace
+}  // namespace talus
