@@ -159,7 +159,7 @@ class Window {
             self(w)->wake();
             if (action != GLFW_RELEASE)
                 press_key(key, mods, self(w)->session_, self(w)->state_, self(w)->requests_);
-            self(w)->pass_key(key, code, action, mods);
+            self(w)->typed_.push_back({key, code, action, mods, 0});
         });
         glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int mouse_button, int action, int mods) {
             self(w)->wake();
@@ -175,7 +175,7 @@ class Window {
         });
         glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned letter) {
             self(w)->wake();
-            ImGui_ImplGlfw_CharCallback(w, letter);
+            self(w)->typed_.push_back({0, 0, 0, 0, letter});
         });
         glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { self(w)->wake(); });
         glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { self(w)->wake(); });
@@ -183,19 +183,23 @@ class Window {
         glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { self(w)->wake(); });
     }
 
-    // Panels look at keys once a frame: one that is let go in the frame in which it was pressed would never
-    // have been down, so that it is let go a frame later for them.
-    void pass_key(int key, int code, int action, int mods) {
-        if (action == GLFW_PRESS) pressed_.push_back(key);
-        if (action == GLFW_RELEASE && std::find(pressed_.begin(), pressed_.end(), key) != pressed_.end())
-            released_.push_back({key, code, mods});
-        else
-            ImGui_ImplGlfw_KeyCallback(window_, key, code, action, mods);
-    }
-    void pass_releases() {
-        pressed_.clear();
-        for (const Release& release : std::exchange(released_, {}))
-            ImGui_ImplGlfw_KeyCallback(window_, release.key, release.code, GLFW_RELEASE, release.mods);
+    // Panels look at keys once a frame: one that is let go in the frame in which another was pressed would never have been
+    // down with it. So a release after a press waits for the next frame, and all that comes behind it.
+    void pass_typed() {
+        bool pressed = false;
+        std::size_t passed = 0;
+        for (const Typed& typed : typed_) {
+            if (pressed && typed.letter == 0 && typed.action == GLFW_RELEASE) break;
+            if (typed.letter != 0) {
+                ImGui_ImplGlfw_CharCallback(window_, typed.letter);
+            } else {
+                pressed = pressed || typed.action == GLFW_PRESS;
+                ImGui_ImplGlfw_KeyCallback(window_, typed.key, typed.code, typed.action, typed.mods);
+            }
+            ++passed;
+        }
+        typed_.erase(typed_.begin(), typed_.begin() + static_cast<std::ptrdiff_t>(passed));
+        if (!typed_.empty()) wake();
     }
 
     void begin_panels(double scale) {
@@ -563,6 +567,7 @@ class Window {
             {area.corner.x, size.y - area.corner.y - area.size.y, area.size.x, area.size.y});
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
+        pass_typed();
         ImGui::NewFrame();
         draw_marks(session_, area);
         StatusFigures figures{device_.renderer, glfwGetTime() < message_until_s_ ? message_ : "",
@@ -580,7 +585,6 @@ class Window {
         }
         ImGui::Render();
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-        pass_releases();
     }
 
     // Where the widgets are, for who drives the window by name.
@@ -617,13 +621,14 @@ class Window {
     double message_until_s_ = 0;
 
     glm::dvec2 mouse_{0};
-    struct Release {
+    struct Typed {
         int key;
         int code;
+        int action;
         int mods;
+        unsigned letter;  // 0: it is a key
     };
-    std::vector<int> pressed_;  // since the last frame
-    std::vector<Release> released_;
+    std::vector<Typed> typed_;  // since the last frame
     bool refining_ = false;
     double last_s_ = 0;
     double frame_s_ = frame_goal_s;

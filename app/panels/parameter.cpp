@@ -41,7 +41,8 @@ bool edit(const Parameter& p, const char* id, Value& value) {
     if (auto* count = std::get_if<int>(&value)) {
         const int low = static_cast<int>(p.low);
         const int high = static_cast<int>(p.high);
-        return ImGui::DragScalar(id, ImGuiDataType_S32, count, 0.2F, &low, &high, "%d",
+        const std::string format = "%d " + p.unit;
+        return ImGui::DragScalar(id, ImGuiDataType_S32, count, 0.2F, &low, &high, format.c_str(),
                                  ImGuiSliderFlags_AlwaysClamp);
     }
     if (auto* real = std::get_if<double>(&value)) return edit_number(p, id, *real);

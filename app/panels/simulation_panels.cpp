@@ -9,8 +9,9 @@ void draw_simulation_panel(PanelContext& context) {
     draw_section(context.session, context.requests, "time");
     heading("Slopes (thermal erosion)");
     draw_section(context.session, context.requests, "thermal");
-    heading("Memory");
+    heading("Memory of the history");
     draw_section(context.session, context.requests, "undo");
+    heading("Autosave");
     draw_section(context.session, context.requests, "autosave");
 }
 
