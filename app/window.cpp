@@ -183,8 +183,9 @@ class Window {
         glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { self(w)->wake(); });
     }
 
-    // Panels look at keys once a frame: one that is let go in the frame in which another was pressed would never have been
-    // down with it. So a release after a press waits for the next frame, and all that comes behind it.
+    // Panels look at keys once a frame: one that is let go in the frame in which another was pressed would
+    // never have been down with it. So a release after a press waits for the next frame, and all that comes
+    // behind it.
     void pass_typed() {
         bool pressed = false;
         std::size_t passed = 0;
