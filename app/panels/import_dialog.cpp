@@ -129,9 +129,8 @@ void draw_import_dialog(PanelContext& context) {
     ImGui::BeginChild("preview", {side + em, side + em});
     if (dialog.preview.width() > 0) {
         const float scale = side / static_cast<float>(std::max(dialog.preview_size.x, dialog.preview_size.y));
-        ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(dialog.preview.name())),
-                     {scale * static_cast<float>(dialog.preview_size.x),
-                      scale * static_cast<float>(dialog.preview_size.y)});
+        ImGui::Image(panel_image(dialog.preview), {scale * static_cast<float>(dialog.preview_size.x),
+                                                   scale * static_cast<float>(dialog.preview_size.y)});
     }
     ImGui::EndChild();
     ImGui::SameLine();

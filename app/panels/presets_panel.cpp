@@ -39,11 +39,8 @@ void draw_preset_grid(PanelContext& context) {
         ImGui::BeginGroup();
         const gpu::Texture& picture = thumbnail(context.state, preset.name);
         const ImVec2 size{width - 2 * ImGui::GetStyle().FramePadding.x, width * 9 / 16};
-        const bool pressed =
-            picture.width() > 0
-                ? ImGui::ImageButton(
-                      reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(picture.name())), size)
-                : ImGui::Button(preset.name.c_str(), size);
+        const bool pressed = picture.width() > 0 ? ImGui::ImageButton(panel_image(picture), size)
+                                                 : ImGui::Button(preset.name.c_str(), size);
         note_widget("preset " + preset.name);
         if (ImGui::IsItemHovered()) {
             ImGui::BeginTooltip();

@@ -41,6 +41,12 @@ void note_widget(const std::string& name) {
     rects().push_back({name, low.x, low.y, high.x, high.y});
 }
 
+void* panel_image(const gpu::Texture& texture) {
+    // Its OpenGL backend takes the texture's name as a pointer.
+    return reinterpret_cast<void*>(
+        static_cast<std::intptr_t>(texture.name()));  // NOLINT(performance-no-int-to-ptr)
+}
+
 bool button(const std::string& name, const std::string& tooltip, bool enabled) {
     ImGui::BeginDisabled(!enabled);
     const bool pressed = ImGui::Button(name.c_str());

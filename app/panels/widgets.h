@@ -24,6 +24,9 @@ void begin_widgets();
 /// Notes where the last ImGui item is.
 void note_widget(const std::string& name);
 
+/// A texture as ImGui takes it (ImTextureID).
+void* panel_image(const gpu::Texture& texture);
+
 /// A button that is named and explained.
 bool button(const std::string& name, const std::string& tooltip = "", bool enabled = true);
 /// A button that stays down while chosen, as wide as given (0: as its text).

@@ -170,6 +170,8 @@ void Brush::dab(Terrain& terrain, const Dab& dab, const gpu::Texture* stamp) {
     const glm::ivec2 high = glm::min(glm::ivec2(region.x + region.width, region.y + region.height),
                                      glm::ivec2(terrain.grid().nx, terrain.grid().ny)) -
                             1;
+    // Between two samples it reaches none.
+    if (low.x > high.x || low.y > high.y) return;
     const glm::ivec2 stamp_samples = stamp ? glm::ivec2(stamp->width(), stamp->height()) : glm::ivec2(2);
     const DabStep step = dab_step(terrain.grid(), dab, stamp_samples);
     gpu::Program& program = program_of(dab.mode);

@@ -3,7 +3,7 @@
 set -euo pipefail
 scale=${3:-1}
 if [ -z "${TALUS_UNDER_XVFB:-}" ]; then
-    TALUS_UNDER_XVFB=1 exec xvfb-run -a -s "-screen 0 $((1280 * scale))x$((720 * scale))x24" bash "$0" "$@"
+    TALUS_UNDER_XVFB=1 exec xvfb-run -a -s "-screen 0 $((1280 * scale))x$((720 * scale))x24 -noreset" bash "$0" "$@"
 fi
 source "$(dirname "${BASH_SOURCE[0]}")/window.sh"
 

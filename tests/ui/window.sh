@@ -3,7 +3,7 @@
 talus=$1
 folder=$2
 if [ -z "${TALUS_UNDER_XVFB:-}" ]; then
-    TALUS_UNDER_XVFB=1 exec xvfb-run -a -s "-screen 0 1280x720x24" bash "$0" "$@"
+    TALUS_UNDER_XVFB=1 exec xvfb-run -a -s "-screen 0 1280x720x24 -noreset" bash "$0" "$@"
 fi
 rm -rf "$folder"
 mkdir -p "$folder"
