@@ -351,6 +351,8 @@ void Simulation::replace_terrain(const Operation& operation, const TerrainState&
         moment_.sea_m3 = 0;
         moment_.booked_m3 = 0;
         stand_on(std::move(terrain));
+        // Water that came with it has arrived.
+        if (terrain_.water) inundation_->record(terrain_, moment_.clock.simulated_s);
         rain_painted_ = rain_painted_ || terrain_.painted.has_value();
         moment_.ledger = ledger_->begin(terrain_, weights_of(moment_.parameters));
     });

@@ -209,6 +209,26 @@ TEST(History, StaysUnderItsCap) {
     EXPECT_LT(simulation.undo_history().done().size(), static_cast<std::size_t>(acts));
 }
 
+// A sea that fills imported ground was in no inundation map: the first dab of water brought it there, and
+// undo left it.
+TEST(History, WaterThatComesWithAnImportIsInTheInundationMapAtOnce) {
+    const gpu::Context context;
+    Simulation simulation(mountains(100, 75, 3), Parameters(simulation_parameters()), std::size_t{1} << 30U);
+    simulation.apply(SetParameter{"water.sea_level", 300.0});
+    simulation.apply(other_mountains({"other.tif", "", 7}));
+    const Seen imported = seen(simulation);
+    EXPECT_FALSE(simulation.read().inundation.empty());
+    Dab dab;
+    dab.material = Material::water;
+    dab.x_m = dab.y_m = 700;
+    dab.radius_m = 100;
+    dab.amount_m = 1;
+    simulation.apply(dab);
+    EXPECT_FALSE(seen(simulation) == imported);
+    simulation.undo();
+    EXPECT_EQ(seen(simulation), imported);
+}
+
 TEST(History, AnActThatFailsLeavesEverythingAsItWas) {
     const gpu::Context context;
     Simulation simulation(mountains(70, 70, 6), Parameters(simulation_parameters()), std::size_t{1} << 30U);
