@@ -86,10 +86,13 @@ Recovery::Recovery() : last_s_(now_s()) {
 
 Recovery::~Recovery() {
     if (writing_.valid()) writing_.wait();
-    if (lock_ < 0) return;
+    if (lock_ >= 0) ::close(lock_);
+}
+
+void Recovery::end() {
+    if (writing_.valid()) writing_.wait();
     std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-    ::close(lock_);
+    if (lock_ >= 0) fs::remove_all(folder_, ignored);
 }
 
 void Recovery::follow(const Simulation& simulation, const Scene& scene, const std::string& project,
@@ -138,6 +141,7 @@ void Recovery::forget_work() {
     if (writing_.valid()) writing_.wait();
     if (writing_.valid()) writing_.get();
     last_s_ = now_s();
+    changes_.reset();
     std::error_code ignored;
     fs::remove(folder_ / "autosave.exr", ignored);
     fs::remove(folder_ / "about.json", ignored);

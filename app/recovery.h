@@ -33,7 +33,7 @@ class Recovery {
   public:
     /// Without a folder where none can be made: then nothing is kept, and why() says so.
     Recovery();
-    /// An orderly end leaves nothing behind.
+    /// Lets go of the lock: what was kept stays, unless end() was called.
     ~Recovery();
     Recovery(const Recovery&) = delete;
     Recovery& operator=(const Recovery&) = delete;
@@ -46,6 +46,8 @@ class Recovery {
                 std::size_t changes, double interval_s);
     /// The work was saved, or dropped: what was kept of it is of no use any more.
     void forget_work();
+    /// An orderly end: nothing is left behind.
+    void end();
     /// What has been told since this was last called: that it saved, or why it could not.
     std::optional<std::string> take_message();
     bool busy() const { return readback_.pending() || writing_.valid(); }
@@ -57,7 +59,7 @@ class Recovery {
     StateReadback readback_;
     Document document_;  // of what is being read
     std::string about_;
-    std::size_t changes_ = 0;  // of the last autosave
+    std::optional<std::size_t> changes_;  // of the last autosave
     double last_s_ = 0;
     std::future<std::string> writing_;
     std::optional<std::string> message_;

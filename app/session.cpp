@@ -95,7 +95,8 @@ void Session::follow_terrain() {
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
     bounds_ = {*low, *high};
     scene_.document.state.grid = grid();
-    drape(*renderer_, scene_);
+    // A picture over the terrain before is not one over this.
+    scene_.texture = {};
     gauges_ = Gauges(grid());
     balances_.clear();
     ledger_of_changes_ = 0;
@@ -115,16 +116,19 @@ SceneRequest Session::request_for(const SceneRequest& wish) const {
     // settings.
     request.preset = wish.preset;
     request.import = wish.import;
+    // What the command line set was meant for the scene that it named.
+    request.size.reset();
+    request.assignments.clear();
     // An image over one terrain is not one over another.
     if (wish.input != request_.input) request.texture.clear();
     return request;
 }
 
-void Session::open(const SceneRequest& request, Scene scene) {
+void Session::open(const SceneRequest& request, Scene scene, bool remember) {
     start(std::move(scene));
     request_ = request;
     path_ = document_path();
-    if (!request.input.empty()) remember_file(request.input);
+    if (!request.input.empty() && remember) remember_file(request.input);
     recent_ = recent_files();
 }
 
@@ -134,7 +138,7 @@ void Session::recovered(const std::string& project, const std::string& title) {
     recovered_ = true;
     compared_revision_ = 0;
     // What lies in the recovery folder is no file to come back to.
-    recent_ = recent_files();
+    request_.input = project;
 }
 
 bool Session::unsaved() const {
@@ -152,6 +156,7 @@ std::string Session::document_path() const {
 
 void Session::reset() {
     start(make_scene(request_));
+    path_ = document_path();
 }
 
 Document Session::document() {
@@ -171,6 +176,7 @@ void Session::saved(const std::string& path, std::size_t revision_then) {
     if (ending_of(path) != ".exr") return;
     path_ = path;
     scene_.title = std::filesystem::path(path).filename().string();
+    if (recovered_) request_.input = path;
     recovered_ = false;
     remember_file(path);
     recent_ = recent_files();

@@ -53,7 +53,7 @@ class Session {
     /// What another scene asks for besides what this session was started with.
     SceneRequest request_for(const SceneRequest& wish) const;
     /// Another scene, made as the request says: what was here before stays where that fails.
-    void open(const SceneRequest& request, Scene scene);
+    void open(const SceneRequest& request, Scene scene, bool remember = true);
     /// The scene came from an autosave of this project (empty: none yet): it is unsaved, and saved there.
     void recovered(const std::string& project, const std::string& title);
     void reset();

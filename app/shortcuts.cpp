@@ -20,6 +20,8 @@ void pick_tool(Session& session, std::size_t number) {
 }
 
 void press_with_control(int key, bool shift, Session& session, PanelState& state, PanelRequests& requests) {
+    // A field that text is typed into undoes its own.
+    if (ImGui::GetIO().WantTextInput && (key == GLFW_KEY_Z || key == GLFW_KEY_Y)) return;
     switch (key) {
         case GLFW_KEY_Z:
             (shift ? requests.redo : requests.undo) = true;

@@ -120,8 +120,9 @@ class Window {
                 message_.clear();
                 wake();
             }
-            session_.poll();
-            follow_recovery();
+            // What fails costs a frame, never the work: it is told, and the window goes on.
+            attempt([&] { session_.poll(); });
+            attempt([&] { follow_recovery(); });
             attempt([&] { work_.poll(); });
             // At rest nothing is drawn and nothing presented.
             if (busy()) frame();
@@ -138,6 +139,7 @@ class Window {
         layout.panel = state_.shown;
         layout.panels_shown = state_.panels_shown;
         keep_window_layout(layout);
+        recovery_.end();
     }
 
   private:
@@ -277,6 +279,7 @@ class Window {
 
     // Does it, once unsaved work is saved or given up.
     void when_saved(std::function<void()> act) {
+        if (work_.busy()) return tell(fmt::format("{} goes on: wait for it", work_.name()));
         if (!session_.unsaved()) return act();
         Question question;
         question.text = fmt::format("'{}' was changed and not saved. Save it first?", session_.scene().title);
@@ -288,10 +291,20 @@ class Window {
             }
             save(session_.path(), act);
         });
-        question.answers.emplace_back("Drop the changes", [this, act] {
-            forget_recovered();
-            act();
-        });
+        // What is dropped goes once the act has succeeded.
+        question.answers.emplace_back("Drop the changes", act);
+        question.answers.emplace_back("Cancel", [] {});
+        state_.question = std::move(question);
+        wake();
+    }
+
+    // Does it, once a file that is there and not the session's own may be replaced.
+    void when_replaceable(const std::string& path, std::function<void()> act) {
+        std::error_code ignored;
+        if (path == session_.path() || !std::filesystem::exists(path, ignored)) return act();
+        Question question;
+        question.text = fmt::format("'{}' is there already. Replace it?", path);
+        question.answers.emplace_back("Replace it", std::move(act));
         question.answers.emplace_back("Cancel", [] {});
         state_.question = std::move(question);
         wake();
@@ -308,17 +321,20 @@ class Window {
         session_.pause();
         auto document = std::make_shared<Document>(session_.document());
         const std::size_t revision = session_.revision();
-        work_.start(fmt::format("Saving {}", path), [this, path, document, revision, then]() -> Work::Then {
-            write_terrain(path, *document, "", std::nullopt);
-            return [this, path, revision, then] {
-                session_.saved(path, revision);
-                forget_recovered();
-                if (!journal_path_.empty()) session_.write_journal_to(journal_path_);
-                tell(fmt::format("saved {}", path));
-                title();
-                if (then) then();
-            };
-        });
+        work_.start(
+            fmt::format("Saving {}", path),
+            [this, path, document, revision, then]() -> Work::Then {
+                write_terrain(path, *document, "", std::nullopt);
+                return [this, path, revision, then] {
+                    session_.saved(path, revision);
+                    forget_recovered();
+                    if (!journal_path_.empty()) session_.write_journal_to(journal_path_);
+                    tell(fmt::format("saved {}", path));
+                    title();
+                    if (then) then();
+                };
+            },
+            false);
     }
 
     void open(const SceneRequest& wish) {
@@ -328,16 +344,18 @@ class Window {
         std::optional<LeftBehind> recovering;
         if (left != state_.left.end()) {
             recovering = *left;
-            state_.left.erase(left);
         }
         const std::string name = request.input.empty() ? request.preset : request.input;
         work_.start(fmt::format("Opening {}", name), [this, request, recovering]() -> Work::Then {
             auto scene = std::make_shared<Scene>(make_scene(request));
             return [this, request, scene, recovering] {
-                session_.open(request, std::move(*scene));
+                session_.open(request, std::move(*scene), !recovering);
+                forget_recovered();
                 if (recovering) session_.recovered(recovering->project, recovering->title);
                 recovering_ = recovering;
-                recovery_.forget_work();
+                std::erase_if(state_.left, [&](const LeftBehind& one) {
+                    return recovering && one.folder == recovering->folder;
+                });
                 for (const std::string& guess : session_.scene().document.notes) note("note: " + guess);
                 title();
                 wake();
@@ -380,6 +398,7 @@ class Window {
 
     void quit() {
         when_saved([this] {
+            forget_recovered();
             closing_ = true;
             glfwSetWindowShouldClose(window_, GLFW_TRUE);
         });
@@ -421,23 +440,34 @@ class Window {
                     state_.import.read(*asked.import);
             });
         }
+        if (asked.import_into) attempt([&] { state_.import.read(*asked.import_into); });
         if (asked.open) when_saved([this, request = *asked.open] { open(request); });
         if (asked.save) {
             auto then = std::exchange(after_saving_, nullptr);
-            attempt([&] { save(*asked.save, then); });
+            when_replaceable(*asked.save,
+                             [this, path = *asked.save, then] { attempt([&] { save(path, then); }); });
         }
         if (asked.stamp) attempt([&] { session_.apply(read_stamp(*asked.stamp, {})); });
-        if (asked.write) attempt([&] { export_files(*asked.write); });
+        if (asked.write)
+            when_replaceable(asked.write->path.string(),
+                             [this, settings = *asked.write] { attempt([&] { export_files(settings); }); });
         if (asked.map) attempt([&] { act_on_map(*asked.map); });
         for (const auto& act : asked.acts) attempt([&] { act(session_); });
-        if (asked.reset) when_saved([this] { attempt([&] { session_.reset(); }); });
+        if (asked.reset)
+            when_saved([this] {
+                attempt([&] {
+                    session_.reset();
+                    forget_recovered();
+                    title();
+                });
+            });
         if (asked.undo) attempt([&] { session_.undo(); });
         if (asked.redo) attempt([&] { session_.redo(); });
         if (asked.framing) session_.frame_terrain();
         if (asked.picture) attempt([&] { save_picture(); });
         if (asked.quit) quit();
-        if (asked.open || asked.save || asked.reset || asked.undo || asked.redo || asked.framing ||
-            asked.map || asked.import || asked.stamp || asked.write || !asked.acts.empty()) {
+        if (asked.open || asked.save || asked.import_into || asked.reset || asked.undo || asked.redo ||
+            asked.framing || asked.map || asked.import || asked.stamp || asked.write || !asked.acts.empty()) {
             title();
             wake();
         }
@@ -532,6 +562,8 @@ class Window {
         if (!std::exchange(first_picture_shown_, true))
             note(fmt::format("first picture after {:.2f} s", seconds_since_start()));
         keep_rects();
+        // A dialog that was closed without a name: what should have come after saving does not.
+        if (state_.dialog.purpose == FileDialog::Purpose::none && !requests_.save) after_saving_ = nullptr;
         serve_requests();
         frame_s_ = glfwGetTime() - now;
     }

@@ -21,10 +21,11 @@ Work::~Work() {
     for (const std::future<Then>& job : given_up_) job.wait();
 }
 
-void Work::start(std::string name, Job job) {
+void Work::start(std::string name, Job job, bool can_cancel) {
     if (busy()) return;
     name_ = std::move(name);
     started_s_ = now_s();
+    can_cancel_ = can_cancel;
     job_ = std::async(std::launch::async, std::move(job));
 }
 

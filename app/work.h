@@ -16,8 +16,10 @@ class Work {
 
     /// Waits for jobs that were given up.
     ~Work();
-    /// One at a time: while one goes on, another is refused by doing nothing.
-    void start(std::string name, Job job);
+    /// One at a time: while one goes on, another is refused by doing nothing. What replaces a file cannot be
+    /// given up.
+    void start(std::string name, Job job, bool can_cancel = true);
+    bool can_cancel() const { return can_cancel_; }
     bool busy() const { return job_.has_value(); }
     const std::string& name() const { return name_; }
     /// Seconds since it was started.
@@ -31,6 +33,7 @@ class Work {
   private:
     std::string name_;
     double started_s_ = 0;
+    bool can_cancel_ = true;
     std::optional<std::future<Then>> job_;
     std::vector<std::future<Then>> given_up_;
 };

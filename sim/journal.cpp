@@ -212,6 +212,11 @@ void Journal::record(const Operation& operation) {
             return;
         }
     operations_.push_back(operation);
+    // What came from files is read again by whoever replays: it need not stay here.
+    Operation& last = operations_.back();
+    if (auto* to = std::get_if<Resample>(&last)) to->made.reset();
+    if (auto* import = std::get_if<Import>(&last)) import->state.reset();
+    if (auto* choose = std::get_if<ChooseStamp>(&last)) choose->stamp.reset();
 }
 
 Journal::Mark Journal::mark() const {

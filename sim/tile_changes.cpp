@@ -5,6 +5,8 @@
 #include <cstring>
 #include <utility>
 
+#include "sim/gpu/error.h"
+
 namespace talus {
 namespace {
 
@@ -171,6 +173,8 @@ void TileChanges::apply(Terrain& terrain) {
         each_tile([&](int tile, std::size_t at) { copy_tile(terrain, tile, chunk->layers, texels, at); });
         std::vector<std::byte> words = texels.read_all<std::byte>();
         const std::vector<std::byte> bits = chunk->packed.unpack();
+        if (bits.size() != words.size())
+            throw Error("this act was lost from the history: it could not be packed");
         flip(words.data(), bits.data(), words.size());
         texels.write(0, words);
         each_tile([&](int tile, std::size_t at) { put_back(terrain, tile, chunk->layers, texels, at); });

@@ -99,12 +99,14 @@ void replay(const ReplayOptions& options) {
     const double cpu_start = process_cpu_s();
     Simulation simulation(scene.document.state, scene.simulation);
     const Grid& grid = scene.document.state.grid;
-    const glm::dvec2 ratio = glm::dvec2(grid.nx - 1, grid.ny - 1) / glm::dvec2(scene.recorded_samples - 1);
+    glm::dvec2 ratio = glm::dvec2(grid.nx - 1, grid.ny - 1) / glm::dvec2(scene.recorded_samples - 1);
     Progress progress(static_cast<std::int64_t>(journal.operations.size()));
     std::int64_t done = 0;
     for (Operation operation : journal.operations) {
         read_sources(operation);
         if (options.size) rescale(operation, ratio);
+        if (const auto* turn = std::get_if<Turn>(&operation); turn && turn->quarters % 2 != 0)
+            std::swap(ratio.x, ratio.y);
         simulation.apply(operation);
         progress.show(++done);
     }

@@ -37,7 +37,7 @@ const char* what_it_is(ExportKind kind) {
         case ExportKind::unity:
             return "A terrain's RAW: .raw or .r16, and what to type there in a .txt beside it.";
         case ExportKind::godot:
-            return "For Terrain3D or HTerrain: .r16 or .exr, and what to type there in a .txt beside it.";
+            return "For Terrain3D: .r16 or .exr, and what to type there in a .txt beside it.";
         default:
             return "GeoTIFF (.tif), EXR, PNG of 16 bits, raw .r16 and .r32.";
     }

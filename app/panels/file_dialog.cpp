@@ -71,6 +71,8 @@ void accept(FileDialog& dialog, PanelRequests& requests) {
         requests.save = path;
     } else if (dialog.purpose == FileDialog::Purpose::stamp) {
         requests.stamp = path;
+    } else if (dialog.purpose == FileDialog::Purpose::import) {
+        requests.import_into = path;
     } else {
         requests.import = path;
     }

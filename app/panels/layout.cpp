@@ -110,10 +110,15 @@ void draw_panels(PanelContext& context, const StatusFigures& figures, glm::ivec2
         ImGui::End();
     }
     if (context.state.start_page) draw_start_page(context, size);
-    draw_file_dialog(context);
-    draw_import_dialog(context);
-    draw_export_dialog(context);
-    draw_question(context.state);
+    // One dialog at a time: two would replace each other every frame.
+    if (context.state.question)
+        draw_question(context.state);
+    else if (!context.state.import.path.empty())
+        draw_import_dialog(context);
+    else if (context.state.write.shown)
+        draw_export_dialog(context);
+    else
+        draw_file_dialog(context);
     draw_status_line(context.session, figures, size.x, size.y);
 }
 

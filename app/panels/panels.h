@@ -17,12 +17,13 @@ namespace talus {
 
 /// What panels ask the window to do, once the frame's panels are done.
 struct PanelRequests {
-    std::optional<SceneRequest> open;     ///< another scene; unsaved work is asked about
-    std::optional<std::string> save;      ///< the document, to this path
-    std::optional<std::string> import;    ///< a file, by the import dialog
-    std::optional<std::string> stamp;     ///< a file, as the stamp
-    std::optional<ExportSettings> write;  ///< files for other programs
-    std::optional<Operation> map;         ///< an act on the whole map, which may take long
+    std::optional<SceneRequest> open;        ///< another scene; unsaved work is asked about
+    std::optional<std::string> save;         ///< the document, to this path
+    std::optional<std::string> import;       ///< a file, by the import dialog
+    std::optional<std::string> import_into;  ///< a file, by the same dialog, whatever kind it is of
+    std::optional<std::string> stamp;        ///< a file, as the stamp
+    std::optional<ExportSettings> write;     ///< files for other programs
+    std::optional<Operation> map;            ///< an act on the whole map, which may take long
     bool reset = false;
     bool undo = false;
     bool redo = false;

@@ -35,6 +35,7 @@ void Readback::start(const Buffer& buffer, std::size_t bytes) {
 
 void Readback::start(Buffer&& buffer) {
     buffer_ = std::move(buffer);
+    owned_ = true;
     fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     raise_errors();
 }
@@ -53,7 +54,10 @@ std::vector<float> Readback::wait() {
 std::vector<float> Readback::take() {
     cancel();
     // Reading waits for what was written before.
-    return buffer_.read_all<float>();
+    std::vector<float> words = buffer_.read_all<float>();
+    if (owned_) buffer_ = Buffer();
+    owned_ = false;
+    return words;
 }
 
 }  // namespace talus::gpu

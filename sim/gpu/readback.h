@@ -37,6 +37,7 @@ class Readback {
     std::vector<float> take();
 
     Buffer buffer_;
+    bool owned_ = false;  // given away by its owner: let go once it is read
     void* fence_ = nullptr;
 };
 

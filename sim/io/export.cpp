@@ -100,8 +100,13 @@ Heightmap for_engine(const Document& document, const ExportSettings& settings) {
     };
     int nx = samples(grid.nx, settings.tiles.x);
     int ny = samples(grid.ny, settings.tiles.y);
-    // Unity's and Godot's tiles are square.
-    if (settings.kind != ExportKind::unreal) {
+    // Godot's Terrain3D takes any size, and one spacing for both ways.
+    if (settings.kind == ExportKind::godot) {
+        nx = grid.nx;
+        ny = static_cast<int>(std::lround(grid.height_m() / grid.dx)) + 1;
+    }
+    // Unity's tiles are square.
+    if (settings.kind == ExportKind::unity) {
         const int a_tile = std::max((nx - 1) / settings.tiles.x, (ny - 1) / settings.tiles.y);
         nx = a_tile * settings.tiles.x + 1;
         ny = a_tile * settings.tiles.y + 1;
@@ -156,12 +161,12 @@ const std::vector<std::string>& export_kind_names() {
 }
 
 int engine_samples(ExportKind engine, int samples) {
-    // Unreal: the sizes that its documentation recommends ("Landscape Technical Guide"); Unity and Godot's
-    // HTerrain: a power of two and one more.
+    // Unreal: the sizes that its documentation recommends ("Landscape Technical Guide"); Unity: a power of
+    // two and one more.
     std::vector<int> sizes;
     if (engine == ExportKind::unreal)
         sizes = {127, 253, 505, 1009, 2017, 4033, 8129};
-    else if (is_engine(engine))
+    else if (engine == ExportKind::unity)
         for (int power = 32; power <= 4096; power *= 2) sizes.push_back(power + 1);
     else
         return samples;
@@ -218,7 +223,8 @@ Exported export_terrain(const Document& document, const ExportSettings& settings
             const fs::path path = tile_path(settings.path, settings.tiles, column, named_row);
             const std::string ending = ending_of(path);
             if (settings.kind == ExportKind::normal_map)
-                write_normal_map(path, piece);
+                write_normal_map(path, whole, columns[static_cast<std::size_t>(column)],
+                                 rows[static_cast<std::size_t>(row)]);
             else if (is_engine(settings.kind) && (ending == ".raw" || ending == ".r16"))
                 write_integers(path, piece, exported.range_m, south_first);
             else

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/io/document.h"
@@ -61,6 +62,8 @@ TerrainMesh simplified_mesh(const Heightmap& heightmap, double error_m);
 void write_obj(const std::filesystem::path& path, const TerrainMesh& mesh);
 
 /// The ground's unit normals as a picture: red east, green north, blue up, each from -1 to 1 as 0 to 65535.
-void write_normal_map(const std::filesystem::path& path, const Heightmap& heightmap);
+/// Of a piece: its first column and row and how many; slopes look beyond its edge, so that tiles meet.
+void write_normal_map(const std::filesystem::path& path, const Heightmap& heightmap,
+                      std::pair<int, int> columns, std::pair<int, int> rows);
 
 }  // namespace talus

@@ -143,10 +143,8 @@ TerrainState turned_once(const TerrainState& state) {
     for (glm::vec4& water : next.water) water = {water.x, water.y, -water.w, water.z};
     for (Spring& spring : next.springs)
         spring = {old.height_m() - spring.y_m, spring.x_m, spring.rate_m3_per_s};
-    if (next.georeference) {
-        const auto t = state.georeference->transform;
-        next.georeference->transform = {t[0] + t[1] * old.nx, t[2], -t[1], t[3] + t[4] * old.nx, t[5], -t[4]};
-    }
+    // What was turned lies there no more.
+    next.georeference.reset();
     return next;
 }
 

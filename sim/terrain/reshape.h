@@ -23,7 +23,7 @@ struct Rectangle {
 TerrainState cropped(const TerrainState& state, const Rectangle& rectangle);
 
 /// The terrain turned by quarters of a circle, counterclockwise, to the bit; currents and springs turn with
-/// it.
+/// it. It lies nowhere on Earth any more.
 TerrainState turned(const TerrainState& state, int quarters);
 
 /// The samples of a grid in the rectangle, cut at its edge.

@@ -37,7 +37,10 @@ class Export : public testing::Test {
     }
 
   private:
-    fs::path folder_ = fs::path(testing::TempDir()) / "talus_export_test";
+    // Of its own: tests run beside each other.
+    fs::path folder_ =
+        fs::path(testing::TempDir()) /
+        (std::string("talus_export_") + testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 std::vector<std::uint16_t> integers_in(const fs::path& path) {
@@ -122,7 +125,9 @@ TEST_F(Export, GodotsRangeGivesTheHeightsBack) {
     settings.kind = ExportKind::godot;
     settings.path = path("terrain.r16");
     const Exported exported = export_terrain(document, settings);
-    ASSERT_EQ(exported.tile_samples, glm::ivec2(257));
+    // One spacing both ways: 12.5 m, where rows were 10 m apart.
+    ASSERT_EQ(exported.tile_samples, glm::ivec2(260, 160));
+    EXPECT_NEAR(exported.spacing_m.y / exported.spacing_m.x, 1, 0.01);
     double low = 0;
     double high = 0;
     for (const auto& [name, value] : exported.values)
@@ -130,7 +135,7 @@ TEST_F(Export, GodotsRangeGivesTheHeightsBack) {
             ASSERT_EQ(std::sscanf(value.c_str(), "%lf, %lf", &low, &high), 2);
         }
     const std::vector<std::uint16_t> values = integers_in(settings.path);
-    const std::vector<float> heights = expected(document, 257, 257);
+    const std::vector<float> heights = expected(document, 260, 160);
     for (std::size_t i = 0; i < values.size(); ++i)
         ASSERT_NEAR(low + values[i] / 65535.0 * (high - low), heights[i],
                     0.5001 * (high - low) / 65535 + 1e-4);
@@ -223,7 +228,7 @@ TEST_F(Export, ANormalMapIsTheSlope) {
     // Rises half a metre a metre eastwards and falls a quarter northwards.
     for (int y = 0; y < 30; ++y)
         for (int x = 0; x < 20; ++x) plane.heights.push_back(0.5F * 2 * x - 0.25F * 4 * (29 - y));
-    write_normal_map(path("normal.png"), plane);
+    write_normal_map(path("normal.png"), plane, {0, 20}, {0, 30});
     const ColourImage image = read_colour_image(path("normal.png"));
     const glm::dvec3 normal = glm::normalize(glm::dvec3(-0.5, 0.25, 1));
     for (const std::size_t pixel : {0U, 19U, 20U * 15 + 7, 599U})

@@ -39,7 +39,7 @@ TEST(Reshape, FourQuartersAreNoneAndACropOfAllIsAll) {
     const TerrainState state = wet_hills({23, 17, 30, 20});
     const std::uint64_t hash = state_hash(state);
     EXPECT_EQ(state_hash(turned(turned(state, 3), 1)), hash);
-    EXPECT_EQ(turned(turned(state, 3), 1).georeference, state.georeference);
+    EXPECT_FALSE(turned(state, 2).georeference);
     EXPECT_EQ(state_hash(cropped(state, {0, 0, 22.0 * 30, 16.0 * 20})), hash);
     EXPECT_EQ(state_hash(resampled(state, 23, 17)), hash);
     EXPECT_NE(state_hash(turned(state, 2)), hash);
@@ -52,8 +52,6 @@ TEST(Reshape, AQuarterTurnsPlacesCurrentsAndSprings) {
     ASSERT_EQ(next.grid.dx, 20);
     // The north-east sample is the north-west one now.
     EXPECT_EQ(next.bedrock[0], state.bedrock[22]);
-    EXPECT_EQ(place(next, 0, 0), place(state, 22, 0));
-    EXPECT_EQ(place(next, 16, 22), place(state, 0, 16));
     const glm::vec4 before = state.water[22];
     EXPECT_EQ(next.water[0], glm::vec4(before.x, before.y, -before.w, before.z));
     // A spring stands on the sample that it stood on.
