@@ -216,6 +216,7 @@ void Renderer::draw_ring(const Grid& grid) {
     ringed_colour_.copy_from(refined() ? refinement_.mean() : colour_, all);
     ringed_buffer_.bind(all, ring_region(picture));
     ring_.draw_fullscreen();
+    ringed_buffer_.bind(all);
 }
 
 std::vector<std::uint8_t> Renderer::read_rgb(int width, int height) const {
