@@ -96,7 +96,7 @@ void press_key(int key, int mods, Session& session, PanelState& state, PanelRequ
         default:
             // 1 to 9 are the first tools, with Shift the others.
             if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9)
-                pick_tool(session, static_cast<std::size_t>(key - GLFW_KEY_1 + (shift ? 9 : 0)));
+                pick_tool(session, static_cast<std::size_t>(key) - GLFW_KEY_1 + (shift ? 9U : 0U));
     }
 }
 

@@ -278,7 +278,7 @@ class Window {
     }
 
     // Does it, once unsaved work is saved or given up.
-    void when_saved(std::function<void()> act) {
+    void when_saved(const std::function<void()>& act) {
         if (work_.busy()) return tell(fmt::format("{} goes on: wait for it", work_.name()));
         if (!session_.unsaved()) return act();
         Question question;
@@ -317,7 +317,7 @@ class Window {
     }
 
     // The layers are read now and written on a thread of their own; what is done meanwhile stays unsaved.
-    void save(const std::string& path, std::function<void()> then) {
+    void save(const std::string& path, const std::function<void()>& then) {
         session_.pause();
         auto document = std::make_shared<Document>(session_.document());
         const std::size_t revision = session_.revision();

@@ -43,8 +43,9 @@ void note_widget(const std::string& name) {
 
 void* panel_image(const gpu::Texture& texture) {
     // Its OpenGL backend takes the texture's name as a pointer.
-    return reinterpret_cast<void*>(
-        static_cast<std::intptr_t>(texture.name()));  // NOLINT(performance-no-int-to-ptr)
+    const auto name = static_cast<std::intptr_t>(texture.name());
+    // NOLINTNEXTLINE(performance-no-int-to-ptr)
+    return reinterpret_cast<void*>(name);
 }
 
 bool button(const std::string& name, const std::string& tooltip, bool enabled) {
