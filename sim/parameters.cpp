@@ -53,6 +53,11 @@ const Value& Parameters::value(std::string_view name) const {
     return found->second;
 }
 
+int Parameters::place_of_choice(std::string_view name) const {
+    const std::vector<std::string>& choices = declaration(name).choices;
+    return static_cast<int>(std::find(choices.begin(), choices.end(), choice(name)) - choices.begin());
+}
+
 bool Parameters::is_given(std::string_view name) const {
     return given_.contains(name);
 }

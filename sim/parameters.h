@@ -46,6 +46,11 @@ class Parameters {
     int whole(std::string_view name) const { return std::get<int>(value(name)); }
     bool toggle(std::string_view name) const { return std::get<bool>(value(name)); }
     const std::string& choice(std::string_view name) const { return std::get<std::string>(value(name)); }
+    /// Which of its choices it is, as an enum whose values stand in their order.
+    template <typename Enum>
+    Enum choice_as(std::string_view name) const {
+        return static_cast<Enum>(place_of_choice(name));
+    }
 
     /// Throws talus::Error for an unknown name, a wrong type or a value out of range, and changes nothing
     /// then.
@@ -64,6 +69,7 @@ class Parameters {
     bool operator==(const Parameters& other) const { return values_ == other.values_; }
 
   private:
+    int place_of_choice(std::string_view name) const;
     Value checked(const Parameter& parameter, const Value& value) const;
 
     std::shared_ptr<const std::vector<Parameter>> declared_;  // the same for all copies

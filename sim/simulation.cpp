@@ -66,13 +66,9 @@ WaterSettings settings_of_water(const Parameters& parameters) {
     settings.rain_masked = parameters.choice("water.rain_over") == "mask";
     settings.infiltration_m_per_s = parameters.number("water.infiltration") * m_per_s;
     settings.evaporation_m_per_s = parameters.number("water.evaporation") * m_per_s;
-    const std::vector<std::string>& kinds = edge_kinds();
     const std::array<const char*, 4> edges = {"north", "south", "west", "east"};
-    for (std::size_t edge = 0; edge < 4; ++edge) {
-        const std::string& name = parameters.choice(std::string("water.boundary.") + edges[edge]);
-        settings.edges[edge] =
-            static_cast<EdgeKind>(std::find(kinds.begin(), kinds.end(), name) - kinds.begin());
-    }
+    for (std::size_t edge = 0; edge < 4; ++edge)
+        settings.edges[edge] = parameters.choice_as<EdgeKind>(std::string("water.boundary.") + edges[edge]);
     // Either of two opposite edges joins them.
     for (const std::size_t edge : {0U, 2U})
         if (settings.edges[edge] == EdgeKind::periodic || settings.edges[edge + 1] == EdgeKind::periodic)

@@ -1,17 +1,9 @@
 #include <imgui.h>
 
-#include <algorithm>
-
 #include "app/panels/panels.h"
 
 namespace talus {
 namespace {
-
-template <typename Enum>
-Enum chosen(const Parameters& view, const char* name) {
-    const std::vector<std::string>& choices = view.declaration(name).choices;
-    return static_cast<Enum>(std::find(choices.begin(), choices.end(), view.choice(name)) - choices.begin());
-}
 
 void ask(PanelContext& context, Operation operation) {
     context.requests.acts.emplace_back(
@@ -32,9 +24,9 @@ void draw_mask_panel(PanelContext& context) {
     draw_parameters(context.session, context.requests,
                     {"mask.from", "mask.low", "mask.high", "mask.fade", "mask.join", "mask.inverted"});
     if (button("Make the mask", "by what stands above"))
-        ask(context, MakeMask{chosen<MaskSource>(view, "mask.from"), view.number("mask.low"),
+        ask(context, MakeMask{view.choice_as<MaskSource>("mask.from"), view.number("mask.low"),
                               view.number("mask.high"), view.number("mask.fade"),
-                              chosen<MaskJoin>(view, "mask.join"), view.toggle("mask.inverted")});
+                              view.choice_as<MaskJoin>("mask.join"), view.toggle("mask.inverted")});
     heading("Change it");
     if (button("Invert", "1 becomes 0, and 0 becomes 1"))
         ask(context, MakeMask{MaskSource::itself, 0, 0, 0, MaskJoin::replace, true});

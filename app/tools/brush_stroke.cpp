@@ -6,12 +6,6 @@
 namespace talus {
 namespace {
 
-template <typename Enum>
-Enum chosen(const Parameters& view, const char* name) {
-    const std::vector<std::string>& choices = view.declaration(name).choices;
-    return static_cast<Enum>(std::find(choices.begin(), choices.end(), view.choice(name)) - choices.begin());
-}
-
 // Tools that leave their whole effect at once, not by the second.
 bool is_placed(const std::string& tool) {
     return tool == "ramp" || tool == "stamp";
@@ -32,7 +26,7 @@ Dab tool_dab(const Parameters& view, const Modifiers& modifiers, double ground_m
     Dab dab;
     dab.radius_m = view.number("brush.radius_m");
     dab.falloff = view.number("brush.falloff");
-    dab.curve = chosen<FalloffCurve>(view, "brush.curve");
+    dab.curve = view.choice_as<FalloffCurve>("brush.curve");
     dab.masked = view.choice("brush.over") == "mask" && tool != "mask";
     dab.amount_m = view.number("brush.rate_m_per_s") * wall_s;
     dab.blend = -std::expm1(-view.number("brush.blend_per_s") * wall_s);
@@ -58,9 +52,9 @@ Dab tool_dab(const Parameters& view, const Modifiers& modifiers, double ground_m
     } else if (tool == "noise") {
         dab.mode = BrushMode::noise;
         if (modifiers.inverted) dab.amount_m = -dab.amount_m;
-        dab.noise = {chosen<int>(view, "noise.kind"), view.number("noise.wavelength_m"),
-                     view.whole("noise.octaves"),     view.number("noise.gain"),
-                     view.number("noise.warp"),       static_cast<std::uint32_t>(view.whole("noise.seed"))};
+        dab.noise = {view.choice_as<int>("noise.kind"), view.number("noise.wavelength_m"),
+                     view.whole("noise.octaves"),       view.number("noise.gain"),
+                     view.number("noise.warp"),         static_cast<std::uint32_t>(view.whole("noise.seed"))};
     } else if (tool == "terrace") {
         dab.mode = BrushMode::terrace;
         dab.target_m = 0;
@@ -72,7 +66,7 @@ Dab tool_dab(const Parameters& view, const Modifiers& modifiers, double ground_m
         dab.amount_m =
             view.is_given("stamp.relief_m") || !stamp ? view.number("stamp.relief_m") : stamp->relief_m;
         if (modifiers.inverted) dab.amount_m = -dab.amount_m;
-        dab.stamp.mode = chosen<StampMode>(view, "stamp.mode");
+        dab.stamp.mode = view.choice_as<StampMode>("stamp.mode");
         dab.stamp.turn_deg = view.number("stamp.turn_deg");
         dab.stamp.mirrored = view.toggle("stamp.mirrored");
         // The longer side is as wide as the brush; the corners lie within its reach.
