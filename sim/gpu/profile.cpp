@@ -78,19 +78,14 @@ std::vector<PassTime> take_pass_times() {
     auto& [on, spans, dropped] = timed();
     while (!spans.empty() && spans.front().ended) {
         Span& span = spans.front();
-        GLint ready = 0;
-        glGetQueryObjectiv(span.last, GL_QUERY_RESULT_AVAILABLE, &ready);
-        if (!ready) break;
-        GLuint64 first = 0;
-        GLuint64 last = 0;
-        glGetQueryObjectui64v(span.first, GL_QUERY_RESULT, &first);
-        glGetQueryObjectui64v(span.last, GL_QUERY_RESULT, &last);
+        const std::optional<double> ms = milliseconds_between(span.first, span.last);
+        if (!ms) break;
         auto found = std::find_if(times.begin(), times.end(),
                                   [&](const PassTime& time) { return time.name == span.name; });
         if (found == times.end()) found = times.insert(times.end(), PassTime{span.name});
         ++found->calls;
         found->cpu_ms += span.cpu_ms;
-        found->device_ms += static_cast<double>(last - first) * 1e-6;
+        found->device_ms += *ms;
         spans.pop_front();
         ++dropped;
     }

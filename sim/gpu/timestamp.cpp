@@ -12,6 +12,18 @@ void delete_query(unsigned name) {
     glDeleteQueries(1, &name);
 }
 
+std::optional<double> milliseconds_between(const Handle<delete_query>& first,
+                                           const Handle<delete_query>& last) {
+    GLint ready = 0;
+    glGetQueryObjectiv(last, GL_QUERY_RESULT_AVAILABLE, &ready);
+    if (!ready) return std::nullopt;
+    GLuint64 begin = 0;
+    GLuint64 end = 0;
+    glGetQueryObjectui64v(first, GL_QUERY_RESULT, &begin);
+    glGetQueryObjectui64v(last, GL_QUERY_RESULT, &end);
+    return static_cast<double>(end - begin) * 1e-6;
+}
+
 Timestamp::Timestamp(const std::string& label) {
     for (Span& span : spans_) {
         for (Handle<delete_query>* query : {&span.first, &span.last}) {
@@ -43,15 +55,10 @@ std::optional<double> Timestamp::milliseconds() {
     for (std::size_t i = 0; i < spans_.size(); ++i) {
         Span& span = spans_[(next_ + i) % spans_.size()];
         if (!span.pending) continue;
-        GLint ready = 0;
-        glGetQueryObjectiv(span.last, GL_QUERY_RESULT_AVAILABLE, &ready);
-        if (!ready) break;
-        GLuint64 first = 0;
-        GLuint64 last = 0;
-        glGetQueryObjectui64v(span.first, GL_QUERY_RESULT, &first);
-        glGetQueryObjectui64v(span.last, GL_QUERY_RESULT, &last);
+        const std::optional<double> ms = milliseconds_between(span.first, span.last);
+        if (!ms) break;
         span.pending = false;
-        latest = static_cast<double>(last - first) * 1e-6;
+        latest = ms;
     }
     return latest;
 }

@@ -9,6 +9,11 @@ namespace talus::gpu {
 
 void delete_query(unsigned name);
 
+/// Milliseconds between two queries of GL_TIMESTAMP, the later one last; none while the device has not passed
+/// it.
+std::optional<double> milliseconds_between(const Handle<delete_query>& first,
+                                           const Handle<delete_query>& last);
+
 /// The device time between begin() and end(), in milliseconds, read when it is ready and never waited for.
 /// (Pairs of GL_TIMESTAMP: GL_TIME_ELAPSED reads 0 for compute work on llvmpipe.)
 class Timestamp {
