@@ -97,11 +97,4 @@ real brush_change(int2 at, real4 c) {
     return change;
 }
 
-// The sample after `change` metres of ground: what is added is bedrock or regolith, what is taken regolith first.
-real4 brush_sample(real4 c, real change) {
-    if (change > real(0) && dab_on_regolith == 0) {
-        real2 bedrock = add_increment(real2(c.x, c.y), change);
-        return real4(bedrock.x, bedrock.y, c.z, c.w);
-    }
-    return exchange_solid(c, max(change, real(0)), max(-change, real(0)), real(1));
-}
+real4 brush_sample(real4 c, real change) { return change_ground(c, change, dab_on_regolith != 0); }

@@ -29,3 +29,12 @@ real4 exchange_solid(real4 solid, real gain, real loss, real bulking) {
     }
     return real4(bedrock.x, bedrock.y, regolith.x, regolith.y);
 }
+
+// The sample after `change` metres of ground: what is added is bedrock or regolith, what is taken regolith first.
+real4 change_ground(real4 solid, real change, bool adds_regolith) {
+    if (change > real(0) && !adds_regolith) {
+        real2 bedrock = add_increment(real2(solid.x, solid.y), change);
+        return real4(bedrock.x, bedrock.y, solid.z, solid.w);
+    }
+    return exchange_solid(solid, max(change, real(0)), max(-change, real(0)), real(1));
+}

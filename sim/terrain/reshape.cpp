@@ -4,19 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "sim/gpu/error.h"
+#include "sim/terrain/filter.h"
 
 namespace talus {
 namespace {
-
-// What new samples are made of along one axis: for each the first old one and weights from there on, summing
-// to 1.
-struct Taps {
-    std::vector<int> first;
-    std::vector<std::vector<double>> weights;
-};
 
 double straight(double x) {
     return std::max(0.0, 1 - std::abs(x));
@@ -29,59 +22,12 @@ double cubic(double x) {
     return 0;
 }
 
-// Old samples beyond the edge count as the edge.
-Taps taps_of(int count, int new_count, const std::function<double(int)>& place_of, double reach,
-             const std::function<double(double)>& kernel) {
-    Taps taps;
-    for (int i = 0; i < new_count; ++i) {
-        const double place = place_of(i);
-        const int low = static_cast<int>(std::ceil(place - reach));
-        const int high = static_cast<int>(std::floor(place + reach));
-        const int first = std::clamp(low, 0, count - 1);
-        const int last = std::clamp(high, 0, count - 1);
-        std::vector<double> weights(static_cast<std::size_t>(last - first + 1), 0.0);
-        double sum = 0;
-        for (int j = low; j <= high; ++j) {
-            const double weight = kernel(j - place);
-            weights[static_cast<std::size_t>(std::clamp(j, first, last) - first)] += weight;
-            sum += weight;
-        }
-        for (double& weight : weights) weight /= sum;
-        taps.first.push_back(first);
-        taps.weights.push_back(std::move(weights));
-    }
-    return taps;
-}
-
 Taps resampling(int count, int new_count, double kernel_reach, double (*kernel)(double)) {
     const double step = static_cast<double>(count - 1) / (new_count - 1);
     const double widened = std::max(1.0, step);
     return taps_of(
         count, new_count, [step](int i) { return i * step; }, kernel_reach * widened,
         [widened, kernel](double x) { return kernel(x / widened); });
-}
-
-std::vector<double> filtered(const std::vector<double>& plane, int nx, const Taps& columns,
-                             const Taps& rows) {
-    const auto new_nx = columns.first.size();
-    const auto new_ny = rows.first.size();
-    const std::size_t ny = plane.size() / static_cast<std::size_t>(nx);
-    std::vector<double> wide(new_nx * ny);
-    for (std::size_t y = 0; y < ny; ++y)
-        for (std::size_t x = 0; x < new_nx; ++x) {
-            const double* from = &plane[y * static_cast<std::size_t>(nx) + columns.first[x]];
-            double sum = 0;
-            for (const double weight : columns.weights[x]) sum += weight * *from++;
-            wide[y * new_nx + x] = sum;
-        }
-    std::vector<double> result(new_nx * new_ny, 0.0);
-    for (std::size_t y = 0; y < new_ny; ++y)
-        for (std::size_t tap = 0; tap < rows.weights[y].size(); ++tap) {
-            const double weight = rows.weights[y][tap];
-            const double* from = &wide[(static_cast<std::size_t>(rows.first[y]) + tap) * new_nx];
-            for (std::size_t x = 0; x < new_nx; ++x) result[y * new_nx + x] += weight * from[x];
-        }
-    return result;
 }
 
 glm::vec2 words_of(double height) {
@@ -247,16 +193,6 @@ TerrainState turned(const TerrainState& state, int quarters) {
     TerrainState next = state;
     for (int i = 0; i < ((quarters % 4) + 4) % 4; ++i) next = turned_once(next);
     return next;
-}
-
-std::vector<double> blurred(const std::vector<double>& plane, int nx, int ny, glm::dvec2 deviation) {
-    const auto along = [](int count, double sigma) {
-        const double reach = std::max(4 * sigma, 0.5);
-        return taps_of(
-            count, count, [](int i) { return static_cast<double>(i); }, reach,
-            [sigma](double x) { return sigma > 0 ? std::exp(-0.5 * x * x / (sigma * sigma)) : 1.0; });
-    };
-    return filtered(plane, nx, along(nx, deviation.x), along(ny, deviation.y));
 }
 
 }  // namespace talus

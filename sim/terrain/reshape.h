@@ -29,8 +29,4 @@ TerrainState turned(const TerrainState& state, int quarters);
 /// The samples of a grid in the rectangle, cut at its edge.
 gpu::Region samples_in(const Grid& grid, const Rectangle& rectangle);
 
-/// A plane of samples blurred by a Gaussian of this standard deviation (samples east and south), its edge
-/// repeated.
-std::vector<double> blurred(const std::vector<double>& plane, int nx, int ny, glm::dvec2 deviation);
-
 }  // namespace talus
