@@ -18,7 +18,6 @@ class PackedBytes {
     std::vector<std::byte> unpack() const;
     /// Memory that it takes.
     std::size_t bytes() const { return packed_.size(); }
-    std::size_t unpacked_bytes() const { return unpacked_bytes_; }
 
   private:
     std::vector<std::byte> packed_;

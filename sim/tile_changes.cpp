@@ -12,18 +12,27 @@ namespace {
 
 constexpr std::size_t tiles_a_chunk = 64;
 
-std::size_t layer_bytes(const gpu::Region& region, gpu::Format format) {
-    return static_cast<std::size_t>(region.width) * region.height * gpu::texel_bytes(format);
+// Walks over the layers of a tile in the order in which buffers hold them: the solid, then the optional ones
+// whose bit is set. `act` gets the image, its texels there, how many bytes they are, and the layer's bit (the
+// solid's is 0).
+template <typename Act>
+void each_layer(Terrain& terrain, int tile, unsigned layers, Act&& act) {
+    const gpu::Region region = terrain.tiles.region(tile);
+    const auto samples = static_cast<std::size_t>(region.width) * region.height;
+    act(terrain.solid.front, region, samples * gpu::texel_bytes(gpu::Format::rgba32f), 0U);
+    const auto optional = terrain.optional_layers();
+    for (std::size_t i = 0; i < optional.size(); ++i)
+        if ((layers >> i & 1U) != 0)
+            act(*optional[i].front, optional[i].texels(region),
+                samples * gpu::texel_bytes(optional[i].format), 1U << i);
 }
 
 // Bytes of a tile with these layers.
 std::size_t tile_bytes(Terrain& terrain, int tile, unsigned layers) {
-    const gpu::Region region = terrain.tiles.region(tile);
-    std::size_t bytes = layer_bytes(region, gpu::Format::rgba32f);
-    const auto optional = terrain.optional_layers();
-    for (std::size_t i = 0; i < optional.size(); ++i)
-        if ((layers >> i & 1U) != 0) bytes += layer_bytes(region, optional[i].format);
-    return bytes;
+    std::size_t sum = 0;
+    each_layer(terrain, tile, layers,
+               [&](const gpu::Texture&, const gpu::Region&, std::size_t bytes, unsigned) { sum += bytes; });
+    return sum;
 }
 
 unsigned layers_of(Terrain& terrain) {
@@ -34,55 +43,37 @@ unsigned layers_of(Terrain& terrain) {
     return layers;
 }
 
-// The tile's layers into a buffer, one behind the other.
 void copy_tile(Terrain& terrain, int tile, unsigned layers, const gpu::Buffer& target, std::size_t at) {
-    const gpu::Region region = terrain.tiles.region(tile);
-    terrain.solid.front.copy_to(target, at, region);
-    at += layer_bytes(region, gpu::Format::rgba32f);
-    const auto optional = terrain.optional_layers();
-    for (std::size_t i = 0; i < optional.size(); ++i) {
-        if ((layers >> i & 1U) == 0) continue;
-        optional[i].front->copy_to(target, at, optional[i].texels(region));
-        at += layer_bytes(region, optional[i].format);
-    }
+    each_layer(terrain, tile, layers,
+               [&](const gpu::Texture& image, const gpu::Region& texels, std::size_t bytes, unsigned) {
+                   image.copy_to(target, at, texels);
+                   at += bytes;
+               });
 }
 
-// The same back.
 void put_back(Terrain& terrain, int tile, unsigned layers, const gpu::Buffer& source, std::size_t at) {
-    const gpu::Region region = terrain.tiles.region(tile);
-    terrain.solid.front.copy_from(source, at, region);
-    at += layer_bytes(region, gpu::Format::rgba32f);
-    const auto optional = terrain.optional_layers();
-    for (std::size_t i = 0; i < optional.size(); ++i) {
-        if ((layers >> i & 1U) == 0) continue;
-        optional[i].front->copy_from(source, at, optional[i].texels(region));
-        at += layer_bytes(region, optional[i].format);
-    }
-    terrain.refresh(region);
+    each_layer(terrain, tile, layers,
+               [&](gpu::Texture& image, const gpu::Region& texels, std::size_t bytes, unsigned) {
+                   image.copy_from(source, at, texels);
+                   at += bytes;
+               });
+    terrain.refresh(terrain.tiles.region(tile));
 }
 
 // What was kept with fewer layers, with the missing ones zero between.
 void copy_kept(Terrain& terrain, int tile, const KeptTile& kept, unsigned layers, gpu::Buffer& target,
                std::size_t at) {
-    const gpu::Region region = terrain.tiles.region(tile);
     std::size_t from = 0;
-    const auto copy = [&](std::size_t bytes) {
-        target.copy_part(at, kept.texels, from, bytes);
-        at += bytes;
-        from += bytes;
-    };
-    copy(layer_bytes(region, gpu::Format::rgba32f));
-    const auto optional = terrain.optional_layers();
-    for (std::size_t i = 0; i < optional.size(); ++i) {
-        if ((layers >> i & 1U) == 0) continue;
-        const std::size_t bytes = layer_bytes(region, optional[i].format);
-        if ((kept.layers >> i & 1U) != 0) {
-            copy(bytes);
-        } else {
-            target.write(at, std::vector<std::byte>(bytes));
-            at += bytes;
-        }
-    }
+    each_layer(terrain, tile, layers,
+               [&](const gpu::Texture&, const gpu::Region&, std::size_t bytes, unsigned bit) {
+                   if ((kept.layers & bit) == bit) {
+                       target.copy_part(at, kept.texels, from, bytes);
+                       from += bytes;
+                   } else {
+                       target.write(at, std::vector<std::byte>(bytes));
+                   }
+                   at += bytes;
+               });
 }
 
 void flip(std::byte* words, const std::byte* bits, std::size_t bytes) {
