@@ -21,9 +21,6 @@
 
 namespace talus {
 
-/// Whether a parameter of this name begins inflow and wave maker anew when it is set.
-bool drives_edges(const std::string& name);
-
 /// The terrain and all that changes it. Every change comes in as an Operation and is recorded; window,
 /// command line and replay differ in nothing else.
 ///
