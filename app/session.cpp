@@ -11,7 +11,6 @@
 
 #include "app/calibration.h"
 #include "app/outputs.h"
-#include "app/recent_files.h"
 #include "app/wave_note.h"
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
@@ -31,8 +30,6 @@ Session::Session(const SceneRequest& request, gpu::Device device)
     : device_(std::move(device)), request_(request), scene_(make_scene(request)) {
     start(std::move(scene_));
     path_ = document_path();
-    if (!request_.input.empty()) remember_file(request_.input);
-    recent_ = recent_files();
 }
 
 void Session::start(Scene scene) {
@@ -54,8 +51,7 @@ void Session::start(Scene scene) {
     ledger_of_changes_ = 0;
     saved_operations_.clear();
     recovered_ = false;
-    unsaved_ = false;
-    compared_revision_ = simulation_->journal().revision();
+    compared_revision_.reset();
     marks_.cancel();
     activity_ = {};
     playing = false;
@@ -124,19 +120,16 @@ SceneRequest Session::request_for(const SceneRequest& wish) const {
     return request;
 }
 
-void Session::open(const SceneRequest& request, Scene scene, bool remember) {
+void Session::open(const SceneRequest& request, Scene scene) {
     start(std::move(scene));
     request_ = request;
     path_ = document_path();
-    if (!request.input.empty() && remember) remember_file(request.input);
-    recent_ = recent_files();
 }
 
 void Session::recovered(const std::string& project, const std::string& title) {
     path_ = project;
     scene_.title = title;
     recovered_ = true;
-    compared_revision_ = 0;
     // What lies in the recovery folder is no file to come back to.
     request_.input = project;
 }
@@ -166,11 +159,6 @@ Document Session::document() {
     return scene_.document;
 }
 
-void Session::save(const std::string& path) {
-    write_terrain(path, document(), "", std::nullopt);
-    saved(path, revision());
-}
-
 void Session::saved(const std::string& path, std::size_t revision_then) {
     // Other formats hold the ground alone: what was saved there is an export.
     if (ending_of(path) != ".exr") return;
@@ -178,11 +166,9 @@ void Session::saved(const std::string& path, std::size_t revision_then) {
     scene_.title = std::filesystem::path(path).filename().string();
     if (recovered_) request_.input = path;
     recovered_ = false;
-    remember_file(path);
-    recent_ = recent_files();
     // What was done while it was written is not saved.
     if (revision_then == revision()) saved_operations_ = simulation_->journal().operations();
-    compared_revision_ = revision() + 1;
+    compared_revision_.reset();
 }
 
 void Session::write_journal_to(const std::string& path) const {
@@ -289,7 +275,6 @@ void Session::begin_stroke(glm::dvec3 at, const Modifiers& modifiers) {
     stroke_.emplace(scene_.view, modifiers, at, strokes_++);
     stroke_owed_s_ = 0;
     stroke_begun_ = false;
-    stroke_let_go_ = false;
 }
 
 void Session::stroke(glm::dvec3 at, double wall_s) {
@@ -315,7 +300,6 @@ void Session::end_stroke() {
 }
 
 void Session::let_go_of_stroke() {
-    stroke_let_go_ = true;
     if (!simulation_->mid_tick()) end_stroke();
 }
 

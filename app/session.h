@@ -53,17 +53,15 @@ class Session {
     /// What another scene asks for besides what this session was started with.
     SceneRequest request_for(const SceneRequest& wish) const;
     /// Another scene, made as the request says: what was here before stays where that fails.
-    void open(const SceneRequest& request, Scene scene, bool remember = true);
+    void open(const SceneRequest& request, Scene scene);
     /// The scene came from an autosave of this project (empty: none yet): it is unsaved, and saved there.
     void recovered(const std::string& project, const std::string& title);
     void reset();
     double picture_aspect = 16.0 / 9;  ///< width by height of the picture that the terrain is framed in
     void frame_terrain();
-    /// Writes the document or heightmap by the path's ending; the document's path becomes the session's.
-    void save(const std::string& path);
-    /// What save() writes, as it is now. Waits for the device.
+    /// What is to be saved, as it is now. Waits for the device.
     Document document();
-    /// It was written there by others.
+    /// It was written there, as it was at this revision: what was done since is not saved.
     void saved(const std::string& path, std::size_t revision);
     /// The document that save goes to; empty where a heightmap was opened or nothing was saved yet.
     const std::string& path() const { return path_; }
@@ -71,8 +69,6 @@ class Session {
     bool unsaved() const;
     /// Rises with everything that is done.
     std::size_t revision() const { return simulation_->journal().revision(); }
-    /// Files that were opened or saved lately, as they were when the scene was opened.
-    const std::vector<std::string>& recent() const { return recent_; }
     void write_journal_to(const std::string& path) const;
 
     /// Sets any parameter by name: simulation parameters as recorded operations, the others at once.
@@ -155,10 +151,9 @@ class Session {
     Gauges gauges_{Grid()};
     std::string wave_note_;
     std::string path_;
-    std::vector<std::string> recent_;
     std::vector<Operation> saved_operations_;
     bool recovered_ = false;
-    mutable std::size_t compared_revision_ = 0;  // at which unsaved_ was found
+    mutable std::optional<std::size_t> compared_revision_;  // at which unsaved_ was found
     mutable bool unsaved_ = false;
     Activity activity_;
     gpu::Readback marks_;
@@ -177,7 +172,6 @@ class Session {
     double credit_s_ = 0;        // work that ticks may do and have not
     int dabs_ = 0;
     double dabs_waited_s_ = 0;
-    bool stroke_let_go_ = false;
     int simulated_terrain_ = 0;  // the simulation's number of it
 };
 

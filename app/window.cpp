@@ -12,18 +12,15 @@
 #include <utility>
 
 #include "app/frame_log.h"
-#include "app/outputs.h"
 #include "app/panels/legend.h"
 #include "app/panels/panels.h"
-#include "app/recovery.h"
+#include "app/project.h"
 #include "app/report.h"
 #include "app/session.h"
 #include "app/shortcuts.h"
-#include "app/sources.h"
 #include "app/still.h"
 #include "app/tools/hand.h"
 #include "app/window_layout.h"
-#include "app/work.h"
 #include "sim/gpu/error.h"
 #include "sim/gpu/program.h"
 #include "sim/io/atomic_file.h"
@@ -71,12 +68,17 @@ class Window {
           device_(gpu::adopt_current_context("window")),
           session_(options.scene, device_),
           hand_(window_),
-          journal_path_(options.journal),
+          project_(session_, state_, options.journal,
+                   {[this](const std::string& message) { tell(message); },
+                    [this](const std::string& message) { note(message); },
+                    [this] {
+                        title();
+                        wake();
+                    }}),
           frame_log_path_(options.frame_log),
           rects_path_(options.ui_rects) {
         note(gpu::describe(device_));
         for (const std::string& guess : session_.scene().document.notes) note("note: " + guess);
-        if (!recovery_.why().empty()) tell(recovery_.why());
         gpu::on_shader_message([this](const std::string& message) { tell(message); });
         listen();
         begin_panels(options.ui_scale);
@@ -84,7 +86,6 @@ class Window {
         if (std::find(panels.begin(), panels.end(), layout.panel) != panels.end())
             state_.shown = layout.panel;
         state_.panels_shown = layout.panels_shown;
-        state_.left = left_behind();
         // Who asks for nothing in particular is shown what there is; and unsaved work is offered to
         // everybody.
         state_.start_page =
@@ -122,8 +123,7 @@ class Window {
             }
             // What fails costs a frame, never the work: it is told, and the window goes on.
             attempt([&] { session_.poll(); });
-            attempt([&] { follow_recovery(); });
-            attempt([&] { work_.poll(); });
+            attempt([&] { project_.poll(); });
             // At rest nothing is drawn and nothing presented.
             if (busy()) frame();
             if (glfwWindowShouldClose(window_) && !closing_) {
@@ -132,14 +132,14 @@ class Window {
             }
         }
         session_.pause();
-        if (!journal_path_.empty()) session_.write_journal_to(journal_path_);
+        project_.write_journal();
         if (!frame_log_path_.empty()) write_atomically(frame_log_path_, to_csv(frames_));
         WindowLayout layout;
         glfwGetWindowSize(window_, &layout.size.x, &layout.size.y);
         layout.panel = state_.shown;
         layout.panels_shown = state_.panels_shown;
         keep_window_layout(layout);
-        recovery_.end();
+        project_.end();
     }
 
   private:
@@ -237,7 +237,7 @@ class Window {
 
     bool busy() const {
         return session_.playing || session_.stroking() || frames_left_ > 0 || hand_.moving() ||
-               hand_.waits() || refining_ || work_.busy() || recovery_.busy();
+               hand_.waits() || refining_ || project_.busy();
     }
     void wake() { frames_left_ = 3; }
     void note(const std::string& message) {
@@ -269,136 +269,8 @@ class Window {
         }
     }
 
-    void follow_recovery() {
-        attempt([&] {
-            recovery_.follow(session_.simulation(), session_.scene(), session_.path(), session_.unsaved(),
-                             session_.revision(), session_.view().number("autosave.interval_s"));
-        });
-        if (const auto message = recovery_.take_message()) tell(*message);
-    }
-
-    // Does it, once unsaved work is saved or given up.
-    void when_saved(const std::function<void()>& act) {
-        if (work_.busy()) return tell(fmt::format("{} goes on: wait for it", work_.name()));
-        if (!session_.unsaved()) return act();
-        Question question;
-        question.text = fmt::format("'{}' was changed and not saved. Save it first?", session_.scene().title);
-        question.answers.emplace_back("Save", [this, act] {
-            if (session_.path().empty()) {
-                state_.dialog.begin(FileDialog::Purpose::save, "");
-                after_saving_ = act;
-                return;
-            }
-            save(session_.path(), act);
-        });
-        // What is dropped goes once the act has succeeded.
-        question.answers.emplace_back("Drop the changes", act);
-        question.answers.emplace_back("Cancel", [] {});
-        state_.question = std::move(question);
-        wake();
-    }
-
-    // Does it, once a file that is there and not the session's own may be replaced.
-    void when_replaceable(const std::string& path, std::function<void()> act) {
-        std::error_code ignored;
-        if (path == session_.path() || !std::filesystem::exists(path, ignored)) return act();
-        Question question;
-        question.text = fmt::format("'{}' is there already. Replace it?", path);
-        question.answers.emplace_back("Replace it", std::move(act));
-        question.answers.emplace_back("Cancel", [] {});
-        state_.question = std::move(question);
-        wake();
-    }
-
-    void forget_recovered() {
-        if (recovering_) forget(*recovering_);
-        recovering_.reset();
-        recovery_.forget_work();
-    }
-
-    // The layers are read now and written on a thread of their own; what is done meanwhile stays unsaved.
-    void save(const std::string& path, const std::function<void()>& then) {
-        session_.pause();
-        auto document = std::make_shared<Document>(session_.document());
-        const std::size_t revision = session_.revision();
-        work_.start(
-            fmt::format("Saving {}", path),
-            [this, path, document, revision, then]() -> Work::Then {
-                write_terrain(path, *document, "", std::nullopt);
-                return [this, path, revision, then] {
-                    session_.saved(path, revision);
-                    forget_recovered();
-                    if (!journal_path_.empty()) session_.write_journal_to(journal_path_);
-                    tell(fmt::format("saved {}", path));
-                    title();
-                    if (then) then();
-                };
-            },
-            false);
-    }
-
-    void open(const SceneRequest& wish) {
-        const SceneRequest request = session_.request_for(wish);
-        const auto left = std::find_if(state_.left.begin(), state_.left.end(),
-                                       [&](const LeftBehind& one) { return one.document == request.input; });
-        std::optional<LeftBehind> recovering;
-        if (left != state_.left.end()) {
-            recovering = *left;
-        }
-        const std::string name = request.input.empty() ? request.preset : request.input;
-        work_.start(fmt::format("Opening {}", name), [this, request, recovering]() -> Work::Then {
-            auto scene = std::make_shared<Scene>(make_scene(request));
-            return [this, request, scene, recovering] {
-                session_.open(request, std::move(*scene), !recovering);
-                forget_recovered();
-                if (recovering) session_.recovered(recovering->project, recovering->title);
-                recovering_ = recovering;
-                std::erase_if(state_.left, [&](const LeftBehind& one) {
-                    return recovering && one.folder == recovering->folder;
-                });
-                for (const std::string& guess : session_.scene().document.notes) note("note: " + guess);
-                title();
-                wake();
-            };
-        });
-    }
-
-    void export_files(const ExportSettings& settings) {
-        session_.pause();
-        auto document = std::make_shared<Document>(session_.document());
-        work_.start(fmt::format("Writing {}", settings.path.string()),
-                    [this, settings, document]() -> Work::Then {
-                        const Exported exported = export_terrain(*document, settings);
-                        return [this, exported] {
-                            tell(fmt::format("wrote {}{}", exported.files.front().string(),
-                                             exported.files.size() > 1
-                                                 ? fmt::format(" and {} more", exported.files.size() - 1)
-                                                 : ""));
-                            for (const auto& [name, value] : exported.values)
-                                note(fmt::format("{}: {}", name, value));
-                        };
-                    });
-    }
-
-    // Acts on the whole map; those that take long are made ready on a thread.
-    void act_on_map(const Operation& operation) {
-        const auto* to = std::get_if<Resample>(&operation);
-        if (!to) return session_.apply(operation);
-        session_.pause();
-        auto state = std::make_shared<TerrainState>(session_.simulation().read());
-        work_.start(name_of(operation), [this, state, resample = *to]() mutable -> Work::Then {
-            resample.made = std::make_shared<TerrainState>(resampled(*state, resample.nx, resample.ny));
-            return [this, resample] {
-                session_.apply(resample);
-                title();
-                wake();
-            };
-        });
-    }
-
     void quit() {
-        when_saved([this] {
-            forget_recovered();
+        project_.when_saved([this] {
             closing_ = true;
             glfwSetWindowShouldClose(window_, GLFW_TRUE);
         });
@@ -425,49 +297,16 @@ class Window {
         PanelRequests asked;
         std::swap(asked, requests_);
         // Long work has the session to itself.
-        if (work_.busy()) return;
-        if (asked.import) {
-            state_.import.offers_import = true;
-            attempt([&] {
-                if (is_document(*asked.import))
-                    when_saved([this, path = *asked.import] {
-                        SceneRequest request;
-                        request.input = path;
-                        state_.start_page = false;
-                        open(request);
-                    });
-                else
-                    state_.import.read(*asked.import);
-            });
-        }
-        if (asked.import_into) attempt([&] { state_.import.read(*asked.import_into); });
-        if (asked.open) when_saved([this, request = *asked.open] { open(request); });
-        if (asked.save) {
-            auto then = std::exchange(after_saving_, nullptr);
-            when_replaceable(*asked.save,
-                             [this, path = *asked.save, then] { attempt([&] { save(path, then); }); });
-        }
-        if (asked.stamp) attempt([&] { session_.apply(read_stamp(*asked.stamp, {})); });
-        if (asked.write)
-            when_replaceable(asked.write->path.string(),
-                             [this, settings = *asked.write] { attempt([&] { export_files(settings); }); });
-        if (asked.map) attempt([&] { act_on_map(*asked.map); });
+        if (project_.work().busy()) return;
+        if (asked.answer) attempt(asked.answer);
+        attempt([&] { project_.serve(asked); });
         for (const auto& act : asked.acts) attempt([&] { act(session_); });
-        if (asked.reset)
-            when_saved([this] {
-                attempt([&] {
-                    session_.reset();
-                    forget_recovered();
-                    title();
-                });
-            });
         if (asked.undo) attempt([&] { session_.undo(); });
         if (asked.redo) attempt([&] { session_.redo(); });
         if (asked.framing) session_.frame_terrain();
         if (asked.picture) attempt([&] { save_picture(); });
         if (asked.quit) quit();
-        if (asked.open || asked.save || asked.import_into || asked.reset || asked.undo || asked.redo ||
-            asked.framing || asked.map || asked.import || asked.stamp || asked.write || !asked.acts.empty()) {
+        if (asked.any()) {
             title();
             wake();
         }
@@ -526,15 +365,14 @@ class Window {
         const PictureArea area = follow_area(size);
 
         const ImGuiIO& io = ImGui::GetIO();
-        const bool dialog = is_dialog_open(state_) || work_.busy();
+        const bool dialog = is_dialog_open(state_) || project_.work().busy();
         const HandMay may{!io.WantCaptureMouse && !dialog, !io.WantTextInput && !io.KeyCtrl && !dialog};
         const bool stroked = session_.stroking();
         FrameTimes times{now};
         const int dabs_before = session_.dabs();
         attempt([&] {
-            hand_.placing_gauge = state_.placing_gauge;
-            hand_.act(session_, mouse - glm::dvec2(area.corner), passed_s, area.size, may);
-            state_.placing_gauge = hand_.placing_gauge;
+            hand_.act(session_, mouse - glm::dvec2(area.corner), passed_s, area.size, may,
+                      state_.placing_gauge);
         });
         if (stroked && !session_.stroking()) title();
         times.act_ms = since(now);
@@ -562,8 +400,6 @@ class Window {
         if (!std::exchange(first_picture_shown_, true))
             note(fmt::format("first picture after {:.2f} s", seconds_since_start()));
         keep_rects();
-        // A dialog that was closed without a name: what should have come after saving does not.
-        if (state_.dialog.purpose == FileDialog::Purpose::none && !requests_.save) after_saving_ = nullptr;
         serve_requests();
         frame_s_ = glfwGetTime() - now;
     }
@@ -608,14 +444,11 @@ class Window {
         if (hand_.cursor()) figures.cursor_height_m = hand_.cursor()->z;
         draw_legend(legend_of(settings_, session_.renderer().bounds().x, session_.renderer().bounds().y),
                     area.corner.x + area.size.x, area.corner.y + area.size.y);
-        PanelContext context{session_, state_, requests_, work_};
+        PanelContext context{session_, state_, requests_, project_.work()};
         draw_panels(context, figures, size);
         bool cancelled = false;
-        draw_work(work_, cancelled);
-        if (cancelled) {
-            work_.cancel();
-            after_saving_ = nullptr;
-        }
+        draw_work(project_.work(), cancelled);
+        if (cancelled) project_.cancel();
         ImGui::Render();
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     }
@@ -634,24 +467,22 @@ class Window {
     gpu::Device device_;
     Session session_;
     Hand hand_;
-    Recovery recovery_;
-    std::optional<LeftBehind> recovering_;  // what the session was recovered from, until it is saved
-    std::string journal_path_;
+    PanelState state_;
+    std::string message_;
+    double message_until_s_ = 0;
+    int frames_left_ = 3;
+    Project project_;
     std::string frame_log_path_;
     std::vector<FrameTimes> frames_;
     std::string rects_path_;
     std::vector<WidgetRect> rects_;
-    PanelState state_;
     PanelRequests requests_;
-    std::function<void()> after_saving_;
     bool closing_ = false;
     ViewSettings settings_;
     bool profiling_ = false;
     std::vector<gpu::PassTime> passes_;
     double passes_s_ = 0;
     bool first_picture_shown_ = false;
-    std::string message_;
-    double message_until_s_ = 0;
 
     glm::dvec2 mouse_{0};
     struct Typed {
@@ -668,8 +499,6 @@ class Window {
     double rest_s_ = frame_goal_s / 2;  // a frame without its ticks, lately
     double scale_ = 1.0;
     bool moved_before_ = false;
-    int frames_left_ = 3;
-    Work work_;  // last: its thread ends before what it looks at goes
 };
 
 }  // namespace

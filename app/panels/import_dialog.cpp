@@ -161,15 +161,12 @@ void draw_import_dialog(PanelContext& context) {
         context.state.start_page = false;
         ended = true;
     }
-    if (dialog.offers_import) {
-        ImGui::SameLine();
-        if (button("Import it", "in place of this terrain, as an act that can be undone; settings go on",
-                   good)) {
-            context.requests.acts.emplace_back([path = dialog.path, settings = dialog.settings](Session& s) {
-                s.apply(read_import(path, settings));
-            });
-            ended = true;
-        }
+    ImGui::SameLine();
+    if (button("Import it", "in place of this terrain, as an act that can be undone; settings go on", good)) {
+        context.requests.acts.emplace_back([path = dialog.path, settings = dialog.settings](Session& s) {
+            s.apply(read_import(path, settings));
+        });
+        ended = true;
     }
     ImGui::SameLine();
     if (button("Cancel import") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ended = true;

@@ -92,6 +92,11 @@ PictureArea picture_area(const PanelState& state, glm::ivec2 size) {
     return {{left, top}, glm::max(size - glm::ivec2(left + right, top + bottom), 16)};
 }
 
+bool PanelRequests::any() const {
+    return open || save || import || import_into || stamp || write || map || reset || undo || redo ||
+           framing || !acts.empty() || answer;
+}
+
 bool is_dialog_open(const PanelState& state) {
     return state.dialog.purpose != FileDialog::Purpose::none || !state.import.path.empty() ||
            state.write.shown || state.question.has_value();
@@ -112,7 +117,7 @@ void draw_panels(PanelContext& context, const StatusFigures& figures, glm::ivec2
     if (context.state.start_page) draw_start_page(context, size);
     // One dialog at a time: two would replace each other every frame.
     if (context.state.question)
-        draw_question(context.state);
+        draw_question(context);
     else if (!context.state.import.path.empty())
         draw_import_dialog(context);
     else if (context.state.write.shown)

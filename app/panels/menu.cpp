@@ -12,7 +12,7 @@ void draw_file_menu(PanelContext& context) {
     if (menu_item("Start page", nullptr)) state.start_page = true;
     if (menu_item("Open…", "Ctrl+O")) state.dialog.begin(FileDialog::Purpose::open, session.path());
     if (ImGui::BeginMenu("Recent")) {
-        for (const std::string& file : session.recent())
+        for (const std::string& file : context.state.recent)
             if (menu_item(file, nullptr)) requests.import = file;
         ImGui::EndMenu();
     }

@@ -31,6 +31,9 @@ struct PanelRequests {
     bool framing = false;
     bool picture = false;                             ///< saved as a file
     std::vector<std::function<void(Session&)>> acts;  ///< may throw; done after the panels
+    std::function<void()> answer;                     ///< to a question; may throw
+    /// Whether anything was asked that may change title or picture.
+    bool any() const;
 };
 
 /// What the status line says besides the session's own figures.
@@ -57,7 +60,6 @@ struct FileDialog {
 /// A heightmap that is to be opened or imported: how it is read, and what it looks like then.
 struct ImportDialog {
     std::string path;  ///< empty: the dialog is not there
-    bool offers_import = true;
     ImportSettings settings;
     double spacing_m = 1;
     double low_m = 0;
@@ -102,6 +104,7 @@ struct PanelState {
     ImportDialog import;
     ExportDialog write;
     std::optional<Question> question;
+    std::vector<std::string> recent;    ///< files, the last one first
     std::vector<LeftBehind> left;       ///< by sessions that ended without saving
     std::vector<std::string> log;       ///< what was said, oldest first
     std::vector<gpu::PassTime> passes;  ///< of the last half second
@@ -158,7 +161,7 @@ void draw_start_page(PanelContext& context, glm::ivec2 size);
 void draw_file_dialog(PanelContext& context);
 void draw_import_dialog(PanelContext& context);
 void draw_export_dialog(PanelContext& context);
-void draw_question(PanelState& state);
+void draw_question(PanelContext& context);
 /// A bar for long work, with a button to give it up.
 void draw_work(const Work& work, bool& cancelled);
 void draw_status_line(const Session& session, const StatusFigures& figures, int width, int height);

@@ -7,8 +7,8 @@
 
 namespace talus {
 
-void draw_question(PanelState& state) {
-    if (!state.question) return;
+void draw_question(PanelContext& context) {
+    PanelState& state = context.state;
     ImGui::OpenPopup("Question");
     const ImVec2 middle = ImGui::GetMainViewport()->GetCenter();
     ImGui::SetNextWindowPos(middle, ImGuiCond_Always, {0.5F, 0.5F});
@@ -17,20 +17,18 @@ void draw_question(PanelState& state) {
         return;
     ImGui::TextWrapped("%s", state.question->text.c_str());
     ImGui::Spacing();
-    std::function<void()> answer;
     for (std::size_t i = 0; i < state.question->answers.size(); ++i) {
         if (i > 0) ImGui::SameLine();
         const auto& [name, act] = state.question->answers[i];
         const bool last = i + 1 == state.question->answers.size();
-        if (button(name) || (last && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))) answer = act;
+        if (button(name) || (last && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))))
+            context.requests.answer = act;
     }
-    if (answer) {
+    if (context.requests.answer) {
         ImGui::CloseCurrentPopup();
         state.question.reset();
     }
     ImGui::EndPopup();
-    // It may ask the next one.
-    if (answer) answer();
 }
 
 void draw_work(const Work& work, bool& cancelled) {

@@ -65,7 +65,7 @@ void draw_start_page(PanelContext& context, glm::ivec2 size) {
     ImGui::SameLine();
     if (button("Go on with this scene", "closes this page")) state.start_page = false;
     draw_left_behind(context);
-    const std::vector<std::string>& recent = context.session.recent();
+    const std::vector<std::string>& recent = context.state.recent;
     if (!recent.empty()) {
         heading("Recent files");
         for (std::size_t i = 0; i < std::min<std::size_t>(recent.size(), 5); ++i) {

@@ -4,15 +4,6 @@
 #include <cmath>
 
 namespace talus {
-namespace {
-
-// Tools that leave their whole effect at once, not by the second.
-bool is_placed(const std::string& tool) {
-    return tool == "ramp" || tool == "stamp";
-}
-
-}  // namespace
-
 const std::vector<std::string>& tool_names() {
     static const std::vector<std::string> names = {"raise", "lower",    "smooth",  "flatten", "height",
                                                    "ramp",  "noise",    "terrace", "stamp",   "water",
@@ -131,7 +122,7 @@ std::vector<Dab> BrushStroke::move(const Parameters& view, glm::dvec3 at, double
         at_ = at;
         return dabs;
     }
-    if (is_placed(tool_)) {
+    if (tool_ == "stamp") {
         // One where the stroke begins, then one a spacing further each.
         const Dab dab = tool_dab(view, modifiers_, begin_.z, 0, stamp);
         if (!stamped_) {

@@ -10,13 +10,14 @@
 
 namespace talus {
 
-void Hand::act(Session& session, glm::dvec2 mouse, double passed_s, glm::ivec2 size, const HandMay& may) {
+void Hand::act(Session& session, glm::dvec2 mouse, double passed_s, glm::ivec2 size, const HandMay& may,
+               bool& placing_gauge) {
     moving_s_ = std::max(0.0, moving_s_ - passed_s);
     follow_terrain(session);
     read_cursor(session.grid());
     move_camera(session, mouse, passed_s, size.y, may);
     mouse_ = mouse;
-    sculpt(session, passed_s, may);
+    sculpt(session, passed_s, may, placing_gauge);
 }
 
 // What was read of another terrain is not of this one.
@@ -124,7 +125,7 @@ void Hand::meet_ground(Session& session, Camera& camera, bool walking, double pa
         keep_above(camera, *ground_m + 0.02 * std::min(grid.dx, grid.dy));
 }
 
-void Hand::sculpt(Session& session, double passed_s, const HandMay& may) {
+void Hand::sculpt(Session& session, double passed_s, const HandMay& may, bool& placing_gauge) {
     const bool held = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS && may.use_mouse;
     const auto down = [&](int left, int right) {
         return glfwGetKey(window_, left) == GLFW_PRESS || glfwGetKey(window_, right) == GLFW_PRESS;

@@ -24,13 +24,12 @@ class Hand {
 
     /// Moves the camera and makes the stroke of `passed_s` seconds; the mouse is in pixels of a picture of
     /// this size.
-    void act(Session& session, glm::dvec2 mouse, double passed_s, glm::ivec2 size, const HandMay& may);
+    /// `placing_gauge`: the next click on the ground places one, and ends that.
+    void act(Session& session, glm::dvec2 mouse, double passed_s, glm::ivec2 size, const HandMay& may,
+             bool& placing_gauge);
     /// After a picture was drawn: asks where the mouse's ray meets it. `drawn`: the picture's size,
     /// `changed`: whether it is another one than before.
     void look(Session& session, glm::dvec2 mouse, glm::ivec2 size, glm::ivec2 drawn, bool changed);
-    /// Ends a stroke that goes on. What it could not do is thrown as talus::Error.
-    void let_go(Session& session) { session.end_stroke(); }
-
     void turn_wheel(double steps) { wheel_ += steps; }
     /// Where the mouse is on the ground; none: beside it.
     const std::optional<glm::dvec3>& cursor() const { return cursor_; }
@@ -40,13 +39,11 @@ class Hand {
     /// Whether camera or brush moved something within the last quarter of a second.
     bool moving() const { return moving_s_ > 0; }
 
-    bool placing_gauge = false;  ///< the next click on the ground places one
-
   private:
     void read_cursor(const Grid& grid);
     void move_camera(Session& session, glm::dvec2 mouse, double passed_s, int height, const HandMay& may);
     void meet_ground(Session& session, Camera& camera, bool walking, double passed_s);
-    void sculpt(Session& session, double passed_s, const HandMay& may);
+    void sculpt(Session& session, double passed_s, const HandMay& may, bool& placing_gauge);
     void follow_terrain(const Session& session);
 
     GLFWwindow* window_;
