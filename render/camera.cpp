@@ -32,6 +32,15 @@ CastOrigin cast_origin(const Grid& grid, glm::dvec3 point) {
             glm::dvec2(column - std::floor(column), row - std::floor(row)), point.z};
 }
 
+std::optional<glm::dvec2> place_in_picture(const Camera& camera, const CameraRays& rays, glm::dvec3 point) {
+    const glm::dvec3 from_eye = point - camera.eye;
+    const double depth = glm::dot(from_eye, rays.forward);
+    if (depth < 0.05 * glm::length(from_eye)) return std::nullopt;
+    const glm::dvec3 aside = from_eye / depth - rays.middle;
+    return glm::dvec2(glm::dot(aside, rays.right) / glm::dot(rays.right, rays.right),
+                      glm::dot(aside, rays.up) / glm::dot(rays.up, rays.up));
+}
+
 Camera overview(const Grid& grid, double lowest_m, double highest_m, double aspect) {
     // The whole rectangle within the view, from a little west of south and high enough to see its relief.
     Camera camera;

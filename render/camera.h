@@ -1,5 +1,6 @@
 #pragma once
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "sim/gpu/program.h"
 #include "sim/terrain/grid.h"
@@ -38,6 +39,10 @@ struct CastOrigin {
     double height_m;
 };
 CastOrigin cast_origin(const Grid& grid, glm::dvec3 point);
+
+/// Where a point of the world is in the picture, from -1 to 1 to the right and up; none: beside or behind the
+/// eye, less than a twentieth of its distance ahead.
+std::optional<glm::dvec2> place_in_picture(const Camera& camera, const CameraRays& rays, glm::dvec3 point);
 
 /// A view over the whole terrain from the south-west, for a first look; aspect: the picture's width by its
 /// height.

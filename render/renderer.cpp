@@ -186,14 +186,10 @@ gpu::Region Renderer::ring_region(const Picture& picture) const {
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 point(ring_m_.x + ((corner & 1) != 0 ? reach : -reach),
                                ring_m_.y + ((corner & 2) != 0 ? reach : -reach), heights[corner >> 2]);
-        const glm::dvec3 from_eye = point - picture.camera.eye;
-        const double depth = glm::dot(from_eye, rays.forward);
-        if (depth < 0.05 * glm::length(from_eye)) return {0, 0, picture.width, picture.height};
-        const glm::dvec3 aside = from_eye / depth - rays.middle;
-        const glm::dvec2 at(glm::dot(aside, rays.right) / glm::dot(rays.right, rays.right),
-                            glm::dot(aside, rays.up) / glm::dot(rays.up, rays.up));
-        low = glm::min(low, at);
-        high = glm::max(high, at);
+        const std::optional<glm::dvec2> at = place_in_picture(picture.camera, rays, point);
+        if (!at) return {0, 0, picture.width, picture.height};
+        low = glm::min(low, *at);
+        high = glm::max(high, *at);
     }
     const glm::dvec2 size(picture.width, picture.height);
     const glm::ivec2 first = glm::clamp((0.5 + 0.5 * low) * size - 8.0, glm::dvec2(0), size);

@@ -6,17 +6,13 @@
 namespace talus {
 namespace {
 
-// Where a point of the world is in the picture; none: behind the eye.
-std::optional<ImVec2> in_picture(const Camera& camera, const CameraRays& rays, glm::dvec3 point,
-                                 const PictureArea& area) {
-    const glm::dvec3 from_eye = point - camera.eye;
-    const double depth = glm::dot(from_eye, rays.forward);
-    if (depth <= 0) return std::nullopt;
-    const glm::dvec3 aside = from_eye / depth - rays.middle;
-    const double x = glm::dot(aside, rays.right) / glm::dot(rays.right, rays.right);
-    const double y = glm::dot(aside, rays.up) / glm::dot(rays.up, rays.up);
-    return ImVec2(static_cast<float>(area.corner.x + (0.5 + 0.5 * x) * area.size.x),
-                  static_cast<float>(area.corner.y + (0.5 - 0.5 * y) * area.size.y));
+// Where a point of the world is in the window; none: beside or behind the eye.
+std::optional<ImVec2> in_window(const Camera& camera, const CameraRays& rays, glm::dvec3 point,
+                                const PictureArea& area) {
+    const std::optional<glm::dvec2> at = place_in_picture(camera, rays, point);
+    if (!at) return std::nullopt;
+    return ImVec2(static_cast<float>(area.corner.x + (0.5 + 0.5 * at->x) * area.size.x),
+                  static_cast<float>(area.corner.y + (0.5 - 0.5 * at->y) * area.size.y));
 }
 
 constexpr ImU32 yellow = IM_COL32(250, 205, 60, 255);
@@ -32,7 +28,7 @@ void draw_marks(const Session& session, const PictureArea& area) {
     for (std::size_t i = 0; i < gauges.size(); ++i) {
         if (gauges[i].readings.empty()) continue;
         const glm::dvec3 point(gauges[i].place_m, gauges[i].readings.back().level_m());
-        const auto at = in_picture(camera, rays, point, area);
+        const auto at = in_window(camera, rays, point, area);
         if (!at) continue;
         const std::string name = fmt::format("{}", i + 1);
         list->AddLine(*at, {at->x, at->y - 22}, dark, 2);
@@ -41,8 +37,8 @@ void draw_marks(const Session& session, const PictureArea& area) {
     }
     const auto& stroke = session.stroke_made();
     if (!stroke || stroke->name() != "ramp") return;
-    const auto begin = in_picture(camera, rays, stroke->begin(), area);
-    const auto end = in_picture(camera, rays, stroke->at(), area);
+    const auto begin = in_window(camera, rays, stroke->begin(), area);
+    const auto end = in_window(camera, rays, stroke->at(), area);
     if (!begin || !end) return;
     list->AddLine(*begin, *end, dark, 5);
     list->AddLine(*begin, *end, yellow, 2);

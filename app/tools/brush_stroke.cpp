@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/operation.h"
+
 namespace talus {
 const std::vector<std::string>& tool_names() {
     static const std::vector<std::string> names = {"raise", "lower",    "smooth",  "flatten", "height",
@@ -86,12 +88,9 @@ BrushStroke::BrushStroke(const Parameters& view, const Modifiers& modifiers, glm
       begin_(at),
       at_(at),
       random_(static_cast<unsigned>(view.whole("brush.seed")) * 7919U + number) {
-    name_ = tool_;
-    if (modifiers.inverted && tool_ == "raise") name_ = "lower";
-    if (modifiers.inverted && tool_ == "lower") name_ = "raise";
-    if (tool_ == "water") name_ = modifiers.inverted ? "take water" : "add water";
-    if (tool_ == "rain" || tool_ == "hardness" || tool_ == "mask")
-        name_ = (modifiers.inverted ? "wipe " : "paint ") + tool_;
+    // As an operation of its own would be called, but for the tools that share a mode.
+    const Dab dab = tool_dab(view, modifiers, at.z, 0, nullptr);
+    name_ = tool_ == "height" ? tool_ : name_of(dab);
 }
 
 double BrushStroke::unit() {
