@@ -15,7 +15,8 @@ std::vector<Parameter> app_parameters() {
             "What a stroke does. Flatten: to the height where it began; height: to brush.height_m; ramp: a "
             "slope from where it begins to where it ends; water, rain, hardness and mask: put there, with "
             "Ctrl "
-            "taken away. Ctrl turns raise and lower, noise and stamps around; Shift smooths with any tool."),
+            "taken away; erode: rain that falls under the brush alone carves the ground. Ctrl turns raise "
+            "and lower, noise and stamps around; Shift smooths with any tool."),
         number("brush.radius_m", 250, 1e-2, 1e6, "m",
                "Reach of the brush; unless set, it follows the terrain's size."),
         number("brush.rate_m_per_s", 60, 0, 1e6, "m/s",
@@ -58,6 +59,14 @@ std::vector<Parameter> app_parameters() {
         number("stamp.relief_m", 100, 0, 1e5, "m", "Height of the stamp; unless set, as it came."),
         number("stamp.turn_deg", 0, -360, 360, "°", "The stamp turned, counterclockwise."),
         toggle("stamp.mirrored", false, "The stamp mirrored, west for east."),
+        number("erode.rain", 5000, 0, 1e4, "mm/h", "Erode: rain in the middle of the brush."),
+        number("erode.speed", 60, 1e-3, 1e6, "s/s",
+               "Erode: simulated seconds a second; unless set, it follows the spacing. A wide brush takes "
+               "its time."),
+        number("erode.acceleration", 1000, 1, 1e5, "",
+               "Erode: how often what water takes and leaves counts for the ground. How easily rock gives "
+               "way is "
+               "erosion.erodibility and erosion.bedrock_erodibility."),
         whole("map.nx", 513, min_samples, max_samples, "samples",
               "Resample: columns; unless set, as many as there are."),
         whole("map.ny", 513, min_samples, max_samples, "samples",

@@ -67,6 +67,7 @@ void Session::suggest_for_terrain() {
     scene_.view.suggest("brush.radius_m", extent / 40);
     scene_.view.suggest("brush.rate_m_per_s", extent / 160);
     scene_.view.suggest("camera.speed_m_per_s", extent / 12);
+    scene_.view.suggest("erode.speed", 6 * std::min(g.dx, g.dy));
     scene_.view.suggest("noise.wavelength_m", extent / 12);
     // What was said of another terrain's size and place is not of this one.
     for (const char* name : {"map.nx", "map.ny", "map.west_m", "map.south_m", "map.east_m", "map.north_m"})
@@ -283,9 +284,14 @@ void Session::stroke(glm::dvec3 at, double wall_s) {
     if (!stroke_begun_) simulation_->begin_stroke(stroke_->name());
     stroke_begun_ = true;
     dabs_waited_s_ = stroke_owed_s_;
-    const std::vector<Dab> dabs =
+    std::vector<Dab> dabs =
         stroke_->move(scene_.view, at, std::exchange(stroke_owed_s_, 0), simulation_->stamp());
-    for (const Dab& dab : dabs) simulation_->apply(dab);
+    for (Dab& dab : dabs) {
+        // What a frame has no room for erodes more slowly.
+        if (dab.mode == BrushMode::erode)
+            dab.erode.time_s = std::min(dab.erode.time_s, erode_longest_s(grid(), dab));
+        simulation_->apply(dab);
+    }
     dabs_ += static_cast<int>(dabs.size());
 }
 

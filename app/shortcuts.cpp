@@ -15,6 +15,10 @@ void scale(Session& session, const char* name, double factor) {
     session.set(name, std::clamp(session.view().number(name) * factor, p.low, p.high));
 }
 
+void scale_strength(Session& session, double factor) {
+    if (const char* name = strength_of(session.view().choice("brush.tool"))) scale(session, name, factor);
+}
+
 void pick_tool(Session& session, std::size_t number) {
     if (number < tool_names().size()) session.set("brush.tool", tool_names()[number]);
 }
@@ -88,10 +92,10 @@ void press_key(int key, int mods, Session& session, PanelState& state, PanelRequ
             scale(session, "brush.radius_m", 1.15);
             break;
         case GLFW_KEY_MINUS:
-            scale(session, "brush.rate_m_per_s", 1 / 1.15);
+            scale_strength(session, 1 / 1.15);
             break;
         case GLFW_KEY_EQUAL:
-            scale(session, "brush.rate_m_per_s", 1.15);
+            scale_strength(session, 1.15);
             break;
         default:
             // 1 to 9 are the first tools, with Shift the others.

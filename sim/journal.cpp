@@ -77,6 +77,12 @@ json to_json(const Dab& dab) {
                          {"half_m", {dab.stamp.half_m.x, dab.stamp.half_m.y}},
                          {"turn_deg", dab.stamp.turn_deg},
                          {"mirrored", dab.stamp.mirrored}};
+    if (dab.mode == BrushMode::erode)
+        line["erode"] = {{"rain_mm_per_h", dab.erode.rain_mm_per_h},
+                         {"time_s", dab.erode.time_s},
+                         {"acceleration", dab.erode.acceleration},
+                         {"begins", dab.erode.begins},
+                         {"ends", dab.erode.ends}};
     return line;
 }
 
@@ -114,6 +120,11 @@ Dab to_dab(const json& line) {
         dab.stamp.half_m = {stamp.at("half_m").at(0), stamp.at("half_m").at(1)};
         dab.stamp.turn_deg = stamp.at("turn_deg");
         dab.stamp.mirrored = stamp.at("mirrored");
+    }
+    if (line.contains("erode")) {
+        const json& erode = line["erode"];
+        dab.erode = {erode.at("rain_mm_per_h"), erode.at("time_s"), erode.at("acceleration"),
+                     erode.at("begins"), erode.at("ends")};
     }
     check_dab(dab);
     return dab;

@@ -152,8 +152,10 @@ void Simulation::act(const PlaceSpring& spring) {
     record(spring, [&] { place(spring); });
 }
 
-void Simulation::act(const Dab& dab) {
-    check_dab(dab);
+void Simulation::act(const Dab& wanted) {
+    check_dab(wanted);
+    Dab dab = wanted;
+    if (dab.mode == BrushMode::erode && !(erode_brush_ && erode_brush_->is_going())) dab.erode.begins = true;
     if (dab.mode == BrushMode::stamp && !moment_.stamp)
         throw Error("there is no stamp yet: choose a file or a piece of the terrain first");
     if (dab.is_water()) add_water();
@@ -175,10 +177,24 @@ void Simulation::act(const Dab& dab) {
                 stamp_texture_.write(stamp_texture_.whole(), std::as_bytes(std::span(stamp_there_->heights)));
             }
             brush_.dab(terrain_, dab, &stamp_texture_);
+        } else if (dab.mode == BrushMode::erode) {
+            erode(dab);
         } else {
             brush_.dab(terrain_, dab);
         }
     });
+}
+
+void Simulation::erode(const Dab& dab) {
+    if (!erode_brush_) erode_brush_ = std::make_unique<ErodeBrush>();
+    Parameters parameters = moment_.parameters;
+    parameters.set("erosion.on", true);
+    std::optional<ThermalSettings> thermal;
+    if (parameters.toggle("thermal.on")) thermal = thermal_settings(parameters);
+    const Terrain& eroded = erode_brush_->erode(terrain_, dab, water_settings_of(parameters), thermal);
+    const double settled =
+        dab.erode.ends ? dab.erode.acceleration * bulking_of(parameters.number("erosion.porosity")) : 0;
+    brush_.take_over(terrain_, dab, eroded, settled);
 }
 
 void Simulation::act(const Resample& to) {
@@ -281,6 +297,7 @@ void Simulation::stand_on(Terrain next) {
     Thermal thermal(next);
     auto ledger = std::make_unique<Ledger>(next);
     asked_.sums.cancel();
+    erode_brush_.reset();
     water_.reset();
     water_brush_.reset();
     inundation_.reset();
@@ -375,6 +392,8 @@ void Simulation::exchange(UndoWay way) {
             stand_on(unpack(other));
             return present;
         });
+    // Its water belongs to acts that may be undone now.
+    if (erode_brush_) erode_brush_->stop();
     terrain_.tiles.mark_all();
 }
 

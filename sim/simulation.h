@@ -10,6 +10,7 @@
 #include "sim/operation.h"
 #include "sim/parameters.h"
 #include "sim/passes/brush.h"
+#include "sim/passes/erode_brush.h"
 #include "sim/passes/inundation.h"
 #include "sim/passes/mask.h"
 #include "sim/passes/paint.h"
@@ -90,6 +91,7 @@ class Simulation {
     void act(const SetParameter& set);
     void act(const PlaceSpring& spring);
     void act(const Dab& dab);
+    void erode(const Dab& dab);
     void act(const Resample& to);
     void act(const Crop& crop);
     void act(const Turn& turn);
@@ -130,6 +132,7 @@ class Simulation {
     std::unique_ptr<Water> water_;             // none: no water was ever here
     std::unique_ptr<WaterBrush> water_brush_;  // with it
     std::unique_ptr<Inundation> inundation_;   // with it
+    std::unique_ptr<ErodeBrush> erode_brush_;  // none: nothing was eroded by hand
     Paint paint_;
     Mask mask_;
     gpu::Texture stamp_texture_;  // of stamp_there_

@@ -18,6 +18,7 @@ std::vector<std::string> settings_of(const std::string& tool) {
                 "noise.gain",         "noise.warp", "noise.seed"};
     if (tool == "terrace") return {"terrace.step_m", "terrace.flat", "brush.blend_per_s"};
     if (tool == "stamp") return {"stamp.mode", "stamp.relief_m", "stamp.turn_deg", "stamp.mirrored"};
+    if (tool == "erode") return {"erode.acceleration", "erode.rain", "erode.speed"};
     if (tool == "rain") return {"brush.rain", "brush.blend_per_s"};
     if (tool == "hardness" || tool == "mask") return {"brush.value", "brush.blend_per_s"};
     return {"brush.blend_per_s"};
@@ -26,6 +27,7 @@ std::vector<std::string> settings_of(const std::string& tool) {
 const char* how_to(const std::string& tool) {
     if (tool == "height") return "Ctrl and a click pick the height under the mouse.";
     if (tool == "ramp") return "Press where the slope begins, let go where it ends.";
+    if (tool == "erode") return "Hold: rain gathers, carves and settles, under the brush alone.";
     if (tool == "water") return "Ctrl takes water away.";
     if (tool == "rain" || tool == "hardness" || tool == "mask") return "Ctrl wipes what was painted.";
     if (tool == "flatten") return "To the height where the stroke begins.";

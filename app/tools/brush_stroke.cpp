@@ -2,15 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim/operation.h"
 
 namespace talus {
 const std::vector<std::string>& tool_names() {
-    static const std::vector<std::string> names = {"raise", "lower",    "smooth",  "flatten", "height",
-                                                   "ramp",  "noise",    "terrace", "stamp",   "water",
-                                                   "rain",  "hardness", "mask"};
+    static const std::vector<std::string> names = {"raise", "lower", "smooth",   "flatten", "height",
+                                                   "ramp",  "noise", "terrace",  "stamp",   "erode",
+                                                   "water", "rain",  "hardness", "mask"};
     return names;
+}
+
+const char* strength_of(const std::string& tool) {
+    if (tool == "raise" || tool == "lower" || tool == "noise" || tool == "water") return "brush.rate_m_per_s";
+    if (tool == "erode") return "erode.acceleration";
+    if (tool == "stamp") return "stamp.relief_m";
+    return tool == "ramp" ? nullptr : "brush.blend_per_s";
 }
 
 Dab tool_dab(const Parameters& view, const Modifiers& modifiers, double ground_m, double wall_s,
@@ -69,6 +77,13 @@ Dab tool_dab(const Parameters& view, const Modifiers& modifiers, double ground_m
             dab.stamp.half_m = dab.radius_m * size / std::max(size.x, size.y);
         }
         dab.radius_m = 1.001 * glm::length(dab.stamp.half_m);
+    } else if (tool == "erode") {
+        dab.mode = BrushMode::erode;
+        dab.erode.rain_mm_per_h = view.number("erode.rain");
+        dab.erode.acceleration = view.number("erode.acceleration");
+        // That of a click ends when its load has settled.
+        constexpr double shortest_s = 1e-3;
+        dab.erode.time_s = std::max(view.number("erode.speed") * wall_s, shortest_s);
     } else if (tool == "water") {
         dab.material = Material::water;
         dab.mode = modifiers.inverted ? BrushMode::lower : BrushMode::raise;
@@ -116,7 +131,8 @@ Dab BrushStroke::jittered(const Parameters& view, Dab dab, glm::dvec2 place) {
 std::vector<Dab> BrushStroke::move(const Parameters& view, glm::dvec3 at, double wall_s, const Stamp* stamp) {
     const double spacing_m = view.number("brush.spacing") * view.number("brush.radius_m");
     std::vector<Dab> dabs;
-    constexpr int most = 64;
+    // Each dab of erosion runs solvers: a few of them follow the hand.
+    const int most = tool_ == "erode" ? 3 : 64;
     if (tool_ == "ramp") {
         at_ = at;
         return dabs;
@@ -128,7 +144,8 @@ std::vector<Dab> BrushStroke::move(const Parameters& view, glm::dvec3 at, double
             stamped_ = glm::dvec2(begin_);
             dabs.push_back(jittered(view, dab, *stamped_));
         }
-        while (glm::distance(*stamped_, glm::dvec2(at)) >= spacing_m && dabs.size() < most) {
+        while (glm::distance(*stamped_, glm::dvec2(at)) >= spacing_m &&
+               static_cast<int>(dabs.size()) < most) {
             *stamped_ += spacing_m * glm::normalize(glm::dvec2(at) - *stamped_);
             dabs.push_back(jittered(view, dab, *stamped_));
         }
@@ -137,16 +154,27 @@ std::vector<Dab> BrushStroke::move(const Parameters& view, glm::dvec3 at, double
     }
     const double way_m = glm::distance(glm::dvec2(at), glm::dvec2(at_));
     const int count = std::clamp(static_cast<int>(std::ceil(way_m / spacing_m)), 1, most);
-    const Dab dab = tool_dab(view, modifiers_, begin_.z, wall_s / count, stamp);
-    for (int i = 1; i <= count; ++i)
+    Dab dab = tool_dab(view, modifiers_, begin_.z, wall_s / count, stamp);
+    for (int i = 1; i <= count; ++i) {
+        // The water of a stroke goes on from dab to dab.
+        dab.erode.begins = !std::exchange(begun_, true);
+        dab.erode.ends = false;
         dabs.push_back(jittered(view, dab, at_ + (at - at_) * (static_cast<double>(i) / count)));
+    }
     at_ = at;
     return dabs;
 }
 
 std::optional<Dab> BrushStroke::end(const Parameters& view) const {
-    if (tool_ != "ramp") return std::nullopt;
+    if (tool_ != "ramp" && tool_ != "erode") return std::nullopt;
     Dab dab = tool_dab(view, modifiers_, begin_.z, 0, nullptr);
+    if (tool_ == "erode") {
+        if (!begun_) return std::nullopt;
+        dab.x_m = at_.x;
+        dab.y_m = at_.y;
+        dab.erode.begins = false;
+        return dab;
+    }
     dab.x_m = begin_.x;
     dab.y_m = begin_.y;
     dab.way_m = glm::dvec2(at_) - glm::dvec2(begin_);

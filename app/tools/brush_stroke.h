@@ -14,6 +14,9 @@ namespace talus {
 /// Names of the tools, in the order of their keys.
 const std::vector<std::string>& tool_names();
 
+/// The parameter that says how strongly a tool acts; none: nothing does.
+const char* strength_of(const std::string& tool);
+
 /// What keys that are held make of a tool.
 struct Modifiers {
     bool inverted = false;  ///< Ctrl: takes where it adds, wipes where it paints
@@ -37,7 +40,8 @@ class BrushStroke {
     const std::string& name() const { return name_; }
     /// The dabs of having come here within this much wall time.
     std::vector<Dab> move(const Parameters& view, glm::dvec3 at, double wall_s, const Stamp* stamp);
-    /// The dab that is made when the hand lets go: of a ramp, from where it began.
+    /// The dab that is made when the hand lets go: of a ramp, from where it began; of erosion, which lets
+    /// settle what its water carries.
     std::optional<Dab> end(const Parameters& view) const;
     glm::dvec3 begin() const { return begin_; }
     glm::dvec3 at() const { return at_; }
@@ -51,6 +55,7 @@ class BrushStroke {
     std::string name_;
     glm::dvec3 begin_;
     glm::dvec3 at_;
+    bool begun_ = false;                 // a dab was made that goes by time
     std::optional<glm::dvec2> stamped_;  // where the last stamp was pressed
     std::mt19937 random_;
 };

@@ -1,18 +1,35 @@
 // One dab on a rectangle of tiles, a group per tile, and what it added and took, booked per tile in double.
 layout(local_size_x = 16, local_size_y = 16) in;
 #include "sim/samples.glsl"
+#include "maths/solid.glsl"
 
 layout(binding = 1, std430) buffer TileBooks { dvec4 tile_books[]; };  // metres of bedrock in, out, of regolith in, out
-
-layout(binding = 3, rgba32f) uniform readonly image2D painted;
-layout(binding = 4, r32f) uniform readonly image2D stamp;
-real painted_mask(int2 at) { return imageLoad(painted, at).y; }
-#include "sim/dab.glsl"
 
 uniform int2 dab_low;   // samples that it can change, both included
 uniform int2 dab_high;
 // Software runs what a branch leaves out: a program for each mode.
 const int dab_mode = DAB_MODE;
+
+#if DAB_MODE == 8
+// The window around the dab as it was eroded, and its load, which has two ghost samples around.
+layout(binding = 4, rgba32f) uniform readonly image2D eroded;
+layout(binding = 5, rg32f) uniform readonly image2D eroded_load;
+uniform int2 first_tile;
+uniform real erode_settled;  // metres of regolith that a metre of load becomes
+
+real4 after_dab(int2 at, real4 before) {
+    if (any(lessThan(at, dab_low)) || any(greaterThan(at, dab_high))) return before;
+    int2 there = at - dab_low;
+    real4 after = imageLoad(eroded, there);
+    precise real settled = imageLoad(eroded_load, there + 2).x * erode_settled;
+    return settled > real(0) ? change_ground(after, settled, true) : after;
+}
+#else
+layout(binding = 3, rgba32f) uniform readonly image2D painted;
+layout(binding = 4, r32f) uniform readonly image2D stamp;
+real painted_mask(int2 at) { return imageLoad(painted, at).y; }
+#include "sim/dab.glsl"
+
 uniform real dab_amount_m;
 uniform real dab_blend;
 uniform real2 dab_target_m;
@@ -34,16 +51,21 @@ uniform int stamp_mode;
 real load_stamp(int2 at) { return imageLoad(stamp, clamp(at, int2(0), stamp_samples - 1)).x; }
 #include "maths/brush.glsl"
 
+real4 after_dab(int2 at, real4 before) {
+    real change = brush_change(at, before);
+    return change != 0.0 ? brush_sample(before, change) : before;
+}
+#endif
+
+// What a change brought and took, by layer: the words as they are, so that no rounding is missed.
+dvec4 book_of(real4 after, real4 before) {
+    double rock = (double(after.x) - double(before.x)) + (double(after.y) - double(before.y));
+    double loose = (double(after.z) - double(before.z)) + (double(after.w) - double(before.w));
+    return dvec4(max(rock, 0.0lf), max(-rock, 0.0lf), max(loose, 0.0lf), max(-loose, 0.0lf));
+}
+
 shared dvec4 column_books[16];
 shared dvec4 sample_books[256];
-
-// What a change of the ground brings and takes, by layer (maths/brush.glsl).
-dvec4 book_of(real change, real4 before) {
-    double gain = max(double(change), 0.0lf);
-    double loss = max(-double(change), 0.0lf);
-    double loose = loss <= double(before.z) ? loss : double(before.z) + double(before.w);
-    return dab_on_regolith == 0 ? dvec4(gain, loss - loose, 0.0lf, loose) : dvec4(0.0lf, loss - loose, gain, loose);
-}
 
 void main() {
     int2 tile = first_tile + int2(gl_WorkGroupID.xy);
@@ -55,12 +77,10 @@ void main() {
         int2 at = corner + int2(gl_LocalInvocationID.xy);
         if (at.x >= samples.x || at.y >= samples.y) continue;
         real4 before = load_solid(at);
-        real change = brush_change(at, before);
-        real4 after = before;
-        if (change != 0.0) {
-            after = brush_sample(before, change);
+        real4 after = after_dab(at, before);
+        if (after != before) {
             imageStore(ground_out, at, vec4(ground_height(after)));
-            book += book_of(change, before);
+            book += book_of(after, before);
             changed = true;
         }
         imageStore(solid_out, at, after);

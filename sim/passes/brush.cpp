@@ -7,13 +7,14 @@
 #include <utility>
 
 #include "sim/gpu/error.h"
+#include "sim/passes/erode_brush.h"
 #include "sim/passes/paint.h"
 
 namespace talus {
 
 const std::vector<std::string>& brush_mode_names() {
-    static const std::vector<std::string> names = {"raise", "lower", "smooth",  "flatten",
-                                                   "ramp",  "noise", "terrace", "stamp"};
+    static const std::vector<std::string> names = {"raise", "lower",   "smooth", "flatten", "ramp",
+                                                   "noise", "terrace", "stamp",  "erode"};
     return names;
 }
 
@@ -65,7 +66,10 @@ void check_dab(const Dab& dab) {
                   {"warp", dab.noise.warp, 0, 10},
                   {"half_x_m", dab.stamp.half_m.x, 1e-6, 1e9},
                   {"half_y_m", dab.stamp.half_m.y, 1e-6, 1e9},
-                  {"turn_deg", dab.stamp.turn_deg, -3600, 3600}};
+                  {"turn_deg", dab.stamp.turn_deg, -3600, 3600},
+                  {"rain_mm_per_h", dab.erode.rain_mm_per_h, 0, 1e4},
+                  {"time_s", dab.erode.time_s, 1e-6, 1e6},
+                  {"acceleration", dab.erode.acceleration, 1, 1e5}};
     for (const auto& field : fields)
         if (!(field.value >= field.low && field.value <= field.high))
             throw Error(fmt::format("a dab's {} cannot be {}, it must be {} to {}", field.name, field.value,
@@ -119,6 +123,7 @@ DabStep dab_step(const Grid& grid, const Dab& dab, glm::ivec2 stamp_samples) {
 }
 
 gpu::Region dab_region(const Grid& grid, const Dab& dab) {
+    if (dab.mode == BrushMode::erode) return erode_window(grid, dab);
     const auto whole = [](double v) { return static_cast<int>(std::clamp(v, -1e6, 1e6)); };
     const glm::dvec2 low = glm::min(glm::dvec2(0), dab.way_m) - dab.radius_m;
     const glm::dvec2 high = glm::max(glm::dvec2(0), dab.way_m) + dab.radius_m;
@@ -162,7 +167,8 @@ gpu::Program& Brush::program_of(BrushMode mode) {
     return programs_.emplace(mode, std::move(program)).first->second;
 }
 
-void Brush::dab(Terrain& terrain, const Dab& dab, const gpu::Texture* stamp) {
+template <typename Set>
+void Brush::run(Terrain& terrain, const Dab& dab, Set&& set) {
     const gpu::Region region = dab_region(terrain.grid(), dab);
     const std::vector<int> tiles = terrain.tiles.touched_by(region);
     if (tiles.empty()) return;
@@ -172,42 +178,56 @@ void Brush::dab(Terrain& terrain, const Dab& dab, const gpu::Texture* stamp) {
                             1;
     // Between two samples it reaches none.
     if (low.x > high.x || low.y > high.y) return;
-    const glm::ivec2 stamp_samples = stamp ? glm::ivec2(stamp->width(), stamp->height()) : glm::ivec2(2);
-    const DabStep step = dab_step(terrain.grid(), dab, stamp_samples);
     gpu::Program& program = program_of(dab.mode);
     terrain.bind(program);
     books.bind_storage(1);
-    set_dab(program, terrain, dab, 3);
     const TileBlock block = tile_block(terrain.tiles, tiles);
     program.set("first_tile", block.first);
-    program.set("dab_amount_m", step.amount_m);
-    program.set("dab_blend", step.blend);
-    program.set("dab_target_m", step.target_m);
-    program.set("dab_on_regolith", step.on_regolith);
-    if (dab.mode == BrushMode::ramp) program.set("dab_rise_m", step.rise_m);
-    if (dab.mode == BrushMode::noise) {
-        program.set("noise_kind", dab.noise.kind);
-        program.set("noise_octaves", dab.noise.octaves);
-        program.set("noise_gain", static_cast<float>(dab.noise.gain));
-        program.set("noise_warp", static_cast<float>(dab.noise.warp));
-        program.set("noise_seed", dab.noise.seed);
-        program.set("noise_wave_m", static_cast<float>(dab.noise.wavelength_m));
-    }
-    if (dab.mode == BrushMode::terrace) {
-        program.set("terrace_step_m", static_cast<float>(dab.step_m));
-        program.set("terrace_flat", static_cast<float>(dab.flat));
-    }
-    if (dab.mode == BrushMode::stamp && stamp) {
-        stamp->bind_image(4, gpu::Access::read);
-        program.set("stamp_samples", stamp_samples);
-        program.set("stamp_columns", step.stamp_columns);
-        program.set("stamp_rows", step.stamp_rows);
-        program.set("stamp_mode", static_cast<int>(dab.stamp.mode));
-    }
     program.set("dab_low", low);
     program.set("dab_high", high);
+    set(program);
     program.dispatch(block.size.x, block.size.y);
     terrain.settle({low.x, low.y, high.x - low.x + 1, high.y - low.y + 1});
+}
+
+void Brush::dab(Terrain& terrain, const Dab& dab, const gpu::Texture* stamp) {
+    run(terrain, dab, [&](gpu::Program& program) {
+        const glm::ivec2 stamp_samples = stamp ? glm::ivec2(stamp->width(), stamp->height()) : glm::ivec2(2);
+        const DabStep step = dab_step(terrain.grid(), dab, stamp_samples);
+        set_dab(program, terrain, dab, 3);
+        program.set("dab_amount_m", step.amount_m);
+        program.set("dab_blend", step.blend);
+        program.set("dab_target_m", step.target_m);
+        program.set("dab_on_regolith", step.on_regolith);
+        if (dab.mode == BrushMode::ramp) program.set("dab_rise_m", step.rise_m);
+        if (dab.mode == BrushMode::noise) {
+            program.set("noise_kind", dab.noise.kind);
+            program.set("noise_octaves", dab.noise.octaves);
+            program.set("noise_gain", static_cast<float>(dab.noise.gain));
+            program.set("noise_warp", static_cast<float>(dab.noise.warp));
+            program.set("noise_seed", dab.noise.seed);
+            program.set("noise_wave_m", static_cast<float>(dab.noise.wavelength_m));
+        }
+        if (dab.mode == BrushMode::terrace) {
+            program.set("terrace_step_m", static_cast<float>(dab.step_m));
+            program.set("terrace_flat", static_cast<float>(dab.flat));
+        }
+        if (dab.mode == BrushMode::stamp && stamp) {
+            stamp->bind_image(4, gpu::Access::read);
+            program.set("stamp_samples", stamp_samples);
+            program.set("stamp_columns", step.stamp_columns);
+            program.set("stamp_rows", step.stamp_rows);
+            program.set("stamp_mode", static_cast<int>(dab.stamp.mode));
+        }
+    });
+}
+
+void Brush::take_over(Terrain& terrain, const Dab& dab, const Terrain& eroded, double settled) {
+    run(terrain, dab, [&](gpu::Program& program) {
+        eroded.solid.front.bind_image(4, gpu::Access::read);
+        eroded.suspended->front.bind_image(5, gpu::Access::read);
+        program.set("erode_settled", static_cast<float>(settled));
+    });
 }
 
 }  // namespace talus

@@ -10,7 +10,7 @@
 
 namespace talus {
 
-enum class BrushMode { raise = 0, lower, smooth, flatten, ramp, noise, terrace, stamp };
+enum class BrushMode { raise = 0, lower, smooth, flatten, ramp, noise, terrace, stamp, erode };
 /// Their names as journals have them.
 const std::vector<std::string>& brush_mode_names();
 /// What raise adds; lower takes regolith before bedrock, or water alone. Hardness, mask and rain are painted:
@@ -48,6 +48,16 @@ struct StampPlacement {
     bool operator==(const StampPlacement&) const = default;
 };
 
+/// How a dab of erosion acts (sim/passes/erode_brush.h).
+struct ErodeSettings {
+    double rain_mm_per_h = 1000;  ///< in the middle
+    double time_s = 1;            ///< simulated
+    double acceleration = 100;    ///< how often each exchange counts for the ground
+    bool begins = true;           ///< on dry ground; else with the water of the dab before
+    bool ends = true;             ///< what the water carries settles where it is
+    bool operator==(const ErodeSettings&) const = default;
+};
+
 /// One dab: what a brush does to the ground in one moment. World coordinates, metres.
 struct Dab {
     BrushMode mode = BrushMode::raise;
@@ -72,6 +82,7 @@ struct Dab {
     double flat = 0.5;    ///< terrace: share of a step that is level, 0 … 0.99
     NoiseSettings noise = NoiseSettings();    ///< noise
     StampPlacement stamp = StampPlacement();  ///< stamp
+    ErodeSettings erode = ErodeSettings();    ///< erode
 
     /// Whether the dab changes the water rather than the ground.
     bool is_water() const {
@@ -135,12 +146,18 @@ class Brush {
     explicit Brush(const Terrain& terrain);
     /// Touches only the tiles that the dab reaches. `stamp`: heights 0 to 1, for a dab of it.
     void dab(Terrain& terrain, const Dab& dab, const gpu::Texture* stamp = nullptr);
+    /// Puts what an erode dab made of its window in place of the ground there. `settled`: metres of regolith
+    /// that a metre of its load becomes; 0: the load stays on its way.
+    void take_over(Terrain& terrain, const Dab& dab, const Terrain& eroded, double settled);
 
     /// Metres of bedrock in and out, and of regolith, four doubles a tile.
     gpu::Buffer books;
 
   private:
     gpu::Program& program_of(BrushMode mode);
+    /// Runs the dab's program on the samples that it can change; `set` sets what its mode needs.
+    template <typename Set>
+    void run(Terrain& terrain, const Dab& dab, Set&& set);
 
     std::map<BrushMode, gpu::Program> programs_;
 };

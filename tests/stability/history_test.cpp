@@ -40,7 +40,8 @@ class RandomActs {
 
     Dab dab(const Grid& grid, bool has_stamp) {
         Dab dab;
-        dab.mode = static_cast<BrushMode>(random_() % (has_stamp ? 8 : 7));
+        dab.mode = static_cast<BrushMode>(random_() % 9);
+        if (dab.mode == BrushMode::stamp && !has_stamp) dab.mode = BrushMode::raise;
         dab.material = static_cast<Material>(random_() % 6);
         dab.x_m = grid.width_m() * (1.2 * unit() - 0.1);
         dab.y_m = grid.height_m() * (1.2 * unit() - 0.1);
@@ -60,6 +61,8 @@ class RandomActs {
                      {60 + 200 * unit(), 60 + 200 * unit()},
                      360 * unit(),
                      random_() % 2 == 0};
+        dab.erode = {5000 * unit(), 0.5 + 3 * unit(), 1 + 500 * unit(), random_() % 4 == 0,
+                     random_() % 4 == 0};
         return dab;
     }
 

@@ -48,6 +48,31 @@ TEST(BrushStroke, BlendsAddUpToTheSameShare) {
     }
 }
 
+TEST(BrushStroke, ErodesForAsLongAsItIsHeldWithOneWater) {
+    Parameters parameters = view("erode");
+    parameters.set("erode.speed", 50.0);
+    for (const int frames : {1, 9, 40}) {
+        BrushStroke stroke(parameters, {}, {0, 0, 0}, 0);
+        std::vector<Dab> dabs;
+        for (int i = 1; i <= frames; ++i)
+            for (const Dab& dab : stroke.move(parameters, {90.0 * i / frames, 0, 0}, 2.0 / frames, nullptr))
+                dabs.push_back(dab);
+        const std::optional<Dab> last = stroke.end(parameters);
+        ASSERT_TRUE(last);
+        double time_s = 0;
+        for (const Dab& dab : dabs) time_s += dab.erode.time_s;
+        EXPECT_NEAR(time_s, 100, 1e-9);
+        EXPECT_LT(last->erode.time_s, 0.01);
+        EXPECT_EQ(last->x_m, 90);
+        for (std::size_t i = 0; i < dabs.size(); ++i) {
+            EXPECT_EQ(dabs[i].erode.begins, i == 0);
+            EXPECT_FALSE(dabs[i].erode.ends);
+        }
+        EXPECT_FALSE(last->erode.begins);
+        EXPECT_TRUE(last->erode.ends);
+    }
+}
+
 TEST(BrushStroke, CtrlTurnsAroundAndShiftSmooths) {
     const auto dab = [](const std::string& tool, const Modifiers& modifiers) {
         return tool_dab(view(tool), modifiers, 12, 1, nullptr);

@@ -1,0 +1,136 @@
+#include "sim/passes/erode_brush.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace talus {
+namespace {
+
+TerrainState flat(const Grid& grid) {
+    return bedrock_terrain(grid, std::vector<float>(grid.count(), 0.0F));
+}
+
+double inverse_cells(const Grid& grid) {
+    return 1 / grid.dx + 1 / grid.dy;
+}
+
+constexpr double courant = 0.5;         // shaders/maths/water_step.glsl
+// Rain runs off rough ground slowly and subcritically: Manning's n of sheet flow is 0.1 to 0.4 s/m^(1/3) (Engman
+// 1986). A torrent would hack steps across steep slopes instead of valleys along them.
+constexpr double manning_of_sheets = 0.3;
+constexpr double fastest_m_per_s = 5;
+// Steep mountains keep their faces: only what water undercut breaks.
+constexpr double steepest_bedrock_deg = 40;
+
+}  // namespace
+
+gpu::Region erode_window(const Grid& grid, const Dab& dab) {
+    // Half a radius beside the brush, and room for the solver's neighbours.
+    const auto half = [&](double spacing_m) {
+        return static_cast<int>(std::min(std::ceil(1.5 * dab.radius_m / spacing_m) + 2, 1e6));
+    };
+    const auto side = [](int half_side, int count) { return std::min(2 * half_side + 1, count); };
+    const auto first = [](double at, int half_side, int size, int count) {
+        const double middle = std::clamp(std::round(at), -1e6, 1e6);
+        return std::clamp(static_cast<int>(middle) - half_side, 0, count - size);
+    };
+    const int width = side(half(grid.dx), grid.nx);
+    const int height = side(half(grid.dy), grid.ny);
+    return {first(grid.column_of(dab.x_m), half(grid.dx), width, grid.nx),
+            first(grid.row_of(dab.y_m), half(grid.dy), height, grid.ny), width, height};
+}
+
+int erode_substeps(const Grid& grid, const Dab& dab) {
+    const double needed = dab.erode.time_s * fastest_m_per_s * inverse_cells(grid) / courant;
+    return static_cast<int>(std::clamp(std::ceil(needed), 1.0, 1024.0));
+}
+
+double erode_longest_s(const Grid& grid, const Dab& dab) {
+    const gpu::Region window = erode_window(grid, dab);
+    const double samples = static_cast<double>(window.width) * window.height;
+    const double substeps = std::clamp(12.0 * 128 * 128 / samples, 1.0, 12.0);
+    return substeps * courant / (fastest_m_per_s * inverse_cells(grid));
+}
+
+ErodeBrush::Patch::Patch(const Grid& grid)
+    : terrain((flat(grid))),
+      water((terrain.add_suspended(), terrain.add_painted(), terrain)),
+      thermal(terrain),
+      moved("erode brush water", grid.count() * sizeof(glm::vec4)) {}
+
+// The water stays where it is on the map when the window moves.
+void ErodeBrush::shift_water(glm::ivec2 by) {
+    if (by == glm::ivec2(0)) return;
+    const glm::ivec2 size(patch_->terrain.grid().nx, patch_->terrain.grid().ny);
+    const glm::ivec2 from = glm::max(by, 0);
+    const glm::ivec2 to = glm::max(-by, 0);
+    const glm::ivec2 both = size - glm::abs(by);
+    const auto shift = [&](gpu::Texture& layer) {
+        const bool meet = both.x > 0 && both.y > 0;
+        if (meet) layer.copy_to(patch_->moved, 0, WaterLayer::texels({from.x, from.y, both.x, both.y}));
+        layer.fill(0);
+        if (meet) layer.copy_from(patch_->moved, 0, WaterLayer::texels({to.x, to.y, both.x, both.y}));
+    };
+    shift(patch_->terrain.water->front);
+    shift(patch_->terrain.suspended->front);
+}
+
+void ErodeBrush::place(const Terrain& terrain, const Dab& dab) {
+    const gpu::Region window = erode_window(terrain.grid(), dab);
+    const Grid grid{window.width, window.height, terrain.grid().dx, terrain.grid().dy};
+    const bool fits = patch_ && patch_->terrain.grid() == grid;
+    if (!fits) patch_ = std::make_unique<Patch>(grid);
+    Terrain& patch = patch_->terrain;
+    if (!fits || dab.erode.begins) {
+        patch.water->front.fill(0);
+        patch.suspended->front.fill(0);
+    } else {
+        shift_water(glm::ivec2(window.x, window.y) - corner_);
+    }
+    corner_ = {window.x, window.y};
+
+    terrain.solid.front.bind_image(0, gpu::Access::read);
+    patch.solid.front.bind_image(1, gpu::Access::write);
+    patch.ground.bind_image(2, gpu::Access::write);
+    // Where nothing was painted another image stands in for it, unread.
+    (terrain.painted ? *terrain.painted : terrain.solid.front).bind_image(3, gpu::Access::read);
+    patch.painted->bind_image(4, gpu::Access::write);
+    set_dab(program_, terrain, dab, 3);
+    program_.set("window_corner", corner_);
+    program_.set("window_samples", glm::ivec2(grid.nx, grid.ny));
+    program_.set("is_painted", terrain.painted ? 1 : 0);
+    program_.set("erode_rain", static_cast<float>(dab.erode.rain_mm_per_h));
+    program_.dispatch((grid.nx + 15) / 16, (grid.ny + 15) / 16);
+    patch.solid.back.copy_from(patch.solid.front, patch.solid.front.whole());
+    patch.tiles.mark_all();
+}
+
+const Terrain& ErodeBrush::erode(const Terrain& terrain, const Dab& dab, WaterSettings water,
+                                 const std::optional<ThermalSettings>& thermal) {
+    place(terrain, dab);
+    Terrain& patch = patch_->terrain;
+    const Grid& grid = patch.grid();
+    if (thermal) {
+        ThermalSettings slopes = *thermal;
+        slopes.masked = true;
+        slopes.bedrock_deg = std::max(slopes.bedrock_deg, steepest_bedrock_deg);
+        slopes.rate_m2_per_s = natural_thermal_rate(grid, dab.erode.time_s, slopes.porosity);
+        patch_->thermal.substep(patch, thermal_step(grid, slopes, dab.erode.time_s, 1));
+    }
+    water.edges.fill(EdgeKind::open);
+    water.rain_m_per_s = 0;
+    water.rain_masked = false;
+    water.rain_painted = true;
+    water.wakes_slopes = false;
+    water.sediment.carried = true;
+    water.sediment.masked = true;
+    water.manning_s_per_m13 = manning_of_sheets;
+    water.sediment.acceleration = dab.erode.acceleration;
+    patch_->water.begin_tick(patch, water, {}, dab.erode.time_s, 0);
+    for (int i = erode_substeps(grid, dab); i > 0; --i) patch_->water.substep(patch);
+    going_ = !dab.erode.ends;
+    return patch;
+}
+
+}  // namespace talus

@@ -1,0 +1,56 @@
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "sim/passes/brush.h"
+#include "sim/passes/thermal.h"
+#include "sim/passes/water.h"
+#include "sim/terrain/terrain.h"
+
+namespace talus {
+
+/// The samples that an erode dab works on, within the map: a square around it, wide enough for what it takes
+/// to settle beside it. As large wherever the dab is.
+gpu::Region erode_window(const Grid& grid, const Dab& dab);
+
+/// Sub-steps of water that an erode dab is given: enough for its time where nothing is faster than 5 m/s;
+/// else less time passes. A number of its own asks the device for nothing.
+int erode_substeps(const Grid& grid, const Dab& dab);
+
+/// The longest time of a dab whose sub-steps a frame has room for, s.
+double erode_longest_s(const Grid& grid, const Dab& dab);
+
+/// A brush that erodes: the solvers of water, sediment and slopes run on a copy of the ground around it, with
+/// rain that falls, and rock that gives way, as far as the dab's weight says. Its water is its own: it comes
+/// with a stroke's first dab and goes with the last, and neither sees the map's water nor becomes it. What
+/// it carries beyond the copy is taken.
+class ErodeBrush {
+  public:
+    /// Whether a dab can go on with the water of the one before.
+    bool is_going() const { return going_; }
+    void stop() { going_ = false; }
+
+    /// Erodes the copy. Settings of water with those of its sediment, which say what gives way how easily;
+    /// `thermal`: none, slopes do not slide.
+    const Terrain& erode(const Terrain& terrain, const Dab& dab, WaterSettings water,
+                         const std::optional<ThermalSettings>& thermal);
+
+  private:
+    void place(const Terrain& terrain, const Dab& dab);
+    void shift_water(glm::ivec2 by);
+
+    // The copy and its solvers, which stay for the next dab of this size.
+    struct Patch {
+        explicit Patch(const Grid& grid);
+        Terrain terrain;
+        Water water;
+        Thermal thermal;
+        gpu::Buffer moved;
+    };
+    std::unique_ptr<Patch> patch_;
+    gpu::Program program_{"sim/erode_brush.comp"};
+    glm::ivec2 corner_{0};
+    bool going_ = false;
+};
+
+}  // namespace talus
