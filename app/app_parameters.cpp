@@ -63,7 +63,7 @@ std::vector<Parameter> app_parameters() {
         number("erode.speed", 60, 1e-3, 1e6, "s/s",
                "Erode: simulated seconds a second; unless set, it follows the spacing. A wide brush takes "
                "its time."),
-        number("erode.acceleration", 1000, 1, 1e5, "",
+        number("erode.acceleration", 3000, 1, 1e5, "",
                "Erode: how often what water takes and leaves counts for the ground. How easily rock gives "
                "way is "
                "erosion.erodibility and erosion.bedrock_erodibility."),

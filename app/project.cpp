@@ -59,16 +59,21 @@ void Project::serve(const PanelRequests& asked) {
                 open(request);
             });
         } else {
-            state_.import.read(*asked.import);
+            look_at({*asked.import});
         }
     }
-    if (asked.import_into) state_.import.read(*asked.import_into);
+    if (asked.look_at) look_at(*asked.look_at);
+    if (asked.import_here)
+        act_when_ready(fmt::format("Importing {}", asked.import_here->path),
+                       [wish = *asked.import_here] { return read_import(wish.path, wish.settings); });
     if (asked.open) when_saved([this, request = *asked.open] { open(request); });
     if (asked.save) {
         const auto then = std::exchange(after_saving_, nullptr);
         when_replaceable(*asked.save, [this, path = *asked.save, then] { save(path, then); });
     }
-    if (asked.stamp) session_.apply(read_stamp(*asked.stamp, {}));
+    if (asked.stamp)
+        act_when_ready(fmt::format("Reading {}", *asked.stamp),
+                       [path = *asked.stamp] { return read_stamp(path, {}); });
     if (asked.write)
         when_replaceable(asked.write->path.string(),
                          [this, settings = *asked.write] { export_files(settings); });
@@ -178,21 +183,31 @@ void Project::export_files(const ExportSettings& settings) {
     work_.start(fmt::format("Writing {}", settings.path.string()), write);
 }
 
-// Acts on the whole map; those that take long are made ready on a thread.
-void Project::act_on_map(const Operation& operation) {
-    const auto* to = std::get_if<Resample>(&operation);
-    if (!to) return session_.apply(operation);
-    session_.pause();
-    auto state = std::make_shared<TerrainState>(session_.simulation().read());
-    const auto make = [this, state, to = *to]() -> Work::Then {
-        Resample made = to;
-        made.made = std::make_shared<TerrainState>(resampled(*state, to.nx, to.ny));
-        return [this, made] {
-            session_.apply(made);
+void Project::look_at(const ImportWish& wish) {
+    work_.start(fmt::format("Reading {}", wish.path), [this, wish]() -> Work::Then {
+        return [this, found = preview_of(wish)] {
+            state_.import.show(found);
             voice_.changed();
         };
-    };
-    work_.start(name_of(operation), make);
+    });
+}
+
+void Project::act_on_map(const Operation& operation) {
+    if (!makes_terrain(operation)) return session_.apply(operation);
+    session_.pause();
+    auto state = std::make_shared<TerrainState>(session_.simulation().read());
+    act_when_ready(name_of(operation), [operation, state] { return made_ready(operation, *state); });
+}
+
+// What takes long is made ready on a thread.
+void Project::act_when_ready(const std::string& name, const std::function<Operation()>& make) {
+    session_.pause();
+    work_.start(name, [this, make]() -> Work::Then {
+        return [this, operation = make()] {
+            session_.apply(operation);
+            voice_.changed();
+        };
+    });
 }
 
 }  // namespace talus

@@ -45,7 +45,9 @@ class Project {
     void open(const SceneRequest& wish);
     void save(const std::string& path, const std::function<void()>& then);
     void export_files(const ExportSettings& settings);
+    void look_at(const ImportWish& wish);
     void act_on_map(const Operation& operation);
+    void act_when_ready(const std::string& name, const std::function<Operation()>& make);
     void reset();
     void remember(const std::string& path);
     void forget_recovered();

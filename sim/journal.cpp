@@ -223,9 +223,14 @@ void Journal::record(const Operation& operation) {
             return;
         }
     operations_.push_back(operation);
-    // What came from files is read again by whoever replays: it need not stay here.
+    // What was made of the terrain, or came from files, is there again when it is replayed: it need not stay
+    // here.
     Operation& last = operations_.back();
-    if (auto* to = std::get_if<Resample>(&last)) to->made.reset();
+    std::visit(
+        [](auto& one) {
+            if constexpr (requires { one.made; }) one.made.reset();
+        },
+        last);
     if (auto* import = std::get_if<Import>(&last)) import->state.reset();
     if (auto* choose = std::get_if<ChooseStamp>(&last)) choose->stamp.reset();
 }

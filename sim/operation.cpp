@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <utility>
+
+#include "sim/terrain/blur.h"
 
 namespace talus {
 namespace {
@@ -41,6 +44,43 @@ struct Namer {
 };
 
 }  // namespace
+
+TerrainState made_of(const Resample& to, const TerrainState& state) {
+    return resampled(state, to.nx, to.ny);
+}
+
+TerrainState made_of(const Crop& crop, const TerrainState& state) {
+    return cropped(state, crop.rectangle);
+}
+
+TerrainState made_of(const Turn& turn, const TerrainState& state) {
+    return turned(state, turn.quarters);
+}
+
+TerrainState made_of(const Blur& blur, const TerrainState& state) {
+    return blur.of_mask ? with_blurred_mask(state, blur.deviation_m)
+                        : with_blurred_ground(state, blur.deviation_m, blur.masked);
+}
+
+bool makes_terrain(const Operation& operation) {
+    return std::visit(
+        [](const auto& one) {
+            return requires {
+                made_of(one, TerrainState());
+            };
+        },
+        operation);
+}
+
+Operation made_ready(Operation operation, const TerrainState& state) {
+    std::visit(
+        [&](auto& one) {
+            if constexpr (requires { made_of(one, state); })
+                one.made = std::make_shared<TerrainState>(made_of(std::as_const(one), state));
+        },
+        operation);
+    return operation;
+}
 
 std::string name_of(const Operation& operation) {
     return std::visit(Namer(), operation);

@@ -41,13 +41,15 @@ struct Resample {
 /// What lies in a rectangle becomes the terrain; its south-west sample becomes the origin.
 struct Crop {
     Rectangle rectangle;
-    bool operator==(const Crop&) const = default;
+    std::shared_ptr<const TerrainState> made = nullptr;  ///< as of Resample
+    bool operator==(const Crop& other) const { return rectangle == other.rectangle; }
 };
 
 /// The terrain turns by quarters of a circle, counterclockwise, and with it the kinds of its edges.
 struct Turn {
     int quarters = 1;
-    bool operator==(const Turn&) const = default;
+    std::shared_ptr<const TerrainState> made = nullptr;  ///< as of Resample
+    bool operator==(const Turn& other) const { return quarters == other.quarters; }
 };
 
 /// A file that an operation reads. What it holds comes with the operation (app/sources.h): the simulation
@@ -83,13 +85,28 @@ using MakeMask = MaskSettings;
 struct Blur {
     double deviation_m = 0;
     bool of_mask = false;
-    bool masked = false;  ///< the ground: as far as the mask says
-    bool operator==(const Blur&) const = default;
+    bool masked = false;                                 ///< the ground: as far as the mask says
+    std::shared_ptr<const TerrainState> made = nullptr;  ///< as of Resample
+    bool operator==(const Blur& other) const {
+        return deviation_m == other.deviation_m && of_mask == other.of_mask && masked == other.masked;
+    }
 };
 
 /// One recorded act. Replaying a list of them gives the same terrain.
 using Operation = std::variant<Ticks, Dab, SetParameter, PlaceSpring, Resample, Crop, Turn, Import,
                                ChooseStamp, MakeMask, Blur>;
+
+/// What acts on the whole map make of a terrain, on the CPU alone. Throw talus::Error where that cannot be.
+TerrainState made_of(const Resample& to, const TerrainState& state);
+TerrainState made_of(const Crop& crop, const TerrainState& state);
+TerrainState made_of(const Turn& turn, const TerrainState& state);
+TerrainState made_of(const Blur& blur, const TerrainState& state);
+
+/// Whether it makes another terrain that way, which may take long.
+bool makes_terrain(const Operation& operation);
+/// The operation with what it makes of the terrain, so that a thread can make it ready; a simulation in this
+/// state only takes it over.
+Operation made_ready(Operation operation, const TerrainState& state);
 
 /// What a history calls it, e.g. "resample to 513 x 513".
 std::string name_of(const Operation& operation);

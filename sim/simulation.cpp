@@ -10,7 +10,6 @@
 
 #include "sim/gpu/error.h"
 #include "sim/pass_settings.h"
-#include "sim/terrain/blur.h"
 #include "sim/terrain/sea.h"
 
 namespace talus {
@@ -198,11 +197,11 @@ void Simulation::erode(const Dab& dab) {
 }
 
 void Simulation::act(const Resample& to) {
-    replace_terrain(to, to.made ? *to.made : resampled(read(), to.nx, to.ny), moment_.parameters);
+    replace_terrain(to, to.made ? *to.made : made_of(to, read()), moment_.parameters);
 }
 
 void Simulation::act(const Crop& crop) {
-    replace_terrain(crop, cropped(read(), crop.rectangle), moment_.parameters);
+    replace_terrain(crop, crop.made ? *crop.made : made_of(crop, read()), moment_.parameters);
 }
 
 void Simulation::act(const Turn& turn) {
@@ -217,7 +216,7 @@ void Simulation::act(const Turn& turn) {
         if (moment_.parameters.value(from) != moment_.parameters.value(to))
             parameters.set(to, moment_.parameters.value(from));
     }
-    replace_terrain(turn, turned(read(), quarters), parameters);
+    replace_terrain(turn, turn.made ? *turn.made : made_of(turn, read()), parameters);
 }
 
 void Simulation::act(const Import& import) {
@@ -253,18 +252,13 @@ void Simulation::act(const MakeMask& make) {
 }
 
 void Simulation::act(const Blur& blur) {
-    const Grid& grid = terrain_.grid();
-    const double most_m = 256 * std::min(grid.dx, grid.dy);
-    if (!(blur.deviation_m > 0 && blur.deviation_m <= most_m))
-        throw Error(fmt::format("a blur of {} m cannot be made, it must be above 0 and at most {:.6g} m",
-                                blur.deviation_m, most_m));
+    const TerrainState blurred = blur.made ? *blur.made : made_of(blur, read());
     record(blur, [&] {
         if (keeps_undo_) undo_.keep_all(terrain_);
-        const glm::dvec2 deviation = blur.deviation_m / glm::dvec2(grid.dx, grid.dy);
         if (blur.of_mask)
-            blur_mask(terrain_, deviation);
+            terrain_.write_painted(blurred.painted);
         else
-            book([&] { blur_ground(terrain_, deviation, blur.masked); });
+            book([&] { terrain_.write_solid(blurred); });
     });
 }
 
@@ -277,14 +271,17 @@ void Simulation::replace_terrain(const Operation& operation, const TerrainState&
                                             parameters.number("erosion.porosity")));
     check_tick(next.grid, parameters);
     Terrain terrain(next);
+    std::vector<Spring> springs = next.springs;
+    std::optional<Georeference> georeference = next.georeference;
     record(operation, [&] {
+        // What may fail comes first.
         if (keeps_undo_) undo_.keep_terrain(pack(terrain_));
-        moment_.parameters = parameters;
-        moment_.springs = next.springs;
-        moment_.georeference = next.georeference;
+        stand_on(std::move(terrain));
+        moment_.parameters = std::move(parameters);
+        moment_.springs = std::move(springs);
+        moment_.georeference = std::move(georeference);
         moment_.sea_m3 = 0;
         moment_.booked_m3 = 0;
-        stand_on(std::move(terrain));
         // Water that came with it has arrived.
         if (terrain_.water) inundation_->record(terrain_, moment_.clock.simulated_s);
         rain_painted_ = rain_painted_ || terrain_.painted.has_value();
@@ -296,17 +293,24 @@ void Simulation::stand_on(Terrain next) {
     Brush brush(next);
     Thermal thermal(next);
     auto ledger = std::make_unique<Ledger>(next);
+    std::unique_ptr<Water> water;
+    std::unique_ptr<WaterBrush> water_brush;
+    std::unique_ptr<Inundation> inundation;
+    if (next.water) {
+        water = std::make_unique<Water>(next);
+        water_brush = std::make_unique<WaterBrush>(next);
+        inundation = std::make_unique<Inundation>(next);
+    }
     asked_.sums.cancel();
     erode_brush_.reset();
-    water_.reset();
-    water_brush_.reset();
-    inundation_.reset();
+    water_ = std::move(water);
+    water_brush_ = std::move(water_brush);
+    inundation_ = std::move(inundation);
     terrain_ = std::move(next);
     brush_ = std::move(brush);
     thermal_ = std::move(thermal);
     ledger_ = std::move(ledger);
     ++terrain_number_;
-    if (terrain_.water) add_water();
 }
 
 void Simulation::withdraw_sea() {

@@ -27,8 +27,8 @@ std::size_t Undo::Entry::bytes() const {
 
 void Undo::open(std::string name, Terrain& terrain, const Books& books, const Journal& journal,
                 Moment before) {
-    undone_.clear();
     done_.push_back({std::move(name), {}, {}, {}, copies_of(books), std::move(before), journal.mark(), {}});
+    dropped_ = std::exchange(undone_, {});
     open_ = true;
     all_kept_ = false;
     // From here on the marks say what this entry changed.
@@ -73,8 +73,10 @@ void Undo::close(Terrain& terrain, const Journal& journal) {
     const Journal::Mark now = journal.mark();
     if (now.count == entry.mark.count && now.last == entry.mark.last) {
         done_.pop_back();
+        undone_ = std::exchange(dropped_, {});
         return;
     }
+    dropped_.clear();
     // A stroke kept only the tiles that it reached; after a run the device says which changed.
     if (all_kept_) {
         const std::vector<bool> changed = terrain.tiles.read(Tiles::undo);
@@ -91,6 +93,7 @@ void Undo::abandon() {
     if (!open_) return;
     open_ = false;
     done_.pop_back();
+    undone_ = std::exchange(dropped_, {});
 }
 
 void Undo::poll() {
@@ -156,8 +159,8 @@ void Undo::swap(Entry& entry, Terrain& terrain, const std::function<Books()>& bo
 void Undo::undo(Terrain& terrain, const std::function<Books()>& books, Journal& journal, Moment& now,
                 const ExchangeTerrain& exchange) {
     Entry& entry = done_.back();
-    entry.tail = journal.cut(entry.mark);
     swap(entry, terrain, books, now, exchange);
+    entry.tail = journal.cut(entry.mark);
     undone_.push_back(std::move(entry));
     done_.pop_back();
 }
@@ -165,9 +168,9 @@ void Undo::undo(Terrain& terrain, const std::function<Books()>& books, Journal& 
 void Undo::redo(Terrain& terrain, const std::function<Books()>& books, Journal& journal, Moment& now,
                 const ExchangeTerrain& exchange) {
     Entry& entry = undone_.back();
+    swap(entry, terrain, books, now, exchange);
     journal.restore(entry.mark, entry.tail);
     entry.tail.clear();
-    swap(entry, terrain, books, now, exchange);
     done_.push_back(std::move(entry));
     undone_.pop_back();
 }

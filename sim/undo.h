@@ -39,7 +39,7 @@ class Undo {
     /// Beyond this many bytes the oldest entries go.
     explicit Undo(std::size_t capacity_bytes) : capacity_bytes_(capacity_bytes) {}
 
-    /// Opens an entry and drops what could be redone. No entry may be open.
+    /// Opens an entry; what could be redone is dropped when it closes. No entry may be open.
     void open(std::string name, Terrain& terrain, const Books& books, const Journal& journal, Moment before);
     bool is_open() const { return open_; }
     /// True when the newest entry has this name and keeps no tiles, so that another change of the same
@@ -53,9 +53,10 @@ class Undo {
     /// Keeps the whole terrain: another one takes its place. Nothing may have been kept in this entry so far.
     void keep_terrain(PackedTerrain before);
     /// Ends the open entry, if there is one. Tiles that did not change are let go; an entry during which
-    /// nothing was recorded vanishes.
+    /// nothing was recorded vanishes as if it had never been.
     void close(Terrain& terrain, const Journal& journal);
-    /// Lets go of the open entry and of what it kept, without going back to it.
+    /// Lets go of the open entry and of what it kept, without going back to it; what could be redone still
+    /// can.
     void abandon();
     /// Moves on, without waiting, what is packed behind the acts' back. Once a frame.
     void poll();
@@ -103,6 +104,7 @@ class Undo {
     bool all_kept_ = false;
     std::deque<Entry> done_;
     std::vector<Entry> undone_;
+    std::vector<Entry> dropped_;  // could be redone before the open entry
 };
 
 }  // namespace talus

@@ -72,7 +72,7 @@ void accept(FileDialog& dialog, PanelRequests& requests) {
     } else if (dialog.purpose == FileDialog::Purpose::stamp) {
         requests.stamp = path;
     } else if (dialog.purpose == FileDialog::Purpose::import) {
-        requests.import_into = path;
+        requests.look_at = {path};
     } else {
         requests.import = path;
     }

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "app/panels/panels.h"
-#include "app/sources.h"
 #include "sim/gpu/error.h"
 
 namespace talus {
@@ -44,7 +43,8 @@ bool is_raw(const std::string& path) {
     return ending == ".raw" || ending == ".r16" || ending == ".r32";
 }
 
-void draw_settings(ImportDialog& dialog) {
+// Whether they are others now.
+bool draw_settings(ImportDialog& dialog) {
     bool changed = false;
     ImGui::PushItemWidth(8 * ImGui::GetFontSize());
     ImGui::InputDouble("m a sample", &dialog.spacing_m, 0, 0, "%.6g");
@@ -74,49 +74,62 @@ void draw_settings(ImportDialog& dialog) {
         }
     }
     ImGui::PopItemWidth();
-    if (changed) dialog.read(dialog.path);
+    return changed;
 }
 
 }  // namespace
 
-void ImportDialog::read(const std::string& file) {
-    if (file != path) settings = {};
-    path = file;
-    error.clear();
+ImportPreview preview_of(const ImportWish& wish) {
+    ImportPreview found;
+    found.wish = wish;
     try {
-        const Document document = open_document(file, settings);
+        const Document document = open_document(wish.path, wish.settings);
         Heightmap heightmap;
-        heightmap.grid = document.state.grid;
+        heightmap.grid = found.grid = document.state.grid;
         heightmap.heights = document.state.ground();
         const auto [low, high] = std::minmax_element(heightmap.heights.begin(), heightmap.heights.end());
-        samples = {heightmap.grid.nx, heightmap.grid.ny};
-        spacing_m = heightmap.grid.dx;
-        low_m = *low;
-        high_m = *high;
-        if (!settings.raw) raw_size = samples;
-        notes = document.notes;
-        kind = document.kind;
-        crs.clear();
+        found.low_m = *low;
+        found.high_m = *high;
+        found.notes = document.notes;
+        found.kind = document.kind;
         if (document.state.georeference) {
             const std::string& wkt = document.state.georeference->wkt;
             const auto quote = wkt.find('"');
-            crs =
+            found.crs =
                 quote == std::string::npos ? "" : wkt.substr(quote + 1, wkt.find('"', quote + 1) - quote - 1);
         }
         const glm::dvec2 extent(heightmap.grid.width_m(), heightmap.grid.height_m());
-        preview_size = glm::max(glm::ivec2(extent * (preview_side / std::max(extent.x, extent.y))), 2);
-        preview = gpu::Texture("import preview", gpu::Format::rgba8, preview_size.x, preview_size.y);
-        const std::vector<std::uint8_t> picture = hillshade(heightmap, preview_size);
-        preview.write(preview.whole(), std::as_bytes(std::span(picture)));
+        found.picture_size = glm::max(glm::ivec2(extent * (preview_side / std::max(extent.x, extent.y))), 2);
+        found.picture = hillshade(heightmap, found.picture_size);
     } catch (const std::exception& failed) {
-        error = failed.what();
-        preview = {};
+        found.error = failed.what();
     }
+    return found;
+}
+
+void ImportDialog::show(const ImportPreview& found) {
+    path = found.wish.path;
+    settings = found.wish.settings;
+    error = found.error;
+    preview = {};
+    if (!error.empty()) return;
+    samples = {found.grid.nx, found.grid.ny};
+    spacing_m = found.grid.dx;
+    low_m = found.low_m;
+    high_m = found.high_m;
+    if (!settings.raw) raw_size = samples;
+    notes = found.notes;
+    kind = found.kind;
+    crs = found.crs;
+    preview_size = found.picture_size;
+    preview = gpu::Texture("import preview", gpu::Format::rgba8, preview_size.x, preview_size.y);
+    preview.write(preview.whole(), std::as_bytes(std::span(found.picture)));
 }
 
 void draw_import_dialog(PanelContext& context) {
     ImportDialog& dialog = context.state.import;
-    if (dialog.path.empty()) return;
+    // While the file is read the way to give that up is before all else.
+    if (dialog.path.empty() || is_shown(context.work)) return;
     const float em = ImGui::GetFontSize();
     ImGui::OpenPopup("How the file is read");
     ImGui::SetNextWindowSize({48 * em, 0});
@@ -149,9 +162,9 @@ void draw_import_dialog(PanelContext& context) {
     }
     ImGui::PopTextWrapPos();
     ImGui::Spacing();
-    draw_settings(dialog);
+    if (draw_settings(dialog)) context.requests.look_at = {dialog.path, dialog.settings};
     ImGui::EndChild();
-    const bool good = dialog.error.empty();
+    const bool good = dialog.error.empty() && !context.work.busy();
     bool ended = false;
     if (button("Open it", "as a scene of its own", good)) {
         SceneRequest request;
@@ -163,9 +176,7 @@ void draw_import_dialog(PanelContext& context) {
     }
     ImGui::SameLine();
     if (button("Import it", "in place of this terrain, as an act that can be undone; settings go on", good)) {
-        context.requests.acts.emplace_back([path = dialog.path, settings = dialog.settings](Session& s) {
-            s.apply(read_import(path, settings));
-        });
+        context.requests.import_here = {dialog.path, dialog.settings};
         ended = true;
     }
     ImGui::SameLine();

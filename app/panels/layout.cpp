@@ -93,8 +93,8 @@ PictureArea picture_area(const PanelState& state, glm::ivec2 size) {
 }
 
 bool PanelRequests::any() const {
-    return open || save || import || import_into || stamp || write || map || reset || undo || redo ||
-           framing || !acts.empty() || answer;
+    return open || save || import || look_at || import_here || stamp || write || map || reset || undo ||
+           redo || framing || !acts.empty() || answer;
 }
 
 bool is_dialog_open(const PanelState& state) {

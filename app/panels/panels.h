@@ -15,15 +15,22 @@
 
 namespace talus {
 
+/// A file, and how it is read.
+struct ImportWish {
+    std::string path;
+    ImportSettings settings = ImportSettings();
+};
+
 /// What panels ask the window to do, once the frame's panels are done.
 struct PanelRequests {
-    std::optional<SceneRequest> open;        ///< another scene; unsaved work is asked about
-    std::optional<std::string> save;         ///< the document, to this path
-    std::optional<std::string> import;       ///< a file, by the import dialog
-    std::optional<std::string> import_into;  ///< a file, by the same dialog, whatever kind it is of
-    std::optional<std::string> stamp;        ///< a file, as the stamp
-    std::optional<ExportSettings> write;     ///< files for other programs
-    std::optional<Operation> map;            ///< an act on the whole map, which may take long
+    std::optional<SceneRequest> open;       ///< another scene; unsaved work is asked about
+    std::optional<std::string> save;        ///< the document, to this path
+    std::optional<std::string> import;      ///< a file, by the import dialog
+    std::optional<ImportWish> look_at;      ///< a file, shown by the same dialog, whatever kind it is of
+    std::optional<ImportWish> import_here;  ///< a file in place of the terrain
+    std::optional<std::string> stamp;       ///< a file, as the stamp
+    std::optional<ExportSettings> write;    ///< files for other programs
+    std::optional<Operation> map;           ///< an act on the whole map, which may take long
     bool reset = false;
     bool undo = false;
     bool redo = false;
@@ -57,6 +64,22 @@ struct FileDialog {
     void begin(Purpose what, const std::string& near);
 };
 
+/// What a file holds when it is read so.
+struct ImportPreview {
+    ImportWish wish;
+    std::string error;  ///< what is wrong with it; else:
+    Grid grid;
+    float low_m = 0;
+    float high_m = 0;
+    std::vector<std::string> notes;
+    std::string kind;
+    std::string crs;
+    std::vector<std::uint8_t> picture;  ///< RGBA, of its ground
+    glm::ivec2 picture_size{0};
+};
+/// Reads it. Takes long where the file is large; touches no OpenGL.
+ImportPreview preview_of(const ImportWish& wish);
+
 /// A heightmap that is to be opened or imported: how it is read, and what it looks like then.
 struct ImportDialog {
     std::string path;  ///< empty: the dialog is not there
@@ -74,8 +97,8 @@ struct ImportDialog {
     glm::ivec2 samples{0};
     gpu::Texture preview;
     glm::ivec2 preview_size{0};
-    /// Reads the file with the settings. What is wrong with it stands in `error` then.
-    void read(const std::string& file);
+    /// Shows what was found.
+    void show(const ImportPreview& found);
 };
 
 /// Files for other programs: what is written and what gets lost.
@@ -164,6 +187,8 @@ void draw_export_dialog(PanelContext& context);
 void draw_question(PanelContext& context);
 /// A bar for long work, with a button to give it up.
 void draw_work(const Work& work, bool& cancelled);
+/// Whether it goes on for long enough to be shown.
+bool is_shown(const Work& work);
 void draw_status_line(const Session& session, const StatusFigures& figures, int width, int height);
 /// Where gauges stand in the picture, and the line of a ramp that is being drawn.
 void draw_marks(const Session& session, const PictureArea& area);

@@ -21,7 +21,7 @@ constexpr double courant = 0.5;         // shaders/maths/water_step.glsl
 constexpr double manning_of_sheets = 0.3;
 constexpr double fastest_m_per_s = 5;
 // Steep mountains keep their faces: only what water undercut breaks.
-constexpr double steepest_bedrock_deg = 40;
+constexpr double steepest_bedrock_deg = 45;
 
 }  // namespace
 

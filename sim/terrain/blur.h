@@ -3,12 +3,12 @@
 
 namespace talus {
 
-/// Blurs the ground by a Gaussian of this standard deviation (samples east and south): what is lower after it
-/// is taken, regolith first, what is higher is bedrock. `masked`: as far as the painted mask says. Waits for
-/// the device.
-void blur_ground(Terrain& terrain, glm::dvec2 deviation, bool masked);
+/// The terrain with its ground blurred by a Gaussian of this standard deviation: what is lower after it is
+/// taken, regolith first, what is higher is bedrock. `masked`: as far as the painted mask says. Throws
+/// talus::Error when the deviation is not above 0 and at most 256 samples.
+TerrainState with_blurred_ground(TerrainState state, double deviation_m, bool masked);
 
-/// Blurs the painted mask. Waits for the device.
-void blur_mask(Terrain& terrain, glm::dvec2 deviation);
+/// The same with the painted mask blurred.
+TerrainState with_blurred_mask(TerrainState state, double deviation_m);
 
 }  // namespace talus

@@ -43,11 +43,6 @@ Terrain::Terrain(const TerrainState& state)
     ground = image("ground", gpu::Format::r32f);
     start = image("start", gpu::Format::rg32f);
     const gpu::Region all = ground.whole();
-    std::vector<glm::vec4> texels;
-    texels.reserve(state.bedrock.size());
-    for (std::size_t i = 0; i < state.bedrock.size(); ++i)
-        texels.emplace_back(state.bedrock[i], state.regolith[i]);
-    solid.front.write(all, std::as_bytes(std::span(texels)));
     std::vector<glm::vec2> words(state.bedrock.size());
     for (std::size_t i = 0; i < words.size(); ++i) {
         const glm::dvec2 sum = glm::dvec2(state.bedrock[i]) + glm::dvec2(state.regolith[i]);
@@ -56,7 +51,7 @@ Terrain::Terrain(const TerrainState& state)
         words[i].y = static_cast<float>(height - words[i].x);
     }
     start.write(all, std::as_bytes(std::span(words)));
-    refresh(all);
+    write_solid(state);
     if (!state.water.empty()) {
         add_water();
         write_water(all, state.water);
@@ -69,10 +64,7 @@ Terrain::Terrain(const TerrainState& state)
         add_suspended();
         suspended->front.write(WaterLayer::texels(all), std::as_bytes(std::span(state.suspended)));
     }
-    if (!state.painted.empty()) {
-        add_painted();
-        painted->write(all, std::as_bytes(std::span(state.painted)));
-    }
+    write_painted(state.painted);
 }
 
 void Terrain::add_water() {
@@ -106,6 +98,22 @@ std::array<OptionalLayer, 4> Terrain::optional_layers() {
             OptionalLayer{inundation ? &*inundation : nullptr, gpu::Format::rg32f, 0},
             OptionalLayer{suspended ? &suspended->front : nullptr, gpu::Format::rg32f, WaterLayer::ghosts},
             OptionalLayer{painted ? &*painted : nullptr, gpu::Format::rgba32f, 0}};
+}
+
+void Terrain::write_solid(const TerrainState& state) {
+    std::vector<glm::vec4> texels;
+    texels.reserve(state.bedrock.size());
+    for (std::size_t i = 0; i < state.bedrock.size(); ++i)
+        texels.emplace_back(state.bedrock[i], state.regolith[i]);
+    solid.front.write(solid.front.whole(), std::as_bytes(std::span(texels)));
+    refresh(solid.front.whole());
+}
+
+void Terrain::write_painted(std::span<const glm::vec4> values) {
+    if (values.empty()) return;
+    add_painted();
+    painted->write(painted->whole(), std::as_bytes(values));
+    tiles.mark_all();
 }
 
 void Terrain::write_water(const gpu::Region& samples, std::span<const glm::vec4> values) {

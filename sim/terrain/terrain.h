@@ -114,6 +114,10 @@ class Terrain {
     void add_painted();
     /// All layers beside the solid, in an order that stays: what undo keeps.
     std::array<OptionalLayer, 4> optional_layers();
+    /// Puts bedrock and regolith of a state of this size in place of those that are there.
+    void write_solid(const TerrainState& state);
+    /// Puts what was painted in place of what is there; empty: nothing is painted, and nothing changes.
+    void write_painted(std::span<const glm::vec4> painted);
     /// Puts these samples, rows of depth (two words) and discharge, in place of the water there.
     void write_water(const gpu::Region& samples, std::span<const glm::vec4> water);
 

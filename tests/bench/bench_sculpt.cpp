@@ -39,6 +39,20 @@ struct Place {
         }
         simulation.end_entry();
     }
+    // Half a second of the tool erode, as a window makes it.
+    void erosion() {
+        simulation.begin_stroke("erode");
+        for (int i = 0; i < 16; ++i) {
+            Dab dab;
+            dab.mode = BrushMode::erode;
+            dab.x_m = 2500 + 10 * i;
+            dab.y_m = 2500;
+            dab.radius_m = 256;
+            dab.erode = {5000, 2, 3000, i == 0, i == 15};
+            simulation.apply(dab);
+        }
+        simulation.end_entry();
+    }
     // One dab, and the picture with it.
     void dab_and_picture() {
         Dab dab;
@@ -61,6 +75,8 @@ void bench_sculpt(double patch_pixels) {
     Place large(4096, patch_pixels);
     const std::vector<double> strokes =
         interleave({{"stroke, 512", [&] { small.stroke(); }}, {"stroke, 4096", [&] { large.stroke(); }}}, 9);
+    const std::vector<double> erosions = interleave(
+        {{"erosion, 512", [&] { small.erosion(); }}, {"erosion, 4096", [&] { large.erosion(); }}}, 9);
     const std::vector<double> pictures =
         interleave({{"dab and picture, 512", [&] { small.dab_and_picture(); }},
                     {"dab and picture, 4096", [&] { large.dab_and_picture(); }}},
@@ -68,6 +84,11 @@ void bench_sculpt(double patch_pixels) {
     fmt::print(
         "200 dabs of 256 m, CPU time a dab: 512 a side {:.3f} ms, 4096 a side {:.3f} ms, ratio {:.2f}\n",
         5 * strokes[0], 5 * strokes[1], strokes[1] / strokes[0]);
+    fmt::print(
+        "16 dabs of erosion of 256 m and 2 s each, CPU time a dab: 512 a side {:.2f} ms, 4096 a side {:.2f} "
+        "ms, "
+        "ratio {:.2f}\n",
+        62.5 * erosions[0], 62.5 * erosions[1], erosions[1] / erosions[0]);
     fmt::print("a dab and the picture after it: 512 a side {:.2f} ms, 4096 a side {:.2f} ms\n",
                1e3 * pictures[0], 1e3 * pictures[1]);
 }

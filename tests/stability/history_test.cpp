@@ -212,6 +212,44 @@ TEST(History, StaysUnderItsCap) {
     EXPECT_LT(simulation.undo_history().done().size(), static_cast<std::size_t>(acts));
 }
 
+TEST(History, AStrokeThatDidNothingTakesNoRedo) {
+    const gpu::Context context;
+    Simulation simulation(mountains(70, 70, 6), Parameters(simulation_parameters()), std::size_t{1} << 30U);
+    simulation.apply(everywhere(simulation.terrain().grid(), Dab{BrushMode::raise, 0, 0, 1, 1, 12}));
+    const Seen raised = seen(simulation);
+    simulation.undo();
+    simulation.begin_stroke("raise");
+    simulation.end_entry();
+    ASSERT_TRUE(simulation.can_redo());
+    simulation.redo();
+    EXPECT_EQ(seen(simulation), raised);
+    simulation.undo();
+    simulation.begin_stroke("lower");
+    simulation.apply(everywhere(simulation.terrain().grid(), Dab{BrushMode::lower, 0, 0, 1, 1, 12}));
+    simulation.end_entry();
+    EXPECT_FALSE(simulation.can_redo());
+}
+
+// What a thread made ready is what the act makes itself.
+TEST(History, ActsThatWereMadeReadyAreTheSame) {
+    const gpu::Context context;
+    const Operation acts[] = {Resample{90, 60},       Crop{{100, 200, 900, 1000}}, Turn{1},
+                              Blur{40, false, false}, Blur{40, false, true},       Blur{30, true, false}};
+    for (const Operation& act : acts) {
+        ASSERT_TRUE(makes_terrain(act));
+        std::vector<std::uint64_t> hashes;
+        for (const bool ready : {false, true}) {
+            Simulation simulation(mountains(70, 70, 6), Parameters(simulation_parameters()));
+            simulation.apply(SetParameter{"water.sea_level", 200.0});
+            simulation.apply(MakeMask{MaskSource::height, 300, 600, 50});
+            simulation.apply(ready ? made_ready(act, simulation.read()) : act);
+            hashes.push_back(state_hash(simulation.read()));
+        }
+        EXPECT_EQ(hashes[0], hashes[1]) << name_of(act);
+    }
+    EXPECT_FALSE(makes_terrain(Ticks{1}));
+}
+
 // A sea that fills imported ground was in no inundation map: the first dab of water brought it there, and
 // undo left it.
 TEST(History, WaterThatComesWithAnImportIsInTheInundationMapAtOnce) {
