@@ -272,6 +272,22 @@ void Session::step() {
     simulation_->end_entry();
 }
 
+Ring Session::ring(glm::dvec2 at_m) {
+    Ring ring;
+    ring.at_m = at_m;
+    ring.radius_m = scene_.view.number("brush.radius_m");
+    const Stamp* stamp = simulation_->stamp();
+    if (!stamp || scene_.view.choice("brush.tool") != "stamp") return ring;
+    const Dab dab = tool_dab(scene_.view, {}, 0, 0, stamp);
+    const DabStep step = dab_step(grid(), dab, {stamp->grid.nx, stamp->grid.ny});
+    ring.radius_m = dab.radius_m;
+    ring.stamp = &simulation_->stamp_texture();
+    // A dab counts rows southwards.
+    ring.stamp_columns = {step.stamp_columns.x, -step.stamp_columns.y};
+    ring.stamp_rows = {step.stamp_rows.x, -step.stamp_rows.y};
+    return ring;
+}
+
 void Session::begin_stroke(glm::dvec3 at, const Modifiers& modifiers) {
     stroke_.emplace(scene_.view, modifiers, at, strokes_++);
     stroke_owed_s_ = 0;

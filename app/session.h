@@ -87,6 +87,8 @@ class Session {
     /// Dabs that strokes made so far, and the wall time that the newest had waited for since the ones before.
     int dabs() const { return dabs_; }
     double dabs_waited_s() const { return dabs_waited_s_; }
+    /// What the brush shows of itself there.
+    Ring ring(glm::dvec2 at_m);
     /// The stroke that is being made; none: none is.
     const std::optional<BrushStroke>& stroke_made() const { return stroke_; }
 

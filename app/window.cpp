@@ -408,8 +408,7 @@ class Window {
         settings_ = view_settings(session_.view());
         settings_.quick = moving && scale_ < 0.6;
         if (hand_.cursor() && !ImGui::GetIO().WantCaptureMouse)
-            settings_.ring_m = {hand_.cursor()->x, hand_.cursor()->y,
-                                session_.view().number("brush.radius_m")};
+            settings_.ring = session_.ring(*hand_.cursor());
         // A shader that does not compile is told, and the last picture stays.
         try {
             Terrain& terrain = session_.simulation().terrain();

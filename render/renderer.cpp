@@ -66,14 +66,14 @@ Drawn Renderer::draw(Terrain& terrain, const Camera& camera, const ViewSettings&
                      int height) {
     resize(width, height);
     Picture picture{camera, settings, width, height, terrain.tiles.changes()};
-    picture.settings.ring_m = glm::dvec3(0);
+    picture.settings.ring = {};
     // What throws half way leaves nothing to build on.
     const std::optional<Picture> before = std::exchange(drawn_, std::nullopt);
     const Drawn drawn = redraw(terrain, picture, before);
     drawn_ = picture;
     follow_bounds(drawn != Drawn::nothing);
-    ringed_ = settings.ring_m.z > 0;
-    ring_m_ = settings.ring_m;
+    ringed_ = settings.ring.radius_m > 0;
+    ring_on_ = settings.ring;
     if (drawn != Drawn::nothing) refinement_.restart();
     if (ringed_) draw_ring(terrain.grid());
     return drawn;
@@ -181,11 +181,11 @@ gpu::Region Renderer::ring_region(const Picture& picture) const {
     glm::dvec2 low(1e9);
     glm::dvec2 high(-1e9);
     // As wide as its line besides.
-    const double reach = 1.1 * ring_m_.z;
+    const double reach = 1.1 * ring_on_.radius_m;
     const glm::dvec2 heights(bounds_.x - reach, bounds_.y + reach);
     for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 point(ring_m_.x + ((corner & 1) != 0 ? reach : -reach),
-                               ring_m_.y + ((corner & 2) != 0 ? reach : -reach), heights[corner >> 2]);
+        const glm::dvec3 point(ring_on_.at_m.x + ((corner & 1) != 0 ? reach : -reach),
+                               ring_on_.at_m.y + ((corner & 2) != 0 ? reach : -reach), heights[corner >> 2]);
         const std::optional<glm::dvec2> at = place_in_picture(picture.camera, rays, point);
         if (!at) return {0, 0, picture.width, picture.height};
         low = glm::min(low, *at);
@@ -199,19 +199,28 @@ gpu::Region Renderer::ring_region(const Picture& picture) const {
 
 void Renderer::draw_ring(const Grid& grid) {
     const Picture& picture = *drawn_;
-    set_camera(ring_, grid, picture.camera, picture.width, picture.height);
+    if (ring_on_.stamp && !stamp_ring_)
+        stamp_ring_.emplace(std::vector<std::string>{"render/fullscreen.vert", "render/ring.frag"},
+                            std::vector<std::string>{"STAMP 1"});
+    gpu::Program& ring = ring_on_.stamp ? *stamp_ring_ : ring_;
+    set_camera(ring, grid, picture.camera, picture.width, picture.height);
     target_.hits().bind_sampled(4);
     (refined() ? refinement_.mean() : colour_).bind_sampled(5);
     // As wide at any resolution, but never thinner than a pixel.
     const double pixels = std::max(1.3 * picture.height / 720, 0.6);
-    ring_.set("ring_angle",
-              static_cast<float>(pixels * picture.camera.fov_deg * std::numbers::pi / 180 / picture.height));
-    ring_.set("ring_m",
-              glm::vec3(ring_m_.x - picture.camera.eye.x, ring_m_.y - picture.camera.eye.y, ring_m_.z));
+    ring.set("ring_angle",
+             static_cast<float>(pixels * picture.camera.fov_deg * std::numbers::pi / 180 / picture.height));
+    ring.set("ring_m",
+             glm::vec3(glm::dvec2(ring_on_.at_m) - glm::dvec2(picture.camera.eye), ring_on_.radius_m));
+    if (ring_on_.stamp) {
+        ring_on_.stamp->bind_sampled(6);
+        ring.set("stamp_columns", glm::vec2(ring_on_.stamp_columns));
+        ring.set("stamp_rows", glm::vec2(ring_on_.stamp_rows));
+    }
     const gpu::Region all{0, 0, picture.width, picture.height};
     ringed_colour_.copy_from(refined() ? refinement_.mean() : colour_, all);
     ringed_buffer_.bind(all, ring_region(picture));
-    ring_.draw_fullscreen();
+    ring.draw_fullscreen();
     ringed_buffer_.bind(all);
 }
 

@@ -93,6 +93,7 @@ class Renderer {
     gpu::Texture ground_colour_;  // the picture under the water
     gpu::Framebuffer ground_colour_buffer_;
     gpu::Program ring_;
+    std::optional<gpu::Program> stamp_ring_;  // once a stamp was shown
     double patch_pixels_;
     HitsTarget target_;
     Refinement refinement_;
@@ -101,7 +102,7 @@ class Renderer {
     gpu::Framebuffer colour_buffer_;
     gpu::Framebuffer ringed_buffer_;
     bool ringed_ = false;
-    glm::dvec3 ring_m_{0};
+    Ring ring_on_;
     gpu::Readback lowest_readback_;
     gpu::Readback highest_readback_;
     glm::dvec2 bounds_{0};

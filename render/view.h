@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "render/camera.h"
+#include "sim/gpu/texture.h"
 #include "sim/parameters.h"
 
 namespace talus {
@@ -47,6 +48,16 @@ struct Legend {
 /// The parameters of drawing (law 8): they change the picture, never the terrain.
 std::vector<Parameter> render_parameters();
 
+/// What lies on the ground under the mouse: a brush's ring, or a stamp as it would be pressed.
+struct Ring {
+    glm::dvec2 at_m{0};
+    double radius_m = 0;                  ///< 0: nothing lies there
+    const gpu::Texture* stamp = nullptr;  ///< heights, 0 to 1; none: a ring
+    glm::dvec2 stamp_columns{0};          ///< of the stamp, a metre east and north, from its middle
+    glm::dvec2 stamp_rows{0};
+    bool operator==(const Ring&) const = default;
+};
+
 /// What the renderer takes from those parameters.
 struct ViewSettings {
     std::string method = "hybrid";
@@ -69,7 +80,7 @@ struct ViewSettings {
     /// Leaves out what is costly and little missed where frames are late: shadows, and ground that water
     /// mirrors.
     bool quick = false;
-    glm::dvec3 ring_m{0};  ///< brush ring: world x, y, radius; radius 0: none
+    Ring ring;
     bool operator==(const ViewSettings&) const = default;
 };
 ViewSettings view_settings(const Parameters& parameters);

@@ -169,13 +169,7 @@ void Simulation::act(const Dab& wanted) {
             water_brush_->dab(terrain_, dab);
             inundation_->record(terrain_, moment_.clock.simulated_s);
         } else if (dab.mode == BrushMode::stamp) {
-            if (stamp_there_ != moment_.stamp) {
-                stamp_there_ = moment_.stamp;
-                stamp_texture_ =
-                    gpu::Texture("stamp", gpu::Format::r32f, stamp_there_->grid.nx, stamp_there_->grid.ny);
-                stamp_texture_.write(stamp_texture_.whole(), std::as_bytes(std::span(stamp_there_->heights)));
-            }
-            brush_.dab(terrain_, dab, &stamp_texture_);
+            brush_.dab(terrain_, dab, &stamp_texture());
         } else if (dab.mode == BrushMode::erode) {
             erode(dab);
         } else {
@@ -194,6 +188,16 @@ void Simulation::erode(const Dab& dab) {
     const double settled =
         dab.erode.ends ? dab.erode.acceleration * bulking_of(parameters.number("erosion.porosity")) : 0;
     brush_.take_over(terrain_, dab, eroded, settled);
+}
+
+const gpu::Texture& Simulation::stamp_texture() {
+    if (stamp_there_ != moment_.stamp) {
+        const Stamp& stamp = *moment_.stamp;
+        stamp_texture_ = gpu::Texture("stamp", gpu::Format::r32f, stamp.grid.nx, stamp.grid.ny);
+        stamp_texture_.write(stamp_texture_.whole(), std::as_bytes(std::span(stamp.heights)));
+        stamp_there_ = moment_.stamp;
+    }
+    return stamp_texture_;
 }
 
 void Simulation::act(const Resample& to) {

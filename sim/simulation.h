@@ -80,6 +80,8 @@ class Simulation {
     const std::vector<Spring>& springs() const { return moment_.springs; }
     /// What dabs of a stamp press; none: nothing was chosen.
     const Stamp* stamp() const { return moment_.stamp.get(); }
+    /// Its heights on the device; there must be one.
+    const gpu::Texture& stamp_texture();
     /// Sub-steps of water so far. Waits for the device.
     Water::Work water_work() const;
     /// The whole state. Waits for the device.

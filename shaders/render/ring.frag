@@ -1,4 +1,4 @@
-// The picture with the brush's ring and its middle on the ground.
+// The picture with the brush's ring and its middle on the ground; with STAMP, the stamp as it would be pressed there.
 #include "maths/glsl_types.glsl"
 #include "render/picture.glsl"
 
@@ -6,6 +6,12 @@ layout(location = 0) out vec4 colour_out;
 
 layout(binding = 4) uniform sampler2D hits;
 layout(binding = 5) uniform sampler2D picture_colour;
+
+#ifdef STAMP
+layout(binding = 6) uniform sampler2D stamp;
+uniform vec2 stamp_columns;  // of the stamp, a metre east and north, from its middle
+uniform vec2 stamp_rows;
+#endif
 
 uniform real ring_angle;  // radians that the ring's line covers
 uniform real3 ring_m;     // x, y over the eye's, radius
@@ -15,10 +21,24 @@ void main() {
     float distance_m = texelFetch(hits, pixel, 0).r;
     vec2 at = picture_position();
     vec3 way = normalize(ray_forward + at.x * ray_right + at.y * ray_up);
-    float from_middle = length(distance_m * way.xy - ring_m.xy);
+    vec2 aside = distance_m * way.xy - ring_m.xy;
+    float from_middle = length(aside);
     // Lines lie on the ground: the flatter the ray, the longer they are for the eye.
     float line = distance_m * ring_angle / max(abs(way.z), 0.15);
+#ifdef STAMP
+    vec2 last = vec2(textureSize(stamp, 0) - 1);
+    vec2 sample_at = vec2(dot(aside, stamp_columns), dot(aside, stamp_rows)) + 0.5 * last;
+    // Metres to the nearest edge, above 0 within.
+    vec2 metres = 1.0 / vec2(length(stamp_columns), length(stamp_rows));
+    vec2 within = min(sample_at, last - sample_at) * metres;
+    float inside = min(within.x, within.y);
+    // Its heights as light and dark, by their levels.
+    float height = texelFetch(stamp, ivec2(clamp(sample_at + 0.5, vec2(0), last)), 0).r;
+    float shown = inside > 0.0 ? 0.15 + 0.55 * floor(height * 10.0) / 10.0 : 0.0;
+    float ring = max(shown, 1.0 - smoothstep(line, 2.0 * line, abs(inside)));
+#else
     float ring = 1.0 - smoothstep(line, 2.0 * line, abs(from_middle - ring_m.z));
+#endif
     float centre = 1.0 - smoothstep(1.5 * line, 2.5 * line, from_middle);
     vec4 colour = texelFetch(picture_colour, pixel, 0);
     bool ground = !isinf(distance_m);

@@ -154,6 +154,17 @@ Heightmap read_geographic(const fs::path& path, const ImportSettings& settings) 
             t[2] = -t[2];
             heightmap.notes.push_back("the file stores its south row first, its rows were turned round");
         }
+        if (t[1] < 0) {
+            for (int row = 0; row < ny; ++row) {
+                const auto begin = heightmap.heights.begin() + static_cast<std::ptrdiff_t>(row) * nx;
+                std::reverse(begin, begin + nx);
+            }
+            t[0] += t[1] * nx;
+            t[3] += t[4] * nx;
+            t[1] = -t[1];
+            t[4] = -t[4];
+            heightmap.notes.push_back("the file's columns run westwards, they were turned round");
+        }
         heightmap.grid.dx = std::hypot(t[1], t[4]);
         heightmap.grid.dy = std::hypot(t[2], t[5]);
         if (system && system->IsGeographic()) {

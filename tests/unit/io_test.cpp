@@ -194,6 +194,36 @@ TEST_F(Files, SpacingGivenByHandDropsTheOldPlaceOnEarth) {
     EXPECT_EQ(read_heightmap(path("s.tif"), {}).grid.dx, 5);
 }
 
+// Files whose rows run northwards, or columns westwards, show the same terrain at the same place.
+TEST_F(Files, RowsAndColumnsThatRunBackwardsAreTurnedRound) {
+    Heightmap placed = rough(23, 17);
+    const double width_m = placed.grid.nx * placed.grid.dx;
+    const double height_m = placed.grid.ny * placed.grid.dy;
+    placed.georeference = Georeference{"", {1000, 30, 0, 2000, 0, -20}};
+    for (const bool northwards : {false, true})
+        for (const bool westwards : {false, true}) {
+            Heightmap stored = placed;
+            for (int y = 0; y < stored.grid.ny; ++y)
+                for (int x = 0; x < stored.grid.nx; ++x) {
+                    const int row = northwards ? stored.grid.ny - 1 - y : y;
+                    const int column = westwards ? stored.grid.nx - 1 - x : x;
+                    stored.heights[static_cast<std::size_t>(y) * stored.grid.nx + x] =
+                        placed.heights[static_cast<std::size_t>(row) * stored.grid.nx + column];
+                }
+            stored.georeference->transform = {westwards ? 1000 + width_m : 1000,
+                                              westwards ? -30.0 : 30.0,
+                                              0,
+                                              northwards ? 2000 - height_m : 2000,
+                                              0,
+                                              northwards ? 20.0 : -20.0};
+            write_heightmap(path("t.tif"), stored, std::nullopt);
+            const Heightmap read = read_heightmap(path("t.tif"), {});
+            EXPECT_EQ(read.heights, placed.heights) << northwards << westwards;
+            EXPECT_EQ(read.georeference->transform, placed.georeference->transform)
+                << northwards << westwards;
+        }
+}
+
 TEST_F(Files, PipesAreWrittenIntoAndReadOnlyFilesAreNot) {
     ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
     std::string got;
