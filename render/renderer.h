@@ -49,7 +49,7 @@ class Renderer {
     const gpu::Texture& hits() const { return target_.hits(); }
     const Pyramid& pyramid() const { return pyramid_; }
 
-    /// Top row first; waits for the device.
+    /// The picture with its ring, top row first; waits for the device.
     std::vector<std::uint8_t> read_rgb(int width, int height) const;
     std::vector<float> read_depth(int width, int height) const;
     /// Lowest and highest sample of the terrain, a frame or two old: read without waiting. 0 before the
