@@ -159,9 +159,7 @@ class Window {
         });
         glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int code, int action, int mods) {
             self(w)->wake();
-            if (action != GLFW_RELEASE)
-                press_key(key, mods, self(w)->session_, self(w)->state_, self(w)->requests_);
-            self(w)->typed_.push_back({key, code, action, mods, 0});
+            self(w)->hear_key(key, code, action, mods);
         });
         glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int mouse_button, int action, int mods) {
             self(w)->wake();
@@ -177,12 +175,23 @@ class Window {
         });
         glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned letter) {
             self(w)->wake();
-            self(w)->typed_.push_back({0, 0, 0, 0, letter});
+            self(w)->typed_.push_back({0, 0, 0, 0, letter, false});
         });
         glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { self(w)->wake(); });
         glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { self(w)->wake(); });
         glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { self(w)->wake(); });
         glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { self(w)->wake(); });
+    }
+
+    // A shortcut acts at once; where something is typed, Enter and Escape come after what was typed before
+    // them.
+    void hear_key(int key, int code, int action, int mods) {
+        const bool typing =
+            is_dialog_open(state_) || ImGui::GetIO().WantTextInput ||
+            std::any_of(typed_.begin(), typed_.end(), [](const Typed& one) { return one.waits; });
+        const bool presses = action != GLFW_RELEASE;
+        if (presses && !typing) press_key(key, mods, session_, state_, requests_);
+        typed_.push_back({key, code, action, mods, 0, presses && typing});
     }
 
     // Panels look at keys once a frame: one that is let go in the frame in which another was pressed would
@@ -197,6 +206,7 @@ class Window {
                 ImGui_ImplGlfw_CharCallback(window_, typed.letter);
             } else {
                 pressed = pressed || typed.action == GLFW_PRESS;
+                if (typed.waits) press_key(typed.key, typed.mods, session_, state_, requests_);
                 ImGui_ImplGlfw_KeyCallback(window_, typed.key, typed.code, typed.action, typed.mods);
             }
             ++passed;
@@ -490,6 +500,7 @@ class Window {
         int action;
         int mods;
         unsigned letter;  // 0: it is a key
+        bool waits;       // its shortcut was not looked at yet
     };
     std::vector<Typed> typed_;  // since the last frame
     bool refining_ = false;
