@@ -4,20 +4,21 @@ real3 colour_map(real share) {
     real x = min(max(share, real(0)), real(1)) * real(4);
     real3 a = real3(real(0.267), real(0.005), real(0.329));
     real3 b = real3(real(0.229), real(0.322), real(0.546));
-    if (x > real(1)) { a = b; b = real3(real(0.128), real(0.567), real(0.551)); }
-    if (x > real(2)) { a = b; b = real3(real(0.369), real(0.789), real(0.383)); }
-    if (x > real(3)) { a = b; b = real3(real(0.993), real(0.906), real(0.144)); }
+    if (x >= real(1)) { a = b; b = real3(real(0.128), real(0.567), real(0.551)); }
+    if (x >= real(2)) { a = b; b = real3(real(0.369), real(0.789), real(0.383)); }
+    if (x >= real(3)) { a = b; b = real3(real(0.993), real(0.906), real(0.144)); }
     real w = x - floor(min(x, real(3.999)));
     return a + (b - a) * w;
 }
 
-// A colour scale that ends where it begins, for directions: north blue, east green, south yellow, west red.
+// A colour scale that ends where it begins, for directions: from north, blue, to south, yellow, and from east, dark, to
+// west, light; two axes that colour-blind people tell apart too.
 real3 direction_map(real share) {
     real x = (share - floor(share)) * real(4);
     real3 north = real3(real(0.27), real(0.42), real(0.78));
-    real3 east = real3(real(0.35), real(0.70), real(0.45));
-    real3 south = real3(real(0.95), real(0.85), real(0.40));
-    real3 west = real3(real(0.80), real(0.35), real(0.40));
+    real3 east = real3(real(0.13), real(0.27), real(0.23));
+    real3 south = real3(real(0.93), real(0.75), real(0.20));
+    real3 west = real3(real(0.97), real(0.91), real(0.94));
     real3 a = x < real(1) ? north : x < real(2) ? east : x < real(3) ? south : west;
     real3 b = x < real(1) ? east : x < real(2) ? south : x < real(3) ? west : north;
     return a + (b - a) * (x - floor(x));
