@@ -226,7 +226,9 @@ void Renderer::draw_ring(const Grid& grid) {
 
 std::vector<std::uint8_t> Renderer::read_rgb(int width, int height) const {
     std::vector<std::uint8_t> rgba(static_cast<std::size_t>(width) * height * 4);
-    (ringed_ ? ringed_colour_ : refined() ? refinement_.mean() : colour_)
+    (ringed_     ? ringed_colour_
+     : refined() ? refinement_.mean()
+                 : colour_)
         .read({0, 0, width, height}, std::as_writable_bytes(std::span(rgba)));
     std::vector<std::uint8_t> rgb;
     rgb.reserve(static_cast<std::size_t>(width) * height * 3);

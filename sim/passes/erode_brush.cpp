@@ -15,9 +15,9 @@ double inverse_cells(const Grid& grid) {
     return 1 / grid.dx + 1 / grid.dy;
 }
 
-constexpr double courant = 0.5;         // shaders/maths/water_step.glsl
-// Rain runs off rough ground slowly and subcritically: Manning's n of sheet flow is 0.1 to 0.4 s/m^(1/3) (Engman
-// 1986). A torrent would hack steps across steep slopes instead of valleys along them.
+constexpr double courant = 0.5;  // shaders/maths/water_step.glsl
+// Rain runs off rough ground slowly and subcritically: Manning's n of sheet flow is 0.1 to 0.4 s/m^(1/3)
+// (Engman 1986). A torrent would hack steps across steep slopes instead of valleys along them.
 constexpr double manning_of_sheets = 0.3;
 constexpr double fastest_m_per_s = 5;
 // Steep mountains keep their faces: only what water undercut breaks.

@@ -143,10 +143,10 @@ TEST(ErodeBrush, ItsWaterStaysWhereItIsWhenTheBrushMoves) {
         glm::dvec2 moment(0);
         for (std::size_t i = 0; i < grid.count(); ++i) {
             const double gain = static_cast<double>(after.regolith[i].x) - before.regolith[i].x;
-            const auto nx = static_cast<std::size_t>(grid.nx);
+            const int column = static_cast<int>(i) % grid.nx;
+            const int row = static_cast<int>(i) / grid.nx;
             settled += gain;
-            moment +=
-                gain * glm::dvec2(i % nx, static_cast<double>(grid.ny - 1) - static_cast<double>(i / nx));
+            moment += gain * glm::dvec2(column, grid.ny - 1 - row);
         }
         ASSERT_GT(settled, 0.01);
         const glm::dvec2 middle_m = 10.0 * moment / settled;

@@ -35,8 +35,9 @@ struct Plane {
         return differs;
     }
     static glm::dvec2 place_of(std::size_t pixel) {
-        return {static_cast<double>(pixel % side_px) + 0.5,
-                side_px - static_cast<double>(pixel / side_px) - 0.5};
+        const int column = static_cast<int>(pixel) % side_px;
+        const int row = static_cast<int>(pixel) / side_px;
+        return {column + 0.5, side_px - row - 0.5};
     }
     gpu::Context context;
     Grid grid{41, 41, 10, 10};
