@@ -194,6 +194,7 @@ void Project::look_at(const ImportWish& wish) {
 
 void Project::act_on_map(const Operation& operation) {
     if (!makes_terrain(operation)) return session_.apply(operation);
+    session_.end_stroke();
     session_.pause();
     auto state = std::make_shared<TerrainState>(session_.simulation().read());
     act_when_ready(name_of(operation), [operation, state] { return made_ready(operation, *state); });
@@ -201,9 +202,12 @@ void Project::act_on_map(const Operation& operation) {
 
 // What takes long is made ready on a thread.
 void Project::act_when_ready(const std::string& name, const std::function<Operation()>& make) {
+    session_.end_stroke();
     session_.pause();
-    work_.start(name, [this, make]() -> Work::Then {
-        return [this, operation = make()] {
+    work_.start(name, [this, make, revision = session_.revision()]() -> Work::Then {
+        return [this, operation = make(), revision]() mutable {
+            // It was made of what was there then.
+            if (makes_terrain(operation) && session_.revision() != revision) forget_made(operation);
             session_.apply(operation);
             voice_.changed();
         };

@@ -330,6 +330,7 @@ void Session::apply(const Operation& operation) {
     pause();
     simulation_->apply(operation);
     simulation_->end_entry();
+    if (const Stamp* stamp = simulation_->stamp()) scene_.view.suggest("stamp.relief_m", stamp->relief_m);
     follow_terrain();
 }
 

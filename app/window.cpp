@@ -307,9 +307,15 @@ class Window {
         PanelRequests asked;
         std::swap(asked, requests_);
         // Long work has the session to itself.
-        if (project_.work().busy()) return;
+        const auto waits = [&] {
+            const bool busy = project_.work().busy();
+            if (busy && asked.any()) tell(fmt::format("{} goes on: wait for it", project_.work().name()));
+            return busy;
+        };
+        if (waits()) return;
         if (asked.answer) attempt(asked.answer);
         attempt([&] { project_.serve(asked); });
+        if (project_.work().busy()) return title();
         for (const auto& act : asked.acts) attempt([&] { act(session_); });
         if (asked.undo) attempt([&] { session_.undo(); });
         if (asked.redo) attempt([&] { session_.redo(); });
@@ -417,10 +423,10 @@ class Window {
     void draw_picture(glm::dvec2 mouse, glm::ivec2 size, glm::ivec2 drawn_size, bool moving) {
         settings_ = view_settings(session_.view());
         settings_.quick = moving && scale_ < 0.6;
-        if (hand_.cursor() && !ImGui::GetIO().WantCaptureMouse)
-            settings_.ring = session_.ring(*hand_.cursor());
         // A shader that does not compile is told, and the last picture stays.
         try {
+            if (hand_.cursor() && !ImGui::GetIO().WantCaptureMouse)
+                settings_.ring = session_.ring(*hand_.cursor());
             Terrain& terrain = session_.simulation().terrain();
             const Drawn drawn =
                 session_.renderer().draw(terrain, session_.camera(), settings_, drawn_size.x, drawn_size.y);

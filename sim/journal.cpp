@@ -225,14 +225,7 @@ void Journal::record(const Operation& operation) {
     operations_.push_back(operation);
     // What was made of the terrain, or came from files, is there again when it is replayed: it need not stay
     // here.
-    Operation& last = operations_.back();
-    std::visit(
-        [](auto& one) {
-            if constexpr (requires { one.made; }) one.made.reset();
-        },
-        last);
-    if (auto* import = std::get_if<Import>(&last)) import->state.reset();
-    if (auto* choose = std::get_if<ChooseStamp>(&last)) choose->stamp.reset();
+    forget_made(operations_.back());
 }
 
 Journal::Mark Journal::mark() const {

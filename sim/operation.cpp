@@ -82,6 +82,20 @@ Operation made_ready(Operation operation, const TerrainState& state) {
     return operation;
 }
 
+void forget_made(Operation& operation) {
+    std::visit(
+        [](auto& one) {
+            if constexpr (requires { one.made; }) one.made.reset();
+            if constexpr (requires { one.state; }) one.state.reset();
+            if constexpr (requires {
+                              one.source;
+                              one.stamp;
+                          })
+                one.stamp.reset();
+        },
+        operation);
+}
+
 std::string name_of(const Operation& operation) {
     return std::visit(Namer(), operation);
 }

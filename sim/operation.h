@@ -108,6 +108,9 @@ bool makes_terrain(const Operation& operation);
 /// state only takes it over.
 Operation made_ready(Operation operation, const TerrainState& state);
 
+/// Lets go of what was made ready, or came from files.
+void forget_made(Operation& operation);
+
 /// What a history calls it, e.g. "resample to 513 x 513".
 std::string name_of(const Operation& operation);
 

@@ -162,7 +162,7 @@ void Simulation::act(const Dab& wanted) {
     record(dab, [&] {
         if (keeps_undo_) undo_.keep(terrain_, terrain_.tiles.touched_by(dab_region(terrain_.grid(), dab)));
         // Where nothing was painted the mask is 0.
-        if (dab.masked && !terrain_.painted) return;
+        if (dab.masked && !terrain_.painted && dab.mode != BrushMode::erode) return;
         if (dab.is_paint()) {
             paint_.dab(terrain_, dab);
         } else if (dab.is_water()) {
@@ -188,6 +188,7 @@ void Simulation::erode(const Dab& dab) {
     const double settled =
         dab.erode.ends ? dab.erode.acceleration * bulking_of(parameters.number("erosion.porosity")) : 0;
     brush_.take_over(terrain_, dab, eroded, settled);
+    erode_brush_->set_going(!dab.erode.ends);
 }
 
 const gpu::Texture& Simulation::stamp_texture() {
@@ -275,6 +276,9 @@ void Simulation::replace_terrain(const Operation& operation, const TerrainState&
                                             parameters.number("erosion.porosity")));
     check_tick(next.grid, parameters);
     Terrain terrain(next);
+    // Water that came with it has arrived.
+    if (terrain.water) Inundation(terrain).record(terrain, moment_.clock.simulated_s);
+    const LedgerStart start = Ledger(terrain).begin(terrain, weights_of(parameters));
     std::vector<Spring> springs = next.springs;
     std::optional<Georeference> georeference = next.georeference;
     record(operation, [&] {
@@ -286,10 +290,8 @@ void Simulation::replace_terrain(const Operation& operation, const TerrainState&
         moment_.georeference = std::move(georeference);
         moment_.sea_m3 = 0;
         moment_.booked_m3 = 0;
-        // Water that came with it has arrived.
-        if (terrain_.water) inundation_->record(terrain_, moment_.clock.simulated_s);
         rain_painted_ = rain_painted_ || terrain_.painted.has_value();
-        moment_.ledger = ledger_->begin(terrain_, weights_of(moment_.parameters));
+        moment_.ledger = start;
     });
 }
 
@@ -401,7 +403,7 @@ void Simulation::exchange(UndoWay way) {
             return present;
         });
     // Its water belongs to acts that may be undone now.
-    if (erode_brush_) erode_brush_->stop();
+    if (erode_brush_) erode_brush_->set_going(false);
     terrain_.tiles.mark_all();
 }
 

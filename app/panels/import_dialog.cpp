@@ -128,8 +128,7 @@ void ImportDialog::show(const ImportPreview& found) {
 
 void draw_import_dialog(PanelContext& context) {
     ImportDialog& dialog = context.state.import;
-    // While the file is read the way to give that up is before all else.
-    if (dialog.path.empty() || is_shown(context.work)) return;
+    if (dialog.path.empty()) return;
     const float em = ImGui::GetFontSize();
     ImGui::OpenPopup("How the file is read");
     ImGui::SetNextWindowSize({48 * em, 0});
@@ -162,9 +161,9 @@ void draw_import_dialog(PanelContext& context) {
     }
     ImGui::PopTextWrapPos();
     ImGui::Spacing();
-    if (draw_settings(dialog)) context.requests.look_at = {dialog.path, dialog.settings};
+    if (draw_settings(dialog)) dialog.show(preview_of({dialog.path, dialog.settings}));
     ImGui::EndChild();
-    const bool good = dialog.error.empty() && !context.work.busy();
+    const bool good = dialog.error.empty();
     bool ended = false;
     if (button("Open it", "as a scene of its own", good)) {
         SceneRequest request;

@@ -187,8 +187,6 @@ void draw_export_dialog(PanelContext& context);
 void draw_question(PanelContext& context);
 /// A bar for long work, with a button to give it up.
 void draw_work(const Work& work, bool& cancelled);
-/// Whether it goes on for long enough to be shown.
-bool is_shown(const Work& work);
 void draw_status_line(const Session& session, const StatusFigures& figures, int width, int height);
 /// Where gauges stand in the picture, and the line of a ramp that is being drawn.
 void draw_marks(const Session& session, const PictureArea& area);

@@ -31,13 +31,9 @@ void draw_question(PanelContext& context) {
     ImGui::EndPopup();
 }
 
-bool is_shown(const Work& work) {
-    // What is short needs no bar.
-    return work.busy() && work.seconds() >= 0.3;
-}
-
 void draw_work(const Work& work, bool& cancelled) {
-    if (!is_shown(work)) return;
+    // What is short needs no bar.
+    if (!work.busy() || work.seconds() < 0.3) return;
     const ImVec2 middle = ImGui::GetMainViewport()->GetCenter();
     ImGui::SetNextWindowPos(middle, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSize({24 * ImGui::GetFontSize(), 0});

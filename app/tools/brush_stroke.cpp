@@ -108,12 +108,25 @@ BrushStroke::BrushStroke(const Parameters& view, const Modifiers& modifiers, glm
     name_ = tool_ == "height" ? tool_ : name_of(dab);
 }
 
+const Parameters& BrushStroke::settings(const Parameters& view) {
+    if (tool_ == "erode") {
+        if (!held_) held_ = view;
+        return *held_;
+    }
+    if (modifiers_.smooth || view.choice("brush.tool") == tool_) return view;
+    held_ = view;
+    held_->set("brush.tool", tool_);
+    return *held_;
+}
+
 double BrushStroke::unit() {
     return random_() / 4294967296.0;
 }
 
 Dab BrushStroke::jittered(const Parameters& view, Dab dab, glm::dvec2 place) {
-    const double reach_m = view.number("brush.jitter") * view.number("brush.radius_m");
+    // Water that jumps about would be cut off on the way.
+    const double jitter = tool_ == "erode" ? 0 : view.number("brush.jitter");
+    const double reach_m = jitter * view.number("brush.radius_m");
     if (reach_m > 0) {
         // A point of the disc, by rejection: without sine or cosine.
         glm::dvec2 offset(1);
@@ -128,7 +141,9 @@ Dab BrushStroke::jittered(const Parameters& view, Dab dab, glm::dvec2 place) {
     return dab;
 }
 
-std::vector<Dab> BrushStroke::move(const Parameters& view, glm::dvec3 at, double wall_s, const Stamp* stamp) {
+std::vector<Dab> BrushStroke::move(const Parameters& present, glm::dvec3 at, double wall_s,
+                                   const Stamp* stamp) {
+    const Parameters& view = settings(present);
     const double spacing_m = view.number("brush.spacing") * view.number("brush.radius_m");
     std::vector<Dab> dabs;
     // Each dab of erosion runs solvers: a few of them follow the hand.
@@ -165,8 +180,9 @@ std::vector<Dab> BrushStroke::move(const Parameters& view, glm::dvec3 at, double
     return dabs;
 }
 
-std::optional<Dab> BrushStroke::end(const Parameters& view) const {
+std::optional<Dab> BrushStroke::end(const Parameters& present) {
     if (tool_ != "ramp" && tool_ != "erode") return std::nullopt;
+    const Parameters& view = settings(present);
     Dab dab = tool_dab(view, modifiers_, begin_.z, 0, nullptr);
     if (tool_ == "erode") {
         if (!begun_) return std::nullopt;

@@ -42,16 +42,20 @@ class BrushStroke {
     std::vector<Dab> move(const Parameters& view, glm::dvec3 at, double wall_s, const Stamp* stamp);
     /// The dab that is made when the hand lets go: of a ramp, from where it began; of erosion, which lets
     /// settle what its water carries.
-    std::optional<Dab> end(const Parameters& view) const;
+    std::optional<Dab> end(const Parameters& view);
     glm::dvec3 begin() const { return begin_; }
     glm::dvec3 at() const { return at_; }
 
   private:
+    /// The parameters that it goes by: the tool that it began with; erosion, all that it began with, for its
+    /// water has one strength and one size.
+    const Parameters& settings(const Parameters& view);
     Dab jittered(const Parameters& view, Dab dab, glm::dvec2 place);
     double unit();
 
     Modifiers modifiers_;
     std::string tool_;
+    std::optional<Parameters> held_;
     std::string name_;
     glm::dvec3 begin_;
     glm::dvec3 at_;

@@ -157,7 +157,8 @@ void main() {
             fastest = max(fastest, water_speed(after));
 #endif
 #endif
-            bool moves = !change.rests || here.z != real(0) || here.w != real(0);
+            // By its bits: a resting -0 becomes 0.
+            bool moves = !change.rests || (floatBitsToUint(here.z) | floatBitsToUint(here.w)) != 0u;
 #ifdef SOURCES
             moves = moves || after.x > real(0) || loss > real(0);
 #endif

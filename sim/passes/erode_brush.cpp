@@ -108,6 +108,8 @@ void ErodeBrush::place(const Terrain& terrain, const Dab& dab) {
 
 const Terrain& ErodeBrush::erode(const Terrain& terrain, const Dab& dab, WaterSettings water,
                                  const std::optional<ThermalSettings>& thermal) {
+    // Until the dab is done.
+    going_ = false;
     place(terrain, dab);
     Terrain& patch = patch_->terrain;
     const Grid& grid = patch.grid();
@@ -129,7 +131,6 @@ const Terrain& ErodeBrush::erode(const Terrain& terrain, const Dab& dab, WaterSe
     water.sediment.acceleration = dab.erode.acceleration;
     patch_->water.begin_tick(patch, water, {}, dab.erode.time_s, 0);
     for (int i = erode_substeps(grid, dab); i > 0; --i) patch_->water.substep(patch);
-    going_ = !dab.erode.ends;
     return patch;
 }
 

@@ -28,7 +28,8 @@ class ErodeBrush {
   public:
     /// Whether a dab can go on with the water of the one before.
     bool is_going() const { return going_; }
-    void stop() { going_ = false; }
+    /// Says so: after a dab that was done, unless it was its stroke's last.
+    void set_going(bool going) { going_ = going; }
 
     /// Erodes the copy. Settings of water with those of its sediment, which say what gives way how easily;
     /// `thermal`: none, slopes do not slide.

@@ -33,7 +33,7 @@ for panel in Ledger Simulation Water Erosion View Mask Map History Gauges Preset
     import -window root "$(echo "$panel" | tr 'A-Z' 'a-z').png"
 done
 xdotool key space
-for tool in noise terrace stamp; do
+for tool in noise terrace erode stamp; do
     click "$tool"
     sleep 1
     import -window root "tool_$tool.png"

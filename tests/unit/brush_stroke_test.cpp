@@ -73,6 +73,29 @@ TEST(BrushStroke, ErodesForAsLongAsItIsHeldWithOneWater) {
     }
 }
 
+// Keys that are pressed under a stroke: erosion goes on as it began, for its water has one size and one
+// strength; other strokes take a new size, and none another tool.
+TEST(BrushStroke, KeepsItsTool) {
+    Parameters parameters = view("erode");
+    BrushStroke erosion(parameters, {}, {0, 0, 0}, 0);
+    erosion.move(parameters, {10, 0, 0}, 0.1, nullptr);
+    Parameters others = view("raise");
+    others.set("brush.radius_m", 300.0);
+    others.set("erode.acceleration", 7.0);
+    for (const Dab& dab : erosion.move(others, {20, 0, 0}, 0.1, nullptr)) {
+        EXPECT_EQ(dab.mode, BrushMode::erode);
+        EXPECT_EQ(dab.radius_m, 100);
+        EXPECT_EQ(dab.erode.acceleration, parameters.number("erode.acceleration"));
+    }
+    ASSERT_TRUE(erosion.end(others));
+    EXPECT_EQ(erosion.end(others)->mode, BrushMode::erode);
+    BrushStroke raise(view("raise"), {}, {0, 0, 0}, 0);
+    for (const Dab& dab : raise.move(parameters, {20, 0, 0}, 0.1, nullptr))
+        EXPECT_EQ(dab.mode, BrushMode::raise);
+    for (const Dab& dab : raise.move(others, {30, 0, 0}, 0.1, nullptr)) EXPECT_EQ(dab.radius_m, 300);
+    EXPECT_FALSE(raise.end(parameters));
+}
+
 TEST(BrushStroke, CtrlTurnsAroundAndShiftSmooths) {
     const auto dab = [](const std::string& tool, const Modifiers& modifiers) {
         return tool_dab(view(tool), modifiers, 12, 1, nullptr);
