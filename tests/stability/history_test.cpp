@@ -259,16 +259,21 @@ TEST(History, ActsThatWereMadeReadyAreTheSame) {
 // undo of the run left it.
 TEST(History, ACurrentOfMinusZeroComesBackToo) {
     const gpu::Context context;
-    TerrainState state = mountains(100, 75, 3);
-    for (const glm::vec2& bedrock : state.bedrock)
-        state.water.emplace_back(std::max(0.0F, 400.0F - bedrock.x), 0.0F, -0.0F, -0.0F);
-    Simulation simulation(state, Parameters(simulation_parameters()), std::size_t{1} << 30U);
+    const Grid grid{100, 75, 20, 25};
+    TerrainState state = bedrock_terrain(grid, std::vector<float>(grid.count(), 50.0F));
+    state.water.assign(grid.count(), glm::vec4(3, 0, -0.0F, -0.0F));
+    Parameters parameters((simulation_parameters()));
+    for (const char* edge : {"north", "south", "west", "east"})
+        parameters.set(std::string("water.boundary.") + edge, std::string("wall"));
+    Simulation simulation(state, parameters, std::size_t{1} << 30U);
     const Seen before = seen(simulation);
     simulation.apply(Ticks{1});
     simulation.end_entry();
     simulation.undo();
     EXPECT_EQ(seen(simulation), before);
-    simulation.apply(SetParameter{"water.sea_level", 300.0});
+    // The turn of a lake at rest makes none.
+    simulation.apply(Ticks{1});
+    simulation.end_entry();
     simulation.apply(Turn{2});
     for (const glm::vec4& water : simulation.read().water)
         ASSERT_FALSE((water.z == 0 && std::signbit(water.z)) || (water.w == 0 && std::signbit(water.w)));
