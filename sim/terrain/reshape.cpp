@@ -86,8 +86,7 @@ TerrainState turned_once(const TerrainState& state) {
     TerrainState next = same_moment(state);
     next.grid = {old.ny, old.nx, old.dy, old.dx};
     move_samples(state, next, [&](int x, int y) { return glm::ivec2(old.nx - 1 - y, x); });
-    // What rests stays at 0, not at -0.
-    for (glm::vec4& water : next.water) water = {water.x, water.y, 0.0F - water.w, water.z};
+    for (glm::vec4& water : next.water) water = {water.x, water.y, -water.w, water.z};
     for (Spring& spring : next.springs)
         spring = {old.height_m() - spring.y_m, spring.x_m, spring.rate_m3_per_s};
     // What was turned lies there no more.
