@@ -43,6 +43,11 @@ ThermalSettings thermal_settings(const Parameters& parameters) {
     return settings;
 }
 
+void follow_repose(Parameters& parameters) {
+    for (const char* name : {"thermal.bedrock_deg", "thermal.wet_deg"})
+        parameters.suggest(name, parameters.number("thermal.repose_deg"));
+}
+
 // As the shaders count them, so that their roundings are not taken for solid.
 SolidWeights weights_of(const Parameters& parameters) {
     return {1 / static_cast<double>(bulking_of(parameters.number("erosion.porosity"))),

@@ -24,6 +24,7 @@ Simulation::Simulation(const TerrainState& state, const Parameters& parameters, 
     moment_.parameters.suggest("thermal.rate_m2_per_s",
                                natural_thermal_rate(state.grid, parameters.number("time.tick_s"),
                                                     parameters.number("erosion.porosity")));
+    follow_repose(moment_.parameters);
     check_tick(state.grid, moment_.parameters);
     if (terrain_.water) {
         add_water();
@@ -125,6 +126,7 @@ void Simulation::act(const SetParameter& set) {
         changed.suggest("thermal.rate_m2_per_s",
                         natural_thermal_rate(terrain_.grid(), changed.number("time.tick_s"),
                                              changed.number("erosion.porosity")));
+    follow_repose(changed);
     check_tick(terrain_.grid(), changed);
     const bool fills = set.name == "water.sea_level";
     if (fills) withdraw_sea();
