@@ -85,13 +85,9 @@ Operation made_ready(Operation operation, const TerrainState& state) {
 void forget_made(Operation& operation) {
     std::visit(
         [](auto& one) {
-            if constexpr (requires { one.made; }) one.made.reset();
-            if constexpr (requires { one.state; }) one.state.reset();
-            if constexpr (requires {
-                              one.source;
-                              one.stamp;
-                          })
-                one.stamp.reset();
+            if constexpr (requires { one.made.reset(); }) one.made.reset();
+            if constexpr (requires { one.state.reset(); }) one.state.reset();
+            if constexpr (requires { one.stamp.reset(); }) one.stamp.reset();
         },
         operation);
 }
