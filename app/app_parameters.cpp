@@ -57,6 +57,9 @@ std::vector<Parameter> app_parameters() {
             "Stamp: added to the ground; higher and lower: the ground gives way only where it is in the way; "
             "replace: the ground becomes the stamp."),
         number("stamp.relief_m", 100, 0, 1e5, "m", "Height of the stamp; unless set, as it came."),
+        choice("stamp.zero", "border", stamp_zero_names(),
+               "Stamp: which of its heights leaves the ground as it is, so that what is lower digs: that of "
+               "its border, its lowest sample, or 0 m of the file."),
         number("stamp.turn_deg", 0, -360, 360, "°", "The stamp turned, counterclockwise."),
         toggle("stamp.mirrored", false, "The stamp mirrored, west for east."),
         number("erode.rain", 5000, 0, 1e4, "mm/h", "Erode: rain in the middle of the brush."),

@@ -8,6 +8,7 @@
 
 #include "app/calibration.h"
 #include "app/still.h"
+#include "render/overview.h"
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/image_file.h"
@@ -26,8 +27,9 @@ void write_overview(const std::string& path, const Scene& scene, Simulation& sim
     const ViewSettings settings = view_settings(scene.view);
     const std::vector<float> ground = scene.document.state.ground();
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
-    Camera camera = overview(scene.document.state.grid, *low, *high);
-    camera.fov_deg = scene.view.number("camera.fov_deg");
+    const Camera camera =
+        overview(scene.document.state.grid, *low, *high,
+                 {static_cast<double>(width) / height, scene.view.number("camera.fov_deg")});
     drape(renderer, scene);
     const Still still =
         draw_still(renderer, simulation.terrain(), camera, settings, legend_of(settings, *low, *high),

@@ -157,6 +157,7 @@ void Project::open(const SceneRequest& wish) {
             recovering_ = recovering;
             for (const std::string& guess : session_.scene().document.notes) voice_.note("note: " + guess);
             voice_.changed();
+            voice_.opened();
         };
     };
     work_.start(fmt::format("Opening {}", request.input.empty() ? request.preset : request.input), make);
@@ -166,14 +167,24 @@ void Project::reset() {
     session_.reset();
     forget_recovered();
     voice_.changed();
+    voice_.opened();
 }
 
 void Project::export_files(const ExportSettings& settings) {
     session_.pause();
     auto document = std::make_shared<Document>(session_.document());
     const auto write = [this, settings, document]() -> Work::Then {
-        const Exported exported = export_terrain(*document, settings);
+        Exported exported;
+        try {
+            exported = export_terrain(*document, settings);
+        } catch (const std::exception& failed) {
+            return [this, message = std::string(failed.what())] {
+                state_.write.error = message;
+                voice_.tell(message);
+            };
+        }
         return [this, exported] {
+            state_.write.close();
             const std::size_t more = exported.files.size() - 1;
             voice_.tell(fmt::format("wrote {}{}", exported.files.front().string(),
                                     more > 0 ? fmt::format(" and {} more", more) : ""));

@@ -19,6 +19,7 @@ class Project {
         std::function<void(const std::string&)> tell;  ///< shows a sentence, and keeps it in the log
         std::function<void(const std::string&)> note;  ///< keeps it in the log
         std::function<void()> changed;                 ///< title and picture may be others now
+        std::function<void()> opened;                  ///< another scene was begun
     };
     Project(Session& session, PanelState& state, std::string journal_path, Voice voice);
 

@@ -12,6 +12,7 @@
 #include "app/calibration.h"
 #include "app/outputs.h"
 #include "app/wave_note.h"
+#include "render/overview.h"
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/preset.h"
@@ -57,8 +58,15 @@ void Session::start(Scene scene) {
     playing = false;
     stroke_.reset();
     simulated_terrain_ = simulation_->terrain_number();
+    forget_rectangle();
     suggest_for_terrain();
     frame_terrain();
+}
+
+// What was said of another terrain's size and place is not of this one.
+void Session::forget_rectangle() {
+    for (const char* name : {"map.nx", "map.ny", "map.west_m", "map.south_m", "map.east_m", "map.north_m"})
+        scene_.view.reset(name);
 }
 
 void Session::suggest_for_terrain() {
@@ -69,9 +77,6 @@ void Session::suggest_for_terrain() {
     scene_.view.suggest("camera.speed_m_per_s", extent / 12);
     scene_.view.suggest("erode.speed", 6 * std::min(g.dx, g.dy));
     scene_.view.suggest("noise.wavelength_m", extent / 12);
-    // What was said of another terrain's size and place is not of this one.
-    for (const char* name : {"map.nx", "map.ny", "map.west_m", "map.south_m", "map.east_m", "map.north_m"})
-        scene_.view.reset(name);
     scene_.view.suggest("map.nx", g.nx);
     scene_.view.suggest("map.ny", g.ny);
     scene_.view.suggest("map.east_m", g.width_m());
@@ -98,12 +103,13 @@ void Session::follow_terrain() {
     balances_.clear();
     ledger_of_changes_ = 0;
     marks_.cancel();
+    forget_rectangle();
     suggest_for_terrain();
     if (extent_before != glm::dvec2(grid().width_m(), grid().height_m())) frame_terrain();
 }
 
 void Session::frame_terrain() {
-    camera_ = overview(grid(), bounds_.x, bounds_.y, picture_aspect);
+    camera_ = overview(grid(), bounds_.x, bounds_.y, {picture_aspect, scene_.view.number("camera.fov_deg")});
 }
 
 SceneRequest Session::request_for(const SceneRequest& wish) const {
@@ -182,12 +188,23 @@ bool Session::is_simulated(const std::string& name) const {
 }
 
 void Session::set(const std::string& name, const Value& value) {
-    if (!is_simulated(name)) {
-        scene_.view.set(name, value);
-        if (name == "undo.memory_mib")
-            simulation_->set_undo_capacity(static_cast<std::size_t>(scene_.view.whole(name)) << 20U);
-        return;
-    }
+    if (is_simulated(name)) return set_simulated(name, value);
+    scene_.view.set(name, value);
+    follow_undo_memory();
+}
+
+void Session::unset(const std::string& name) {
+    if (is_simulated(name)) return set_simulated(name, std::nullopt);
+    scene_.view.reset(name);
+    suggest_for_terrain();
+    follow_undo_memory();
+}
+
+void Session::follow_undo_memory() {
+    simulation_->set_undo_capacity(static_cast<std::size_t>(scene_.view.whole("undo.memory_mib")) << 20U);
+}
+
+void Session::set_simulated(const std::string& name, const std::optional<Value>& value) {
     while (simulation_->mid_tick()) simulation_->advance(1 << 20);
     simulation_->apply(SetParameter{name, value});
     if (name.starts_with("water."))
@@ -196,6 +213,10 @@ void Session::set(const std::string& name, const Value& value) {
 
 const Value& Session::value(const std::string& name) const {
     return is_simulated(name) ? simulation_->parameters().value(name) : scene_.view.value(name);
+}
+
+bool Session::is_given(const std::string& name) const {
+    return is_simulated(name) ? simulation_->parameters().is_given(name) : scene_.view.is_given(name);
 }
 
 const Parameter& Session::declaration(const std::string& name) const {

@@ -73,7 +73,11 @@ class Session {
 
     /// Sets any parameter by name: simulation parameters as recorded operations, the others at once.
     void set(const std::string& name, const Value& value);
+    /// As if nobody had ever set it: its default, or what it follows.
+    void unset(const std::string& name);
     const Value& value(const std::string& name) const;
+    /// Whether a preset, a person or a file set it.
+    bool is_given(const std::string& name) const;
     const Parameter& declaration(const std::string& name) const;
 
     void begin_stroke(glm::dvec3 at, const Modifiers& modifiers = {});
@@ -134,6 +138,9 @@ class Session {
     /// Makes anew what hangs on the terrain's size, where another one took its place.
     void follow_terrain();
     void suggest_for_terrain();
+    void forget_rectangle();
+    void follow_undo_memory();
+    void set_simulated(const std::string& name, const std::optional<Value>& value);
     std::string document_path() const;
     bool is_simulated(const std::string& name) const;
 

@@ -83,7 +83,8 @@ void press_key(int key, int mods, Session& session, PanelState& state, PanelRequ
             state.panels_shown = !state.panels_shown;
             break;
         case GLFW_KEY_ESCAPE:
-            state.start_page = false;
+            // An open menu or list of choices has it first.
+            if (!ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) state.start_page = false;
             break;
         case GLFW_KEY_LEFT_BRACKET:
             scale(session, "brush.radius_m", 1 / 1.15);

@@ -25,6 +25,7 @@
 #include "sim/gpu/program.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/image_file.h"
+#include "sim/terrain/state_hash.h"
 
 namespace talus {
 namespace {
@@ -41,6 +42,7 @@ std::string glfw_error() {
 class Glfw {
   public:
     Glfw() {
+        gpu::work_around_drivers();
         if (!glfwInit()) throw Error(fmt::format("no window can open: {}", glfw_error()));
     }
     ~Glfw() { glfwTerminate(); }
@@ -74,7 +76,8 @@ class Window {
                     [this] {
                         title();
                         wake();
-                    }}),
+                    },
+                    [this] { note_start(); }}),
           frame_log_path_(options.frame_log),
           rects_path_(options.ui_rects) {
         note(gpu::describe(device_));
@@ -86,15 +89,16 @@ class Window {
         if (std::find(panels.begin(), panels.end(), layout.panel) != panels.end())
             state_.shown = layout.panel;
         state_.panels_shown = layout.panels_shown;
-        // Who asks for nothing in particular is shown what there is; and unsaved work is offered to
-        // everybody.
-        state_.start_page =
-            (options.scene.input.empty() && options.scene.preset.empty()) || !state_.left.empty();
+        // The start page opens where nothing was named; a file that was named is not covered by it.
+        state_.start_page = options.scene.input.empty() && options.scene.preset.empty();
+        if (!state_.start_page && !state_.left.empty())
+            tell("an earlier session ended with unsaved work: File > Start page offers it");
         glm::ivec2 size(0);
         glfwGetFramebufferSize(window_, &size.x, &size.y);
         follow_area(size);
         session_.frame_terrain();
         title();
+        note_start();
     }
     ~Window() {
         // What hangs on OpenGL goes before it.
@@ -255,6 +259,11 @@ class Window {
         constexpr std::size_t most = 1000;
         if (state_.log.size() >= most) state_.log.erase(state_.log.begin());
         state_.log.push_back(message);
+    }
+    // For who drives the window by name, and wants to know whether undo leads back to it.
+    void note_start() {
+        if (rects_path_.empty()) return;
+        note(fmt::format("begun with hash {:016x}", state_hash(session_.simulation().read())));
     }
     void tell(const std::string& message) {
         note(message);

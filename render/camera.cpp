@@ -41,22 +41,6 @@ std::optional<glm::dvec2> place_in_picture(const Camera& camera, const CameraRay
                       glm::dot(aside, rays.up) / glm::dot(rays.up, rays.up));
 }
 
-Camera overview(const Grid& grid, double lowest_m, double highest_m, double aspect) {
-    // The whole rectangle within the view, from a little west of south and high enough to see its relief.
-    Camera camera;
-    const double radius = 0.5 * std::hypot(grid.width_m(), grid.height_m(), highest_m - lowest_m);
-    const glm::dvec3 middle(grid.width_m() / 2, grid.height_m() / 2, (lowest_m + highest_m) / 2);
-    // Seen from there the rectangle is about 1.6 times as wide as it is high.
-    const double narrow = std::max(1.0, 1.6 / aspect);
-    const double distance =
-        narrow * (0.66 * radius / std::tan(camera.fov_deg * std::numbers::pi / 360) + 0.2 * radius);
-    const glm::dvec3 away = glm::normalize(glm::dvec3(-0.38, -0.80, 0.50));
-    camera.eye = middle + distance * away;
-    camera.eye.z = std::max(camera.eye.z, highest_m + 0.1 * radius);
-    camera.target = middle - glm::dvec3(0, 0, 0.24 * radius);
-    return camera;
-}
-
 void set_camera(gpu::Program& program, const Grid& grid, const Camera& camera, int width, int height) {
     const CameraRays rays = camera_rays(camera, width, height);
     const CastOrigin origin = cast_origin(grid, camera.eye);

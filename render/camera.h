@@ -44,10 +44,6 @@ CastOrigin cast_origin(const Grid& grid, glm::dvec3 point);
 /// eye, less than a twentieth of its distance ahead.
 std::optional<glm::dvec2> place_in_picture(const Camera& camera, const CameraRays& rays, glm::dvec3 point);
 
-/// A view over the whole terrain from the south-west, for a first look; aspect: the picture's width by its
-/// height.
-Camera overview(const Grid& grid, double lowest_m, double highest_m, double aspect = 16.0 / 9);
-
 /// Sets the uniforms of shaders/render/picture.glsl and the origin's of surface.glsl.
 void set_camera(gpu::Program& program, const Grid& grid, const Camera& camera, int width, int height);
 

@@ -76,7 +76,8 @@ json to_json(const Dab& dab) {
         line["stamp"] = {{"mode", name_in(stamp_mode_names(), dab.stamp.mode)},
                          {"half_m", {dab.stamp.half_m.x, dab.stamp.half_m.y}},
                          {"turn_deg", dab.stamp.turn_deg},
-                         {"mirrored", dab.stamp.mirrored}};
+                         {"mirrored", dab.stamp.mirrored},
+                         {"zero", dab.stamp.zero}};
     if (dab.mode == BrushMode::erode)
         line["erode"] = {{"rain_mm_per_h", dab.erode.rain_mm_per_h},
                          {"time_s", dab.erode.time_s},
@@ -120,6 +121,8 @@ Dab to_dab(const json& line) {
         dab.stamp.half_m = {stamp.at("half_m").at(0), stamp.at("half_m").at(1)};
         dab.stamp.turn_deg = stamp.at("turn_deg");
         dab.stamp.mirrored = stamp.at("mirrored");
+        // Older journals stand stamps on their lowest sample.
+        dab.stamp.zero = stamp.value("zero", 0.0);
     }
     if (line.contains("erode")) {
         const json& erode = line["erode"];
@@ -135,7 +138,8 @@ struct Writer {
     json operator()(const Dab& dab) const { return to_json(dab); }
     json operator()(const SetParameter& set) const {
         json line = {{"op", "set"}, {"name", set.name}};
-        std::visit([&](const auto& v) { line["value"] = v; }, set.value);
+        line["value"] = nullptr;
+        if (set.value) std::visit([&](const auto& v) { line["value"] = v; }, *set.value);
         return line;
     }
     json operator()(const PlaceSpring& spring) const {
@@ -183,6 +187,7 @@ Operation to_operation(const json& line) {
     if (op == "set") {
         const json& value = line.at("value");
         const std::string name = line.at("name");
+        if (value.is_null()) return SetParameter{name, std::nullopt};
         if (value.is_boolean()) return SetParameter{name, value.get<bool>()};
         if (value.is_number()) return SetParameter{name, value.get<double>()};
         return SetParameter{name, value.get<std::string>()};

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -22,7 +23,7 @@ struct Ticks {
 /// A change of one simulation parameter.
 struct SetParameter {
     std::string name;
-    Value value;
+    std::optional<Value> value;  ///< none: as if nobody had ever set it, so that it follows what it follows
     bool operator==(const SetParameter&) const = default;
 };
 

@@ -81,8 +81,9 @@ std::string to_toml(const Parameters& parameters) {
     std::string text;
     std::string section;
     for (const Parameter& p : parameters.declared()) {
+        // What follows something else goes on following it when it is read again.
+        if (!parameters.is_given(p.name)) continue;
         const Value& value = parameters.value(p.name);
-        if (value == p.preset && !parameters.is_given(p.name)) continue;
         const auto dot = p.name.find('.');
         if (p.name.substr(0, dot) != section) {
             section = p.name.substr(0, dot);

@@ -120,15 +120,18 @@ void Simulation::record(const Operation& operation, Change&& change) {
 
 void Simulation::act(const SetParameter& set) {
     Parameters changed = moment_.parameters;
-    changed.set(set.name, set.value);
+    if (set.value)
+        changed.set(set.name, *set.value);
+    else
+        changed.reset(set.name);
     // Unless somebody set it, it follows the tick.
-    if (set.name == "time.tick_s")
+    if (set.name == "time.tick_s" || set.name == "thermal.rate_m2_per_s")
         changed.suggest("thermal.rate_m2_per_s",
                         natural_thermal_rate(terrain_.grid(), changed.number("time.tick_s"),
                                              changed.number("erosion.porosity")));
     follow_repose(changed);
     check_tick(terrain_.grid(), changed);
-    const bool fills = set.name == "water.sea_level";
+    const bool fills = set.name == "water.sea_level" && set.value;
     if (fills) withdraw_sea();
     const auto change = [&] {
         if (keeps_undo_ && fills) undo_.keep_all(terrain_);

@@ -9,6 +9,7 @@
 #include "app/flight.h"
 #include "app/report.h"
 #include "app/still.h"
+#include "render/overview.h"
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/image_file.h"
@@ -48,8 +49,9 @@ void render(const RenderOptions& options) {
     const Grid& grid = scene.document.state.grid;
     const std::vector<float> ground = scene.document.state.ground();
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
-    Camera camera = overview(grid, *low, *high);
-    camera.fov_deg = scene.view.number("camera.fov_deg");
+    Camera camera = overview(grid, *low, *high,
+                             {static_cast<double>(options.size.x) / options.size.y,
+                              scene.view.number("camera.fov_deg"), options.turntable > 0});
     if (options.eye) camera.eye = *options.eye;
     if (options.target) camera.target = *options.target;
     if (camera.eye == camera.target)

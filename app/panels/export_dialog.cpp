@@ -57,6 +57,13 @@ void follow_losses(const Session& session, ExportDialog& dialog) {
 
 }  // namespace
 
+void ExportDialog::close() {
+    shown = false;
+    error.clear();
+    state.reset();
+    lost_with.clear();
+}
+
 void draw_export_dialog(PanelContext& context) {
     ExportDialog& dialog = context.state.write;
     if (!dialog.shown) return;
@@ -68,11 +75,9 @@ void draw_export_dialog(PanelContext& context) {
         const auto folder = near.empty() ? std::filesystem::current_path(ignored) : near.parent_path();
         settings.path = folder / ((near.empty() ? "terrain" : near.stem().string()) + "-export.tif");
     }
-    ImGui::OpenPopup("Export");
-    ImGui::SetNextWindowSize({36 * ImGui::GetFontSize(), 0});
-    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
-    if (!ImGui::BeginPopupModal("Export", nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize))
-        return;
+    if (!begin_dialog("Export", 36)) return;
+    const bool writes = context.work.busy();
+    ImGui::BeginDisabled(writes);
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     const float third = (ImGui::GetContentRegionAvail().x - 2 * spacing) / 3;
     const std::vector<std::string>& kinds = export_kind_names();
@@ -111,20 +116,23 @@ void draw_export_dialog(PanelContext& context) {
         ImGui::TextUnformatted(lost.c_str());
     }
     ImGui::PopTextWrapPos();
-    if (!dialog.error.empty()) ImGui::TextColored({1, 0.7F, 0.3F, 1}, "%s", dialog.error.c_str());
+    if (!dialog.error.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, {1, 0.7F, 0.3F, 1});
+        ImGui::TextWrapped("%s", dialog.error.c_str());
+        ImGui::PopStyleColor();
+    }
     ImGui::Spacing();
-    if (button("Write")) {
+    // It stays until the files are there: what fails is said in it, and can be mended.
+    if (button("Write", "", !writes && !settings.path.empty())) {
+        if (settings.path.extension().empty()) settings.path += usual_ending(settings.kind);
+        dialog.error.clear();
         context.requests.write = settings;
-        dialog.shown = false;
     }
     ImGui::SameLine();
-    if (button("Cancel export") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
-        dialog.shown = false;
-    if (!dialog.shown) {
-        dialog.state.reset();
-        dialog.lost_with.clear();
-        ImGui::CloseCurrentPopup();
-    }
+    const bool escaped = !writes && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    if (button("Cancel export", "", !writes) || escaped) dialog.close();
+    ImGui::EndDisabled();
+    if (!dialog.shown) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 

@@ -61,8 +61,9 @@ void draw_entries(FileDialog& dialog) {
 
 void accept(FileDialog& dialog, PanelRequests& requests) {
     const fs::path given(dialog.name);
-    const std::string path = (given.is_absolute() ? given : fs::path(dialog.folder) / given).string();
+    std::string path = (given.is_absolute() ? given : fs::path(dialog.folder) / given).string();
     if (dialog.purpose == FileDialog::Purpose::save) {
+        if (fs::path(path).extension().empty()) path += ".exr";
         // Save keeps everything; other formats are exports.
         if (ending_of(path) != ".exr") {
             dialog.error = "a Talus document ends in .exr; other formats are under File > Export";
@@ -86,12 +87,9 @@ void draw_file_dialog(PanelContext& context) {
     if (dialog.purpose == FileDialog::Purpose::none) return;
     const char* title = title_of(dialog.purpose);
     const float em = ImGui::GetFontSize();
-    ImGui::OpenPopup(title);
-    ImGui::SetNextWindowSize({38 * em, 28 * em}, ImGuiCond_Appearing);
-    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
-    if (!ImGui::BeginPopupModal(title)) return;
+    if (!begin_dialog(title, 38, 28)) return;
     text_line(dialog.folder);
-    ImGui::BeginChild("files", {0, -5 * em}, true);
+    ImGui::BeginChild("files", {0, -7 * em}, true);
     draw_entries(dialog);
     ImGui::EndChild();
     ImGui::SetNextItemWidth(-1);
@@ -101,8 +99,7 @@ void draw_file_dialog(PanelContext& context) {
     const bool accepted = button(title) || entered || std::exchange(dialog.accepted, false);
     ImGui::SameLine();
     const bool cancelled = button("Cancel") || dialog.cancelled;
-    ImGui::SameLine();
-    text_line(dialog.error);
+    if (!dialog.error.empty()) ImGui::TextWrapped("%s", dialog.error.c_str());
     if (accepted && !dialog.name.empty()) accept(dialog, context.requests);
     if (cancelled) dialog.purpose = FileDialog::Purpose::none;
     if (dialog.purpose == FileDialog::Purpose::none) ImGui::CloseCurrentPopup();

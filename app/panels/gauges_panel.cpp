@@ -39,10 +39,10 @@ void draw_gauges_panel(PanelContext& context) {
     for (std::size_t i = 0; i < gauges.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         const Gauge& gauge = gauges[i];
-        ImGui::Text("Gauge %zu at %.0f, %.0f m", i + 1, gauge.place_m.x, gauge.place_m.y);
-        ImGui::SameLine();
-        if (ImGui::SmallButton("remove"))
-            requests.acts.emplace_back([i](Session& s) { s.gauges().remove(i); });
+        ImGui::TextWrapped("Gauge %zu at %.0f, %.0f m", i + 1, gauge.place_m.x, gauge.place_m.y);
+        const bool removed = ImGui::SmallButton("remove");
+        note_widget(fmt::format("remove gauge {}", i + 1));
+        if (removed) requests.acts.emplace_back([i](Session& s) { s.gauges().remove(i); });
         plot_line("level", plotted(gauge, [](const GaugeReading& r) { return r.level_m(); }), "m");
         plot_line("speed",
                   plotted(gauge, [](const GaugeReading& r) { return glm::length(r.velocity_m_per_s); }),

@@ -130,12 +130,10 @@ void draw_import_dialog(PanelContext& context) {
     ImportDialog& dialog = context.state.import;
     if (dialog.path.empty()) return;
     const float em = ImGui::GetFontSize();
-    ImGui::OpenPopup("How the file is read");
-    ImGui::SetNextWindowSize({48 * em, 0});
-    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
-    if (!ImGui::BeginPopupModal("How the file is read", nullptr,
-                                ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize))
-        return;
+    if (!begin_dialog("How the file is read", 48)) return;
+    // While it is read again, what it shows is of the settings before.
+    const bool waits = context.work.busy();
+    ImGui::BeginDisabled(waits);
     text_line(dialog.path);
     const float side = 20 * em;
     ImGui::BeginChild("preview", {side + em, side + em});
@@ -161,9 +159,10 @@ void draw_import_dialog(PanelContext& context) {
     }
     ImGui::PopTextWrapPos();
     ImGui::Spacing();
-    if (draw_settings(dialog)) dialog.show(preview_of({dialog.path, dialog.settings}));
+    // It is read again on a thread, and shown between two frames: this one still draws the picture before.
+    if (draw_settings(dialog)) context.requests.look_at = {dialog.path, dialog.settings};
     ImGui::EndChild();
-    const bool good = dialog.error.empty();
+    const bool good = dialog.error.empty() && !waits && !context.requests.look_at;
     bool ended = false;
     if (button("Open it", "as a scene of its own", good)) {
         SceneRequest request;
@@ -179,7 +178,9 @@ void draw_import_dialog(PanelContext& context) {
         ended = true;
     }
     ImGui::SameLine();
-    if (button("Cancel import") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ended = true;
+    const bool escaped = !waits && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    if (button("Cancel import", "", !waits) || escaped) ended = true;
+    ImGui::EndDisabled();
     if (ended) {
         dialog.path.clear();
         ImGui::CloseCurrentPopup();

@@ -43,6 +43,20 @@ float status_height() {
 
 constexpr float tools_width_em = 17;
 constexpr float side_width_em = 23;
+// A picture narrower than that is none to work in.
+constexpr float least_picture_em = 10;
+
+// Whether the window has no room for the tools beside the other panels: then they are one of them.
+bool is_narrow(glm::ivec2 size) {
+    return static_cast<float>(size.x) < em(tools_width_em + side_width_em + least_picture_em);
+}
+
+// Widths of the panels on both sides, pixels.
+glm::vec2 side_widths(const PanelState& state, glm::ivec2 size) {
+    if (!state.panels_shown) return {0, 0};
+    if (!is_narrow(size)) return {em(tools_width_em), em(side_width_em)};
+    return {0, std::min(em(side_width_em), static_cast<float>(size.x))};
+}
 
 // A window that fills the height between menu and status line, at one of the sides.
 bool begin_side(const char* name, bool right, float width, glm::ivec2 size) {
@@ -55,8 +69,11 @@ bool begin_side(const char* name, bool right, float width, glm::ivec2 size) {
                             ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
 }
 
-void draw_side(PanelContext& context) {
+void draw_side(PanelContext& context, bool with_tools) {
     PanelState& state = context.state;
+    // Where the tools have a side of their own they are no panel of this one.
+    constexpr const char* tools = "Tools";
+    if (!with_tools && state.shown == tools) state.shown = side_panels.front().name;
     const float spacing = ImGui::GetStyle().ItemSpacing.x / 2;
     const float width = (ImGui::GetContentRegionAvail().x - 3 * spacing) / 4;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {spacing, spacing});
@@ -66,11 +83,14 @@ void draw_side(PanelContext& context) {
             state.shown = side_panels[i].name;
         if (i % 4 != 3) ImGui::SameLine();
     }
+    if (with_tools && choice_button(tools, state.shown == tools, "the brush and its tools", width))
+        state.shown = tools;
     ImGui::PopStyleVar();
     ImGui::Separator();
     ImGui::BeginChild("side");
     for (const SidePanel& panel : side_panels)
         if (state.shown == panel.name) panel.draw(context);
+    if (state.shown == tools) draw_tools_panel(context);
     ImGui::EndChild();
 }
 
@@ -85,8 +105,9 @@ std::vector<std::string> panel_names() {
 
 PictureArea picture_area(const PanelState& state, glm::ivec2 size) {
     const auto pixels = [](float length) { return static_cast<int>(std::ceil(length)); };
-    const int left = state.panels_shown ? pixels(em(tools_width_em)) : 0;
-    const int right = state.panels_shown ? pixels(em(side_width_em)) : 0;
+    const glm::vec2 sides = side_widths(state, size);
+    const int left = pixels(sides.x);
+    const int right = pixels(sides.y);
     const int top = pixels(menu_height());
     const int bottom = pixels(status_height());
     return {{left, top}, glm::max(size - glm::ivec2(left + right, top + bottom), 16)};
@@ -109,9 +130,12 @@ void draw_panels(PanelContext& context, const StatusFigures& figures, glm::ivec2
         ImGui::EndMainMenuBar();
     }
     if (context.state.panels_shown) {
-        if (begin_side("Tools", false, em(tools_width_em), size)) draw_tools_panel(context);
-        ImGui::End();
-        if (begin_side("Panels", true, em(side_width_em), size)) draw_side(context);
+        const glm::vec2 sides = side_widths(context.state, size);
+        if (sides.x > 0) {
+            if (begin_side("Tools", false, sides.x, size)) draw_tools_panel(context);
+            ImGui::End();
+        }
+        if (begin_side("Panels", true, sides.y, size)) draw_side(context, is_narrow(size));
         ImGui::End();
     }
     if (context.state.start_page) draw_start_page(context, size);
@@ -125,15 +149,34 @@ void draw_panels(PanelContext& context, const StatusFigures& figures, glm::ivec2
     else
         draw_file_dialog(context);
     draw_status_line(context.session, figures, size.x, size.y);
+    draw_notice(figures.message, picture_area(context.state, size));
+}
+
+// At the upper edge of the picture: at the lower one are its legends.
+void draw_notice(const std::string& message, const PictureArea& area) {
+    if (message.empty()) return;
+    // What does not fit into a line goes on in the next.
+    const float room = std::clamp(static_cast<float>(area.size.x) - em(2), em(12), em(60));
+    const ImVec2 text_size = ImGui::CalcTextSize(message.c_str(), nullptr, false, room);
+    const float middle = static_cast<float>(area.corner.x) + static_cast<float>(area.size.x) / 2;
+    const float left = std::max(middle - text_size.x / 2, 10.0F);
+    const float top = static_cast<float>(area.corner.y) + em(0.8F);
+    ImDrawList* list = ImGui::GetForegroundDrawList();
+    list->AddRectFilled({left - 10, top - 5}, {left + text_size.x + 10, top + text_size.y + 5},
+                        IM_COL32(70, 50, 20, 245), 4);
+    list->AddText(nullptr, 0, {left, top}, IM_COL32_WHITE, message.c_str(), nullptr, room);
 }
 
 void draw_status_line(const Session& session, const StatusFigures& figures, int width, int height) {
     const Grid& grid = session.grid();
-    std::string text = fmt::format("{} × {} samples, {:.4g} × {:.4g} m", grid.nx, grid.ny, grid.dx, grid.dy);
-    text += figures.cursor_height_m ? fmt::format("  |  height {:.1f} m", *figures.cursor_height_m)
-                                    : "  |  height –";
-    text += fmt::format("  |  {:.2f} s, speed {:.3g} of {:.3g}", session.simulation().clock().simulated_s,
-                        session.speed_reached(), std::get<double>(session.value("time.speed")));
+    std::string text =
+        fmt::format("{} × {} samples, {} × {} m", grid.nx, grid.ny, figure(grid.dx, 4), figure(grid.dy, 4));
+    // Rounded first, so that nothing is written as -0.0.
+    text += figures.cursor_height_m
+                ? fmt::format("  |  height {:.1f} m", std::round(*figures.cursor_height_m * 10) / 10 + 0.0)
+                : "  |  height –";
+    text += fmt::format("  |  {:.2f} s, speed {} of {}", session.simulation().clock().simulated_s,
+                        figure(session.speed_reached(), 3), figure(session.view().number("time.speed"), 3));
     text += fmt::format("  |  tick {:.1f} ms, frame {:.1f} ms at {:.0f} %  |  {}", session.tick_ms(),
                         figures.frame_ms, 100 * figures.scale, figures.device);
     ImDrawList* list = ImGui::GetForegroundDrawList();
@@ -142,15 +185,6 @@ void draw_status_line(const Session& session, const StatusFigures& figures, int 
     const auto h = static_cast<float>(height);
     list->AddRectFilled({0, h - line}, {w, h}, IM_COL32(18, 20, 24, 255));
     list->AddText({8, h - line + 4}, IM_COL32(225, 228, 232, 255), text.c_str());
-    if (figures.message.empty()) return;
-    // What does not fit into a line goes on in the next.
-    const float room = std::min(w - em(4), em(60));
-    const ImVec2 text_size = ImGui::CalcTextSize(figures.message.c_str(), nullptr, false, room);
-    const float left = (w - text_size.x) / 2;
-    const float top = h - line - text_size.y - em(1.2F);
-    list->AddRectFilled({left - 10, top - 5}, {left + text_size.x + 10, top + text_size.y + 5},
-                        IM_COL32(70, 50, 20, 245), 4);
-    list->AddText(nullptr, 0, {left, top}, IM_COL32_WHITE, figures.message.c_str(), nullptr, room);
 }
 
 }  // namespace talus

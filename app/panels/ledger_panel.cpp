@@ -7,7 +7,7 @@ namespace talus {
 namespace {
 
 void line(const char* name, double value, const char* unit) {
-    figure_line(name, fmt::format("{:.6g} {}", value, unit));
+    figure_line(name, fmt::format("{} {}", figure(value, 6), unit));
 }
 
 template <typename Value>

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/panels/widgets.h"
 #include "shaders/maths/twin.h"
 
 namespace talus::maths {
@@ -90,9 +91,9 @@ void draw_legend(const std::vector<Legend>& legends, int width, int height) {
             const float to = x0 + bar_width * static_cast<float>(i + 1) / static_cast<float>(steps);
             list->AddRectFilled({from, y0}, {to, y0 + bar_height}, colour_at(legend, share));
         }
-        const std::string low = fmt::format("{:.6g}", legend.low);
-        const std::string high = fmt::format("{:.6g}", legend.high);
-        const std::string middle = fmt::format("{:.6g}", (legend.low + legend.high) / 2);
+        const std::string low = figure(legend.low, 6);
+        const std::string high = figure(legend.high, 6);
+        const std::string middle = figure((legend.low + legend.high) / 2, 6);
         const float y1 = y0 + bar_height + 3;
         list->AddText({x0, y1}, IM_COL32_WHITE, low.c_str());
         list->AddText({x0 + (bar_width - ImGui::CalcTextSize(middle.c_str()).x) / 2, y1}, IM_COL32_WHITE,

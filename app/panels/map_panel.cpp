@@ -61,7 +61,7 @@ void draw_map_panel(PanelContext& context) {
         ask_everywhere(context, dab);
     }
     heading("Another heightmap");
-    draw_parameters(session, requests, {"stamp.mode", "stamp.relief_m"});
+    draw_parameters(session, requests, {"stamp.mode", "stamp.relief_m", "stamp.zero"});
     if (button("Choose…", "a file, which becomes the stamp"))
         context.state.dialog.begin(FileDialog::Purpose::stamp, session.path());
     ImGui::SameLine();
@@ -70,6 +70,8 @@ void draw_map_panel(PanelContext& context) {
         Parameters tool = view;
         tool.set("brush.tool", std::string("stamp"));
         Dab dab = tool_dab(tool, {}, session.bounds().x, 0, session.simulation().stamp());
+        // Whatever its zero is, its lowest sample comes to where the terrain's was.
+        dab.target_m += dab.stamp.zero * dab.amount_m;
         const Grid& grid = session.grid();
         dab.stamp.half_m = {grid.width_m() / 2, grid.height_m() / 2};
         dab.stamp.turn_deg = 0;

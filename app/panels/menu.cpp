@@ -12,6 +12,7 @@ void draw_file_menu(PanelContext& context) {
     if (menu_item("Start page", nullptr)) state.start_page = true;
     if (menu_item("Open…", "Ctrl+O")) state.dialog.begin(FileDialog::Purpose::open, session.path());
     if (ImGui::BeginMenu("Recent")) {
+        close_on_escape();
         for (const std::string& file : context.state.recent)
             if (menu_item(file, nullptr)) requests.import = file;
         ImGui::EndMenu();
@@ -42,16 +43,19 @@ void draw_edit_menu(PanelContext& context) {
 
 void draw_menu(PanelContext& context) {
     if (ImGui::BeginMenu("File")) {
+        close_on_escape();
         draw_file_menu(context);
         ImGui::EndMenu();
     }
     note_widget("File");
     if (ImGui::BeginMenu("Edit")) {
+        close_on_escape();
         draw_edit_menu(context);
         ImGui::EndMenu();
     }
     note_widget("Edit");
     if (ImGui::BeginMenu("View")) {
+        close_on_escape();
         if (menu_item("Whole terrain", "F")) context.requests.framing = true;
         if (menu_item("Panels", "Tab", true, context.state.panels_shown))
             context.state.panels_shown = !context.state.panels_shown;

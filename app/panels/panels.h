@@ -109,6 +109,7 @@ struct ExportDialog {
     std::optional<TerrainState> state;  ///< read when the dialog opens
     std::vector<std::string> lost;      ///< with the settings as text below
     std::string lost_with;
+    void close();
 };
 
 /// A question with two or three answers, in the middle of the window.
@@ -188,6 +189,8 @@ void draw_question(PanelContext& context);
 /// A bar for long work, with a button to give it up.
 void draw_work(const Work& work, bool& cancelled);
 void draw_status_line(const Session& session, const StatusFigures& figures, int width, int height);
+/// A sentence over the picture.
+void draw_notice(const std::string& message, const PictureArea& area);
 /// Where gauges stand in the picture, and the line of a ramp that is being drawn.
 void draw_marks(const Session& session, const PictureArea& area);
 

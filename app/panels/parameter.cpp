@@ -26,7 +26,8 @@ bool edit_number(const Parameter& p, const char* id, double& real) {
     const double low = p.low;
     const double high = p.high;
     const bool wide = high / std::max(std::abs(low), 1e-9) > 1e4 || high - low > 1e3;
-    const std::string format = "%.4g " + p.unit;
+    // A number with an exponent is hard to read: from a thousand on it is whole.
+    const std::string format = (std::abs(real) >= 1000 ? "%.0f " : "%.4g ") + p.unit;
     if (wide) {
         const auto speed = static_cast<float>(std::max(std::abs(real) * 0.01, 1e-4));
         return ImGui::DragScalar(id, ImGuiDataType_Double, &real, speed, &low, &high, format.c_str(),
@@ -49,6 +50,7 @@ bool edit(const Parameter& p, const char* id, Value& value) {
     auto& name = std::get<std::string>(value);
     bool changed = false;
     if (ImGui::BeginCombo(id, name.c_str())) {
+        close_on_escape();
         for (const std::string& choice : p.choices) {
             if (ImGui::Selectable(choice.c_str(), choice == name)) {
                 name = choice;
@@ -67,8 +69,10 @@ void explain(const Parameter& p) {
     ImGui::PushTextWrapPos(26 * ImGui::GetFontSize());
     ImGui::TextDisabled("%s", p.name.c_str());
     ImGui::TextUnformatted(p.help.c_str());
-    if (ranged) ImGui::TextUnformatted(fmt::format("{:.6g} to {:.6g} {}", p.low, p.high, p.unit).c_str());
-    ImGui::TextDisabled("%s", fmt::format("default {}: right click{}", to_text(p.preset),
+    if (ranged)
+        ImGui::TextUnformatted(
+            fmt::format("{} to {} {}", figure(p.low, 6), figure(p.high, 6), p.unit).c_str());
+    ImGui::TextDisabled("%s", fmt::format("default {}; a right click unsets it{}", to_text(p.preset),
                                           ranged ? "; Ctrl+click: an exact value" : "")
                                   .c_str());
     ImGui::PopTextWrapPos();
@@ -77,7 +81,7 @@ void explain(const Parameter& p) {
 
 }  // namespace
 
-bool draw_parameter(const Parameter& p, Value& value) {
+Edit draw_parameter(const Parameter& p, Value& value) {
     ImGui::PushID(p.name.c_str());
     ImGui::BeginGroup();
     ImGui::AlignTextToFramePadding();
@@ -85,16 +89,13 @@ bool draw_parameter(const Parameter& p, Value& value) {
     ImGui::TextUnformatted(label_of(p).c_str());
     ImGui::SameLine(0.46F * room);
     ImGui::SetNextItemWidth(0.54F * room);
-    bool changed = edit(p, "##value", value);
+    Edit done = edit(p, "##value", value) ? Edit::set : Edit::none;
     note_widget(p.name);
     ImGui::EndGroup();
     if (ImGui::IsItemHovered()) explain(p);
-    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
-        value = p.preset;
-        changed = true;
-    }
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) done = Edit::unset;
     ImGui::PopID();
-    return changed;
+    return done;
 }
 
 }  // namespace talus

@@ -9,12 +9,7 @@ namespace talus {
 
 void draw_question(PanelContext& context) {
     PanelState& state = context.state;
-    ImGui::OpenPopup("Question");
-    const ImVec2 middle = ImGui::GetMainViewport()->GetCenter();
-    ImGui::SetNextWindowPos(middle, ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::SetNextWindowSize({26 * ImGui::GetFontSize(), 0});
-    if (!ImGui::BeginPopupModal("Question", nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove))
-        return;
+    if (!begin_dialog("Question", 26)) return;
     ImGui::TextWrapped("%s", state.question->text.c_str());
     ImGui::Spacing();
     for (std::size_t i = 0; i < state.question->answers.size(); ++i) {

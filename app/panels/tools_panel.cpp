@@ -17,7 +17,8 @@ std::vector<std::string> settings_of(const std::string& tool) {
         return {"brush.rate_m_per_s", "noise.kind", "noise.wavelength_m", "noise.octaves",
                 "noise.gain",         "noise.warp", "noise.seed"};
     if (tool == "terrace") return {"terrace.step_m", "terrace.flat", "brush.blend_per_s"};
-    if (tool == "stamp") return {"stamp.mode", "stamp.relief_m", "stamp.turn_deg", "stamp.mirrored"};
+    if (tool == "stamp")
+        return {"stamp.mode", "stamp.relief_m", "stamp.zero", "stamp.turn_deg", "stamp.mirrored"};
     if (tool == "erode") return {"erode.acceleration", "erode.rain", "erode.speed"};
     if (tool == "rain") return {"brush.rain", "brush.blend_per_s"};
     if (tool == "hardness" || tool == "mask") return {"brush.value", "brush.blend_per_s"};
@@ -42,9 +43,10 @@ std::string key_of(std::size_t tool) {
 void draw_stamp(PanelContext& context) {
     const Stamp* stamp = context.session.simulation().stamp();
     if (stamp)
-        text_line(fmt::format("{} × {} samples, {:.4g} × {:.4g} m, {:.4g} m high", stamp->grid.nx,
-                              stamp->grid.ny, stamp->grid.width_m(), stamp->grid.height_m(),
-                              stamp->relief_m));
+        ImGui::TextWrapped("%s", fmt::format("{} × {} samples, {} × {} m, {} m high", stamp->grid.nx,
+                                             stamp->grid.ny, figure(stamp->grid.width_m(), 4),
+                                             figure(stamp->grid.height_m(), 4), figure(stamp->relief_m, 4))
+                                     .c_str());
     else
         ImGui::TextWrapped("There is no stamp yet: take a file, or the ground under the brush.");
     if (button("From a file…", "a heightmap or picture whose heights become the stamp"))

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/panels/panels.h"
 
@@ -46,6 +47,22 @@ void* panel_image(const gpu::Texture& texture) {
     const auto name = static_cast<std::intptr_t>(texture.name());
     // NOLINTNEXTLINE(performance-no-int-to-ptr)
     return reinterpret_cast<void*>(name);
+}
+
+bool begin_dialog(const char* title, float width_em, float height_em) {
+    const float em = ImGui::GetFontSize();
+    const ImVec2 window = ImGui::GetMainViewport()->Size;
+    const float margin = em / 2;
+    const float height = std::min(height_em * em, window.y - 2 * margin);
+    ImGui::OpenPopup(title);
+    ImGui::SetNextWindowSize({std::min(width_em * em, window.x - 2 * margin), height});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {window.x - 2 * margin, window.y - 2 * margin});
+    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
+    return ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize);
+}
+
+void close_on_escape() {
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
 }
 
 bool button(const std::string& name, const std::string& tooltip, bool enabled) {
@@ -101,8 +118,16 @@ void heading(const char* text) {
 void draw_parameters(const Session& session, PanelRequests& requests, const std::vector<std::string>& names) {
     for (const std::string& name : names) {
         Value value = session.value(name);
-        if (draw_parameter(session.declaration(name), value))
-            requests.acts.emplace_back([name, value](Session& s) { s.set(name, value); });
+        switch (draw_parameter(session.declaration(name), value)) {
+            case Edit::set:
+                requests.acts.emplace_back([name, value](Session& s) { s.set(name, value); });
+                break;
+            case Edit::unset:
+                if (session.is_given(name)) requests.acts.emplace_back([name](Session& s) { s.unset(name); });
+                break;
+            case Edit::none:
+                break;
+        }
     }
 }
 
@@ -114,10 +139,20 @@ void draw_section(const Session& session, PanelRequests& requests, const std::st
     draw_parameters(session, requests, names);
 }
 
+std::string figure(double value, int digits) {
+    const double size = std::abs(value);
+    const bool long_number = size >= std::pow(10, digits) && size < 1e15;
+    const std::string text =
+        long_number ? fmt::format("{:.0f}", value) : fmt::format("{:.{}g}", value, digits);
+    return text == "-0" ? "0" : text;
+}
+
 void plot_line(const char* label, const std::vector<float>& values, const char* unit) {
     if (values.empty()) return;
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    text_line(fmt::format("{} {:.4g} {}  ({:.4g} to {:.4g})", label, values.back(), unit, *low, *high));
+    ImGui::TextWrapped("%s", fmt::format("{} {} {}  ({} to {})", label, figure(values.back(), 4), unit,
+                                         figure(*low, 4), figure(*high, 4))
+                                 .c_str());
     // A line that does not move lies in the middle, not at an edge.
     const float room = std::max(0.05F * (*high - *low), 1e-6F);
     ImGui::PlotLines(fmt::format("##{}", label).c_str(), values.data(), static_cast<int>(values.size()), 0,

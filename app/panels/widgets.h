@@ -27,6 +27,11 @@ void note_widget(const std::string& name);
 /// A texture as ImGui takes it (ImTextureID).
 void* panel_image(const gpu::Texture& texture);
 
+/// Begins a dialog in the middle of the window, wherever that is now, as wide and high as given (in letters;
+/// height 0: as its content) but never beyond the window. Where it is true, ImGui::EndPopup() ends it.
+bool begin_dialog(const char* title, float width_em, float height_em = 0);
+/// Within a menu or a list of choices: Escape closes it.
+void close_on_escape();
 /// A button that is named and explained.
 bool button(const std::string& name, const std::string& tooltip = "", bool enabled = true);
 /// A button that stays down while chosen, as wide as given (0: as its text).
@@ -40,13 +45,18 @@ void figure_line(const std::string& name, const std::string& value);
 /// A heading within a panel.
 void heading(const char* text);
 
-/// A declared parameter: name, value with unit, a tooltip with help and range. Right click resets it, Ctrl
-/// and a click take an exact number. True when the value changed.
-bool draw_parameter(const Parameter& parameter, Value& value);
+/// What a person did to a parameter: nothing, gave it a value, or took back that one was ever given.
+enum class Edit { none, set, unset };
+/// A declared parameter: name, value with unit, a tooltip with help and range. A right click unsets it, Ctrl
+/// and a click take an exact number. The value is changed where it was set.
+Edit draw_parameter(const Parameter& parameter, Value& value);
 /// The session's parameters of these names, set as they change.
 void draw_parameters(const Session& session, PanelRequests& requests, const std::vector<std::string>& names);
 /// All of a section.
 void draw_section(const Session& session, PanelRequests& requests, const std::string& section);
+
+/// A number as people write it: without an exponent from 0.0001 to 10^15, and no -0.
+std::string figure(double value, int digits);
 
 /// A line of values with its name, its last value and its range.
 void plot_line(const char* label, const std::vector<float>& values, const char* unit);

@@ -73,6 +73,7 @@ Dab tool_dab(const Parameters& view, const Modifiers& modifiers, double ground_m
         // The longer side is as wide as the brush; the corners lie within its reach.
         dab.stamp.half_m = glm::dvec2(dab.radius_m);
         if (stamp) {
+            dab.stamp.zero = zero_of(*stamp, view.choice_as<StampZero>("stamp.zero"));
             const glm::dvec2 size(stamp->grid.width_m(), stamp->grid.height_m());
             dab.stamp.half_m = dab.radius_m * size / std::max(size.x, size.y);
         }

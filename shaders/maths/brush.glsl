@@ -11,7 +11,8 @@
 //   noise_wave_m    real, noise: the wavelength
 //   terrace_step_m  real, terrace: height of a step; terrace_flat real, 0 to 1: share of it that is level
 //   stamp_samples   int2, columns and rows of the stamp; stamp_columns, stamp_rows real2: of them, a metre along the
-//                   terrain's columns and rows; stamp_mode int: 0 add, 1 higher, 2 lower, 3 replace
+//                   terrain's columns and rows; stamp_mode int: 0 add, 1 higher, 2 lower, 3 replace; stamp_zero
+//                   real: which of its heights, 0 to 1, stands on the ground
 #include "maths/brush_noise.glsl"
 #include "maths/brush_weight.glsl"
 #include "maths/solid.glsl"
@@ -63,7 +64,7 @@ real stamp_at(real2 offset_m) {
 real stamp_change(real4 c, real2 offset_m) {
     real stamp = stamp_at(offset_m);
     if (stamp < real(0)) return real(0);
-    precise real height_m = stamp * dab_amount_m;
+    precise real height_m = (stamp - stamp_zero) * dab_amount_m;
     if (stamp_mode == 0) return height_m * dab_blend;
     precise real to_stamp = rise_to_target(c) + height_m;
     if (stamp_mode == 1) to_stamp = max(to_stamp, real(0));

@@ -1,15 +1,34 @@
 // A mask made of the terrain. The including side gives real load_ground(int2), repeating the edge, and
 //   cell_m       real2, spacing, metres
-//   mask_source  int: 0 height (m), 1 slope (tangent), 2 curvature (1/km, crests positive), 3 depth of water (m),
+//   mask_source  int: 0 height (m), 1 slope (degrees), 2 curvature (1/km, crests positive), 3 depth of water (m),
 //                4 the mask itself, 5 everything
 //   mask_low, mask_high  real: from here to there it is 1
 //   mask_fade    real: and over so much beyond each it falls to 0
 
+// The angle of a tangent of 0 or more, degrees: Abramowitz & Stegun 4.4.49, within 2e-8 of a radian, and above 1 by
+// atan(t) = 90° - atan(1 / t).
+real mask_angle(real tangent) {
+    real t = tangent > real(1) ? real(1) / tangent : tangent;
+    precise real s = t * t;
+    precise real sum = real(0.0028662257);
+    sum = real(-0.0161657367) + s * sum;
+    sum = real(0.0429096138) + s * sum;
+    sum = real(-0.0752896400) + s * sum;
+    sum = real(0.1065626393) + s * sum;
+    sum = real(-0.1420889944) + s * sum;
+    sum = real(0.1999355085) + s * sum;
+    sum = real(-0.3333314528) + s * sum;
+    precise real angle = (t + (t * s) * sum) * real(57.295779513082320877);
+    precise real rest = real(90) - angle;
+    return tangent > real(1) ? rest : angle;
+}
+
+// Of the ground, degrees, by central differences.
 real mask_slope(int2 at) {
     precise real x = (load_ground(at + int2(1, 0)) - load_ground(at - int2(1, 0))) / (real(2) * cell_m.x);
     precise real y = (load_ground(at + int2(0, 1)) - load_ground(at - int2(0, 1))) / (real(2) * cell_m.y);
     precise real square = x * x + y * y;
-    return sqrt(square);
+    return mask_angle(sqrt(square));
 }
 
 real mask_curvature(int2 at) {

@@ -11,6 +11,7 @@
 //   sediment_per_rock  real, 1 / speedup
 //   sediment_per_loose real, 1 / (speedup * bulking)
 //   sediment_masked    int, 1: water takes as much as the mask says
+//   sediment_below     int, 1: what settles raises no sample above its highest neighbour
 //   sediment_strata    real2, m: thickness of a pair of bedrock layers, 0: none; and hardness of the harder one
 
 // What a sub-step may change the bed by, as a share of the water's depth; how dense water can become, by volume; and a
@@ -49,8 +50,9 @@ struct SedimentSample {
 
 // The sample after an exchange. Painted hardness, 0 to 1, holds for regolith and bedrock; layers for bedrock. `is_base`:
 // on the map's edge bedrock stays, for beyond it lies the base level that all erosion works towards. `drop`: how far the
-// lowest neighbour's ground lies below this one's, m; a sub-step erodes half of that at most, so that water digs no pits.
-SedimentSample sediment_exchange(real4 water, real shear, SedimentSample before, real hardness, bool is_base, real drop) {
+// lowest neighbour's ground lies below this one's, m; a sub-step erodes half of that at most, so that water digs no pits. `rise`:
+// how far the highest one's lies above, m; where that is asked for, a sub-step raises the ground by half of it at most.
+SedimentSample sediment_exchange(real4 water, real shear, SedimentSample before, real hardness, bool is_base, real drop, real rise) {
     real depth = water.x;
     real load = before.load.x;
     // d load / dt = entrainment - settling load / depth over the span, its exponential by 1 / (1 + x + x²/2), which is above
@@ -85,6 +87,10 @@ SedimentSample sediment_exchange(real4 water, real shear, SedimentSample before,
     precise real slowest = step * sediment_per_loose;
     bool all = depth <= water_film || (wanted <= real(0) && left < sediment_least);
     settled = all ? load : min(settled, slowest);
+    precise real highest = (max(rise, real(0)) * real(0.5)) * sediment_per_loose;
+    bool lifts = sediment_below == 1 && settled > highest;
+    settled = lifts ? highest : settled;
+    all = all && !lifts;
 
     precise real metres_settled = ((settled + (all ? before.load.y : real(0))) * sediment_speedup) * sediment_bulking;
     precise real metres_loose = min((loose * sediment_speedup) * sediment_bulking, before.solid.z);

@@ -6,7 +6,7 @@ struct Flow {
     vec2 velocity;  // m/s, east and north; none in water too thin to see
 };
 
-const float seen_depth_m = 0.01;  // as in water_surface.comp
+const float seen_depth_m = 0.01;
 
 // place: columns and rows from the origin cell.
 Flow flow_at(vec2 place) {

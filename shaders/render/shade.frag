@@ -185,7 +185,7 @@ void main() {
         colour_out = vec4(colour_map(hit.y / steps_scale), 1.0);
         return;
     }
-    vec3 backdrop = VIEW == view_shaded ? sqrt(sky(world_ray)) : vec3(0.16, 0.17, 0.19);
+    vec3 backdrop = VIEW == view_shaded ? sqrt(sky(world_ray)) + dither(ivec2(gl_FragCoord.xy)) : vec3(0.16, 0.17, 0.19);
 #ifdef SKY
     colour_out = vec4(backdrop, 1.0);
     return;

@@ -1,3 +1,12 @@
+// What is added to a colour before it is rounded to 8 bits, so that slow gradients show no bands: noise of the pixel's
+// own, half a step to either side (PCG hash, Jarzynski & Olano 2020).
+float dither(ivec2 pixel) {
+    uint state = uint(pixel.x) * 747796405u + uint(pixel.y) * 2891336453u + 2891336453u;
+    uint word = ((state >> ((state >> 28) + 4u)) ^ state) * 277803737u;
+    word = (word >> 22) ^ word;
+    return (float(word >> 8) / 16777216.0 - 0.5) / 255.0;
+}
+
 // The colour of the sky in a direction (east, north, up), linear; `sun` is the unit vector towards the sun.
 vec3 sky(vec3 direction) {
     float up = max(direction.z, 0.0);

@@ -19,6 +19,7 @@ uniform real pixel_angle;
 #include "render/relief.glsl"
 #include "render/sky.glsl"
 #include "render/flow.glsl"
+#include "render/film.glsl"
 
 // Clear water takes red first, 1/m (after Pope & Fry 1997, with what a mountain river carries); what it scatters back.
 const vec3 absorption = vec3(0.42, 0.085, 0.060);
@@ -130,10 +131,12 @@ void main() {
     float foam = smoothstep(0.9, 1.8, froude) * smoothstep(0.05, 0.4, flow.depth_m) * smoothstep(0.03, 0.25, length(slope));
     float front = smoothstep(0.08, 0.25, length(slope)) * smoothstep(0.12, 0.35, froude) * smoothstep(0.3, 1.5, flow.depth_m);
     if (!through_side) colour = mix(colour, vec3(0.75, 0.80, 0.83) * light, 0.75 * max(foam, front));
-    // Towards the shore it fades into the ground; so do sheets that run down steep ground.
-    colour = mix(bed, colour, 1.0 - exp(-depth / (0.08 + 0.5 * length(slope))));
+    // The bed has its haze already.
     float haze = 1.0 - exp(-0.16 * distance_m / extent_m);
     colour = mix(colour, sky(normalize(vec3(world_ray.xy, 0.06))), 0.85 * haze * (through_side ? 0.5 : 1.0));
+    // Towards the shore it fades into the ground, a film wholly; so do sheets that run down steep ground.
+    float body_share = (1.0 - exp(-depth / (0.08 + 0.5 * length(slope)))) * smoothstep(film_m.x, film_m.y, depth);
+    colour = mix(bed, colour, through_side ? 1.0 : body_share);
     colour_out = vec4(sqrt(clamp(colour, 0.0, 1.0)), 1.0);
 }
 #endif

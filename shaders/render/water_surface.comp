@@ -11,19 +11,22 @@ uniform int2 samples;
 uniform int2 tiles;
 
 const int water_ghosts = 2;
-// Thinner water is no surface to see, m: wet ground.
-const real seen_depth_m = real(0.01);
+#include "render/film.glsl"
 // How far below the ground the surface lies where no water is near, m: no ray looks for it there.
 const real far_below_m = real(1e4);
 
-// The highest level of seen water in a row, at a column and its two neighbours; far below where there is none.
+// How much of a surface of its own water of this depth has, 0 to 1.
+real body_of(real depth) { return smoothstep(film_m.x, film_m.y, depth); }
+
+// The highest level of water that is more than a film in a row, at a column and its two neighbours; far below where there
+// is none.
 real highest_in(int column, int row) {
     real highest = real(-1e30);
     for (int i = -1; i <= 1; ++i) {
         int2 at = clamp(int2(column + i, row), int2(0), samples - 1);
         real depth = imageLoad(water_in, at + water_ghosts).x;
-        real level = imageLoad(ground_in, at).x + depth;
-        highest = max(highest, depth >= seen_depth_m ? level : real(-1e30));
+        real level = imageLoad(ground_in, at).x + depth * body_of(depth);
+        highest = max(highest, depth >= film_m.x ? level : real(-1e30));
     }
     return highest;
 }
@@ -40,9 +43,12 @@ void main() {
         real south = highest_in(at.x, at.y + 1);
         real ground = imageLoad(ground_in, at).x;
         real depth = imageLoad(water_in, at + water_ghosts).x;
-        // On dry ground the highest water beside it, but never above the ground.
-        real beside = max(ground - far_below_m, max(max(north, here), south));
-        imageStore(level_out, at, vec4(depth < seen_depth_m ? min(beside, ground) : ground + depth));
+        // On dry ground the highest water beside it, but never above the ground, so that the waterline is where the level
+        // meets the ground within the patch. From there a film rises to a surface of its own.
+        real beside = max(max(north, here), south);
+        bool is_near = beside > ground - far_below_m;
+        real dry = is_near ? min(beside, ground) : ground - (depth < film_m.x ? far_below_m : real(0));
+        imageStore(level_out, at, vec4(mix(dry, ground + depth, body_of(depth))));
         north = here;
         here = south;
     }

@@ -17,11 +17,20 @@ layout(binding = 5, rg32f) uniform readonly image2D eroded_load;
 uniform int2 first_tile;
 uniform real erode_settled;  // metres of regolith that a metre of load becomes
 
+real eroded_ground(int2 at, int2 last) { return ground_height(imageLoad(eroded, clamp(at, int2(0), last))); }
+
 real4 after_dab(int2 at, real4 before) {
     if (any(lessThan(at, dab_low)) || any(greaterThan(at, dab_high))) return before;
     int2 there = at - dab_low;
     real4 after = imageLoad(eroded, there);
-    precise real settled = imageLoad(eroded_load, there + 2).x * erode_settled;
+    // What settles at a stroke's end raises no sample by more than half of the way to its highest neighbour: all else
+    // would stick out. What is left of the load is taken.
+    int2 last = dab_high - dab_low;
+    real highest = max(max(eroded_ground(there + int2(-1, 0), last), eroded_ground(there + int2(1, 0), last)),
+                       max(eroded_ground(there + int2(0, -1), last), eroded_ground(there + int2(0, 1), last)));
+    precise real rise = max(highest - eroded_ground(there, last), real(0)) * real(0.5);
+    precise real load = imageLoad(eroded_load, there + 2).x * erode_settled;
+    real settled = min(load, rise);
     return settled > real(0) ? change_ground(after, settled, true) : after;
 }
 #else
@@ -46,6 +55,7 @@ uniform real terrace_flat;
 uniform int2 stamp_samples;
 uniform real2 stamp_columns;
 uniform real2 stamp_rows;
+uniform real stamp_zero;
 uniform int stamp_mode;
 
 real load_stamp(int2 at) { return imageLoad(stamp, clamp(at, int2(0), stamp_samples - 1)).x; }

@@ -29,6 +29,7 @@ uniform real sediment_per_rock;
 uniform real sediment_per_loose;
 uniform real2 sediment_strata;
 uniform int sediment_masked;
+uniform int sediment_below;
 
 const int water_order = 1;
 real water_gravity = gravity;
@@ -71,8 +72,12 @@ void main() {
         int2 at = first + int2(0, row);
         real south = bed_at(at + int2(0, 1));
         real before_here = here;
-        real lowest = min(min(bed_at(at + int2(-1, 0)), bed_at(at + int2(1, 0))), min(north, south));
+        real west = bed_at(at + int2(-1, 0));
+        real east = bed_at(at + int2(1, 0));
+        real lowest = min(min(west, east), min(north, south));
+        real highest = max(max(west, east), max(north, south));
         precise real drop = here - lowest;
+        precise real rise = highest - here;
         north = here;
         here = south;
         real4 water = imageLoad(water_in, at + water_ghosts);
@@ -87,7 +92,7 @@ void main() {
 #else
         real hardness = real(0);
 #endif
-        SedimentSample after = sediment_exchange(water, shear, before, hardness, is_edge(at), drop);
+        SedimentSample after = sediment_exchange(water, shear, before, hardness, is_edge(at), drop, rise);
         bool carries = any(notEqual(floatBitsToUint(after.load), floatBitsToUint(before.load)));
         if (carries) imageStore(load, at + water_ghosts, real4(after.load.x, after.load.y, 0.0, 0.0));
         if (carries) marks |= stays_awake | 4u;

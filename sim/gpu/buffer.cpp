@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 
 #include "sim/gpu/debug.h"
+#include "sim/gpu/fence.h"
 
 namespace talus::gpu {
 
@@ -32,6 +33,9 @@ void Buffer::write(std::size_t offset, std::span<const std::byte> data) {
 
 void Buffer::read(std::size_t offset, std::span<std::byte> data) const {
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    // OpenGL makes glGetNamedBufferSubData wait for all that was asked before. Mesa 22.3's zink does not wait
+    // for glGetTextureSubImage into the buffer (docs/devices.md): a fence does.
+    Fence::now().wait();
     glGetNamedBufferSubData(handle_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(data.size()),
                             data.data());
     raise_errors();

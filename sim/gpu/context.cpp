@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <string_view>
 #include <utility>
 
@@ -115,7 +116,15 @@ Device adopt_current_context(const std::string& route) {
     return device;
 }
 
+void work_around_drivers() {
+    // Mesa 22.3's zink compiles programs anew for the values of uniforms that branches hang on, and confuses
+    // these variants where programs take turns: a dab faded by the curve of an earlier one.
+    static const bool once = setenv("ZINK_INLINE_UNIFORMS", "0", 0) == 0;
+    static_cast<void>(once);
+}
+
 Context::Context(const ContextChoice& choice) {
+    work_around_drivers();
     const std::vector<Candidate> candidates = list_candidates();
     const int count = static_cast<int>(candidates.size());
     if (choice.gpu && (*choice.gpu < 0 || *choice.gpu >= count))

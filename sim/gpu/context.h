@@ -23,6 +23,10 @@ struct ContextChoice {
     bool require_hardware = false;  ///< refuse software renderers
 };
 
+/// Before a first context is made, here or by a window: turns off what a driver is known to do wrong
+/// (docs/devices.md), as far as the environment does not say otherwise.
+void work_around_drivers();
+
 /// A headless OpenGL 4.5 core context, current on the thread that made it for as long as it lives.
 /// EGL devices are enumerated, hardware first; then EGL's surfaceless platform is tried.
 /// Throws talus::Error when none gives OpenGL 4.5.

@@ -8,13 +8,8 @@
 
 namespace talus::gpu {
 
-Readback::~Readback() {
-    cancel();
-}
-
 void Readback::cancel() {
-    if (fence_) glDeleteSync(static_cast<GLsync>(fence_));
-    fence_ = nullptr;
+    fence_ = Fence();
 }
 
 void Readback::start(const Texture& texture, const Region& region) {
@@ -22,28 +17,26 @@ void Readback::start(const Texture& texture, const Region& region) {
         static_cast<std::size_t>(region.width) * region.height * texel_bytes(texture.format());
     if (buffer_.bytes() != bytes) buffer_ = Buffer("readback", bytes);
     texture.copy_to(buffer_, 0, region);
-    fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    fence_ = Fence::now();
     raise_errors();
 }
 
 void Readback::start(const Buffer& buffer, std::size_t bytes) {
     if (buffer_.bytes() != bytes) buffer_ = Buffer("readback", bytes);
     glCopyNamedBufferSubData(buffer.name(), buffer_.name(), 0, 0, static_cast<GLsizeiptr>(bytes));
-    fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    fence_ = Fence::now();
     raise_errors();
 }
 
 void Readback::start(Buffer&& buffer) {
     buffer_ = std::move(buffer);
     owned_ = true;
-    fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    fence_ = Fence::now();
     raise_errors();
 }
 
 std::optional<std::vector<float>> Readback::poll() {
-    if (!fence_) return std::nullopt;
-    const GLenum state = glClientWaitSync(static_cast<GLsync>(fence_), GL_SYNC_FLUSH_COMMANDS_BIT, 0);
-    if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED) return std::nullopt;
+    if (!fence_ || !fence_.passed()) return std::nullopt;
     return take();
 }
 

@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim/gpu/fence.h"
 #include "sim/gpu/texture.h"
 
 namespace talus::gpu {
@@ -13,12 +14,7 @@ namespace talus::gpu {
 ///     if (auto texels = readback.poll()) ...
 class Readback {
   public:
-    Readback() = default;
-    ~Readback();
-    Readback(const Readback&) = delete;
-    Readback& operator=(const Readback&) = delete;
-
-    bool pending() const { return fence_ != nullptr; }
+    bool pending() const { return static_cast<bool>(fence_); }
     void start(const Texture& texture, const Region& region);
     void start(const Buffer& buffer, std::size_t bytes);
     /// All of a buffer that nobody else needs any more.
@@ -38,7 +34,7 @@ class Readback {
 
     Buffer buffer_;
     bool owned_ = false;  // given away by its owner: let go once it is read
-    void* fence_ = nullptr;
+    Fence fence_;
 };
 
 }  // namespace talus::gpu

@@ -91,28 +91,27 @@ void write_integers(const fs::path& path, const Heightmap& heightmap, Range rang
     write_atomically(path, std::as_bytes(std::span(values)));
 }
 
+// Columns and rows of samples that an engine takes for such a terrain.
+glm::ivec2 samples_for_engine(const Grid& grid, const ExportSettings& settings) {
+    // Godot's Terrain3D takes any size, and one spacing for both ways.
+    if (settings.kind == ExportKind::godot)
+        return {grid.nx, static_cast<int>(std::lround(grid.height_m() / grid.dx)) + 1};
+    const auto a_tile = [&](int count, int tiles) {
+        const double samples = static_cast<double>(count - 1) / tiles + 1;
+        return engine_samples(settings.kind, static_cast<int>(std::lround(samples))) - 1;
+    };
+    glm::ivec2 tile(a_tile(grid.nx, settings.tiles.x), a_tile(grid.ny, settings.tiles.y));
+    // Unity's tiles are square.
+    if (settings.kind == ExportKind::unity) tile = glm::ivec2(std::max(tile.x, tile.y));
+    return tile * settings.tiles + 1;
+}
+
 // The ground with samples as the engine takes them, in so many tiles.
 Heightmap for_engine(const Document& document, const ExportSettings& settings) {
     const Grid& grid = document.state.grid;
-    const auto samples = [&](int count, int tiles) {
-        const double a_tile = static_cast<double>(count - 1) / tiles + 1;
-        return (engine_samples(settings.kind, static_cast<int>(std::lround(a_tile))) - 1) * tiles + 1;
-    };
-    int nx = samples(grid.nx, settings.tiles.x);
-    int ny = samples(grid.ny, settings.tiles.y);
-    // Godot's Terrain3D takes any size, and one spacing for both ways.
-    if (settings.kind == ExportKind::godot) {
-        nx = grid.nx;
-        ny = static_cast<int>(std::lround(grid.height_m() / grid.dx)) + 1;
-    }
-    // Unity's tiles are square.
-    if (settings.kind == ExportKind::unity) {
-        const int a_tile = std::max((nx - 1) / settings.tiles.x, (ny - 1) / settings.tiles.y);
-        nx = a_tile * settings.tiles.x + 1;
-        ny = a_tile * settings.tiles.y + 1;
-    }
+    const glm::ivec2 samples = samples_for_engine(grid, settings);
     TerrainState ground = bedrock_terrain(grid, layer_of(document.state, settings.layer));
-    ground = resampled(ground, nx, ny);
+    ground = resampled(ground, samples.x, samples.y);
     Heightmap heightmap;
     heightmap.grid = ground.grid;
     heightmap.heights = ground.ground();
@@ -258,14 +257,9 @@ std::vector<std::string> losses(const TerrainState& state, const ExportSettings&
         lost.push_back(fmt::format("not written: {}; a Talus document (Save as) keeps all", layers));
     const std::vector<float> heights = layer_of(state, settings.layer);
     if (is_engine(settings.kind)) {
-        const glm::ivec2 tile(
-            engine_samples(settings.kind,
-                           static_cast<int>(std::lround((state.grid.nx - 1.0) / settings.tiles.x + 1))),
-            engine_samples(settings.kind,
-                           static_cast<int>(std::lround((state.grid.ny - 1.0) / settings.tiles.y + 1))));
-        const glm::ivec2 samples = (tile - 1) * settings.tiles + 1;
+        const glm::ivec2 samples = samples_for_engine(state.grid, settings);
         if (samples != glm::ivec2(state.grid.nx, state.grid.ny))
-            lost.push_back(fmt::format("{} x {} samples are resampled to sizes that it takes: about {} x {}",
+            lost.push_back(fmt::format("{} x {} samples are resampled to sizes that it takes: {} x {}",
                                        state.grid.nx, state.grid.ny, samples.x, samples.y));
     }
     const bool integers = ending == ".png" || ending == ".r16" || ending == ".raw";

@@ -1,6 +1,7 @@
 // Headerless samples: 16-bit integers (.r16, .raw) or 32-bit floats (.r32, .raw).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -31,28 +32,56 @@ float value_of(Word word) {
         return std::bit_cast<float>(word);
 }
 
-// Of the two byte orders, terrain is the smoother one.
+// Whether it can be a height in metres. The wrong order makes numbers of any size of a float, and NaN.
+bool is_plausible(float height) {
+    const float size = std::abs(height);
+    return height == 0 || (size > 1e-6F && size < 1e6F);
+}
+
+// Whether any sample can be a height, in either byte order.
 template <typename Word>
-double roughness(const std::vector<Word>& words, int nx, bool swap) {
-    double sum = 0;
-    for (std::size_t i = 1; i < words.size(); ++i) {
+bool holds_heights(const std::vector<Word>& words) {
+    return std::any_of(words.begin(), words.end(), [](Word word) {
+        return is_plausible(value_of(word)) || is_plausible(value_of(swapped(word)));
+    });
+}
+
+// Of the two byte orders the file has the one in which more samples can be heights; where that decides
+// nothing, the smoother one. Samples that can be none in either order say nothing: a NaN is no evidence that
+// its bytes are swapped.
+template <typename Word>
+bool is_big_endian(const std::vector<Word>& words, int nx) {
+    std::int64_t more_as_big = 0;
+    double rough_as_little = 0;
+    double rough_as_big = 0;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const float little = value_of(words[i]);
+        const float big = value_of(swapped(words[i]));
+        more_as_big += (is_plausible(big) ? 1 : 0) - (is_plausible(little) ? 1 : 0);
         if (i % static_cast<std::size_t>(nx) == 0) continue;
-        const double a = value_of(swap ? swapped(words[i - 1]) : words[i - 1]);
-        const double b = value_of(swap ? swapped(words[i]) : words[i]);
-        if (!std::isfinite(a) || !std::isfinite(b)) return HUGE_VAL;
-        sum += std::abs(b - a);
+        const float little_before = value_of(words[i - 1]);
+        const float big_before = value_of(swapped(words[i - 1]));
+        const bool all_plausible = is_plausible(little) && is_plausible(big) && is_plausible(little_before) &&
+                                   is_plausible(big_before);
+        if (!all_plausible) continue;
+        rough_as_little += std::abs(static_cast<double>(little) - little_before);
+        rough_as_big += std::abs(static_cast<double>(big) - big_before);
     }
-    return sum;
+    return more_as_big != 0 ? more_as_big > 0 : rough_as_big < rough_as_little;
 }
 
 template <typename Word>
-std::vector<float> decode(const std::string& bytes, RawLayout& layout, bool guess_order,
+std::vector<float> decode(const fs::path& path, const std::string& bytes, RawLayout& layout, bool guess_order,
                           std::vector<std::string>& notes) {
     std::vector<Word> words(bytes.size() / sizeof(Word));
     std::memcpy(words.data(), bytes.data(), words.size() * sizeof(Word));
+    if (guess_order && !holds_heights(words))
+        throw Error(fmt::format(
+            "'{}' holds no number that can be a height in metres, in either byte order: it must hold {}",
+            path.string(), sizeof(Word) == 2 ? "16-bit integers" : "32-bit floats"));
     if (guess_order) {
-        layout.big_endian = roughness(words, layout.nx, true) < roughness(words, layout.nx, false);
-        notes.push_back(fmt::format("byte order guessed as {} by smoothness: --raw sets it",
+        layout.big_endian = is_big_endian(words, layout.nx);
+        notes.push_back(fmt::format("byte order guessed as {} from the heights: --raw sets it",
                                     layout.big_endian ? "big" : "little"));
     }
     std::vector<float> heights(words.size());
@@ -128,8 +157,9 @@ Heightmap read_raw(const fs::path& path, const ImportSettings& settings) {
     heightmap.kind = bytes == 2 ? "raw, 16-bit integer" : "raw, 32-bit float";
     const std::string content = read_text(path);
     const bool guess_order = !settings.raw && !(sidecar && sidecar->raw);
-    heightmap.heights = bytes == 2 ? decode<std::uint16_t>(content, layout, guess_order, heightmap.notes)
-                                   : decode<std::uint32_t>(content, layout, guess_order, heightmap.notes);
+    heightmap.heights = bytes == 2
+                            ? decode<std::uint16_t>(path, content, layout, guess_order, heightmap.notes)
+                            : decode<std::uint32_t>(path, content, layout, guess_order, heightmap.notes);
     if (sidecar && sidecar->dx && sidecar->dy) {
         heightmap.grid.dx = *sidecar->dx;
         heightmap.grid.dy = *sidecar->dy;

@@ -67,6 +67,7 @@ void check_dab(const Dab& dab) {
                   {"half_x_m", dab.stamp.half_m.x, 1e-6, 1e9},
                   {"half_y_m", dab.stamp.half_m.y, 1e-6, 1e9},
                   {"turn_deg", dab.stamp.turn_deg, -3600, 3600},
+                  {"zero", dab.stamp.zero, -1e6, 1e6},
                   {"rain_mm_per_h", dab.erode.rain_mm_per_h, 0, 1e4},
                   {"time_s", dab.erode.time_s, 1e-6, 1e6},
                   {"acceleration", dab.erode.acceleration, 1, 1e5}};
@@ -119,6 +120,7 @@ DabStep dab_step(const Grid& grid, const Dab& dab, glm::ivec2 stamp_samples) {
     const double side = dab.stamp.mirrored ? -1 : 1;
     step.stamp_columns = glm::dvec2(std::cos(turn), -std::sin(turn)) * a_metre.x * side;
     step.stamp_rows = glm::dvec2(std::sin(turn), std::cos(turn)) * a_metre.y;
+    step.stamp_zero = static_cast<float>(dab.stamp.zero);
     return step;
 }
 
@@ -217,6 +219,7 @@ void Brush::dab(Terrain& terrain, const Dab& dab, const gpu::Texture* stamp) {
             program.set("stamp_samples", stamp_samples);
             program.set("stamp_columns", step.stamp_columns);
             program.set("stamp_rows", step.stamp_rows);
+            program.set("stamp_zero", step.stamp_zero);
             program.set("stamp_mode", static_cast<int>(dab.stamp.mode));
         }
     });

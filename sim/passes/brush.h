@@ -39,12 +39,14 @@ const std::vector<std::string>& noise_kind_names();
 enum class StampMode { add = 0, higher, lower, replace };
 const std::vector<std::string>& stamp_mode_names();
 
-/// How a stamp lies: half its width and height, and how it is turned, counterclockwise.
+/// How a stamp lies: half its width and height, how it is turned, counterclockwise, and which of its heights,
+/// 0 to 1, stands on the ground: what is lower digs.
 struct StampPlacement {
     StampMode mode = StampMode::add;
     glm::dvec2 half_m{1};
     double turn_deg = 0;
     bool mirrored = false;  ///< west for east
+    double zero = 0;
     bool operator==(const StampPlacement&) const = default;
 };
 
@@ -69,7 +71,7 @@ struct Dab {
         0;  ///< raise, lower: metres in the middle; noise, stamp: the height of 1, below 0 a hollow
     double blend =
         0;  ///< smooth, flatten, ramp, terrace, stamp, paint: share of the way in the middle, 0 … 1
-    /// Flatten: the height to reach; ramp: at its beginning; terrace: of a step; stamp: that its lowest part
+    /// Flatten: the height to reach; ramp: at its beginning; terrace: of a step; stamp: that its zero
     /// stands on; paint: the value, as PaintedLayer says.
     double target_m = 0;
     /// What raise adds and lower takes; the other modes act on the ground whatever it is.
@@ -112,6 +114,7 @@ struct DabStep {
     int on_regolith = 0;
     glm::vec2 stamp_columns{0};
     glm::vec2 stamp_rows{0};
+    float stamp_zero = 0;
 };
 /// `stamp_samples`: columns and rows of the stamp, for a dab of it.
 DabStep dab_step(const Grid& grid, const Dab& dab, glm::ivec2 stamp_samples = {2, 2});

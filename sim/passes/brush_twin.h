@@ -37,6 +37,7 @@ struct BrushTwin {
     int2 stamp_samples{2};
     real2 stamp_columns{0};
     real2 stamp_rows{0};
+    real stamp_zero{0};
     int stamp_mode = 0;
     bool masked = false;
     std::vector<real> masks;
@@ -85,6 +86,7 @@ struct BrushTwin {
         terrace_flat = static_cast<float>(dab.flat);
         stamp_columns = real2(step.stamp_columns);
         stamp_rows = real2(step.stamp_rows);
+        stamp_zero = step.stamp_zero;
         stamp_mode = static_cast<int>(dab.stamp.mode);
         masked = dab.masked;
         std::vector<real4> next = ground_samples;

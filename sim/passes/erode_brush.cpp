@@ -127,6 +127,7 @@ const Terrain& ErodeBrush::erode(const Terrain& terrain, const Dab& dab, WaterSe
     water.wakes_slopes = false;
     water.sediment.carried = true;
     water.sediment.masked = true;
+    water.sediment.below_neighbours = true;
     water.manning_s_per_m13 = manning_of_sheets;
     water.sediment.acceleration = dab.erode.acceleration;
     patch_->water.begin_tick(patch, water, {}, dab.erode.time_s, 0);

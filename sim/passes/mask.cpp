@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "sim/gpu/error.h"
 
 namespace talus {
@@ -42,23 +39,13 @@ void Mask::make(Terrain& terrain, const MaskSettings& settings) {
     terrain.ground.bind_image(1, gpu::Access::read);
     if (terrain.water) terrain.water->front.bind_image(2, gpu::Access::read);
     terrain.tiles.bind_for_marking();
-    double low = settings.low;
-    double high = settings.high;
-    double fade = settings.fade;
-    if (settings.source == MaskSource::slope) {
-        // The shader compares tangents: it fades evenly in them.
-        const auto tangent = [](double deg) { return std::tan(glm::radians(std::clamp(deg, 0.0, 89.99))); };
-        fade = tangent(high + fade) - tangent(high);
-        low = tangent(low);
-        high = settings.high >= 90 ? 1e30 : tangent(high);
-    }
     program_.set("samples", glm::ivec2(grid.nx, grid.ny));
     program_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
     program_.set("cell_m", glm::vec2(grid.dx, grid.dy));
     program_.set("mask_source", static_cast<int>(settings.source));
-    program_.set("mask_low", static_cast<float>(low));
-    program_.set("mask_high", static_cast<float>(high));
-    program_.set("mask_fade", static_cast<float>(fade));
+    program_.set("mask_low", static_cast<float>(settings.low));
+    program_.set("mask_high", static_cast<float>(settings.high));
+    program_.set("mask_fade", static_cast<float>(settings.fade));
     program_.set("mask_join", static_cast<int>(settings.join));
     program_.set("mask_inverted", settings.inverted ? 1 : 0);
     program_.set("has_water", terrain.water ? 1 : 0);

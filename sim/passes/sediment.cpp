@@ -19,6 +19,7 @@ SedimentStep sediment_step(const SedimentSettings& settings, double gravity_m_pe
     step.per_rock = 1 / step.speedup;
     step.per_loose = 1 / (step.speedup * step.bulking);
     step.masked = settings.masked ? 1 : 0;
+    step.below = settings.below_neighbours ? 1 : 0;
     step.strata = glm::vec2(settings.strata_m, settings.strata_hardness);
     return step;
 }
@@ -56,6 +57,7 @@ void Sediment::exchange(Terrain& terrain, const SedimentStep& step, double gravi
     program.set("sediment_per_loose", step.per_loose);
     program.set("sediment_strata", step.strata);
     program.set("sediment_masked", step.masked);
+    program.set("sediment_below", step.below);
     program.dispatch_indirect(list);
 
     terrain.ground.bind_image(0, gpu::Access::read);

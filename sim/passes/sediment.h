@@ -18,6 +18,7 @@ struct SedimentSettings {
     double acceleration = 1;          ///< how often an exchange counts for the bed
     double inflow_concentration = 0;  ///< by volume, of what enters by edges of kind inflow
     bool masked = false;              ///< water takes as much as the mask says
+    bool below_neighbours = false;    ///< what settles raises no sample above its highest neighbour
     double strata_m = 0;              ///< thickness of a pair of bedrock layers; 0: none
     double strata_hardness = 0;       ///< of the harder one
 };
@@ -36,6 +37,7 @@ struct SedimentStep {
     float per_loose = 1;  ///< 1 / (speedup * bulking)
     glm::vec2 strata{0};
     int masked = 0;
+    int below = 0;
 };
 SedimentStep sediment_step(const SedimentSettings& settings, double gravity_m_per_s2, double manning);
 

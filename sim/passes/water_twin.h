@@ -66,6 +66,7 @@ class WaterTwin {
         sediment_per_loose = step.per_loose;
         sediment_strata = real2(step.strata);
         sediment_masked = step.masked;
+        sediment_below = step.below;
     }
     const std::vector<real4>& solid() const { return solid_; }
     std::vector<real2> read_load() const { return samples_of(load_front_); }
@@ -110,6 +111,7 @@ class WaterTwin {
     real sediment_per_loose = 1;
     real2 sediment_strata{0};
     int sediment_masked = 0;
+    int sediment_below = 0;
 
     real load_edge_series(int at) const { return series_[static_cast<std::size_t>(at)]; }
     static real inverse_cube_root_seed(real x) {
@@ -171,10 +173,11 @@ class WaterTwin {
                 const real hardness = painted_.empty() ? real(0) : sediment_hardness(real4(painted_[i]));
                 const auto bed = [&](int dx, int dy) { return beds[texel(int2(x + dx, y + dy))]; };
                 const real drop = bed(0, 0) - min(min(bed(-1, 0), bed(1, 0)), min(bed(0, -1), bed(0, 1)));
+                const real rise = max(max(bed(-1, 0), bed(1, 0)), max(bed(0, -1), bed(0, 1))) - bed(0, 0);
                 const bool is_base = x == 0 || y == 0 || x == nx - 1 || y == ny - 1;
-                const SedimentSample after =
-                    sediment_exchange(front_[at], sediment_shear(front_[at]),
-                                      SedimentSample{solid_[i], load_front_[at]}, hardness, is_base, drop);
+                const SedimentSample after = sediment_exchange(front_[at], sediment_shear(front_[at]),
+                                                               SedimentSample{solid_[i], load_front_[at]},
+                                                               hardness, is_base, drop, rise);
                 load_front_[at] = after.load;
                 if (after.solid == solid_[i]) continue;
                 solid_[i] = after.solid;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "render/overview.h"
 #include "render/renderer.h"
 #include "sim/gpu/context.h"
 #include "sim/simulation.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "render/cast_twin.h"
+#include "render/overview.h"
 #include "render/renderer.h"
 #include "render/survey.h"
 #include "render/water_surface.h"
@@ -195,6 +196,125 @@ TEST(WaterSurface, AShorelineAtRestDoesNotFlicker) {
         simulation.apply(Ticks{1});
         renderer.draw(simulation.terrain(), camera, settings, 320, 180);
         ASSERT_EQ(first, renderer.read_rgb(320, 180)) << "frame " << frame;
+    }
+}
+
+// A plane that is tilted in any direction, seen from straight above, dry and with water on it.
+struct TiltedPlane {
+    static constexpr int samples = 97;
+    static constexpr double spacing_m = 10;
+    static constexpr int side_px = 480;
+    static constexpr double seen_m = 600;  // of the plane's 960, across the picture
+
+    explicit TiltedPlane(double turned_deg)
+        : downhill(std::cos(glm::radians(turned_deg)), std::sin(glm::radians(turned_deg))) {}
+
+    // Metres along the fall line from the plane's middle.
+    double along_m(glm::dvec2 at_m) const { return glm::dot(at_m - middle_m(), downhill); }
+    glm::dvec2 middle_m() const { return glm::dvec2((samples - 1) * spacing_m / 2); }
+    glm::dvec2 place_of(int x, int y) const {
+        const double pixel_m = seen_m / side_px;
+        return middle_m() + pixel_m * glm::dvec2(x + 0.5 - side_px / 2.0, side_px / 2.0 - y - 0.5);
+    }
+
+    // A picture of the plane with this slope and this depth of water at a distance along the fall line.
+    template <typename Depth>
+    std::vector<std::uint8_t> picture(double slope, Depth&& depth_m) const {
+        const Grid plane{samples, samples, spacing_m, spacing_m};
+        std::vector<float> heights;
+        std::vector<glm::vec4> water;
+        for (int y = 0; y < samples; ++y)
+            for (int x = 0; x < samples; ++x) {
+                const double along = along_m({x * spacing_m, (samples - 1 - y) * spacing_m});
+                heights.push_back(static_cast<float>(100 - slope * along));
+                water.emplace_back(static_cast<float>(depth_m(along)), 0, 0, 0);
+            }
+        TerrainState state = bedrock_terrain(plane, heights);
+        state.water = water;
+        Terrain terrain(state);
+        Renderer renderer(terrain, 8);
+        // From far away, so that all pixels look down alike.
+        Camera camera;
+        camera.target = {middle_m(), 100};
+        camera.eye = camera.target + glm::dvec3(0, 0, 20000);
+        camera.fov_deg = glm::degrees(2 * std::atan(seen_m / 2 / 20000));
+        ViewSettings settings;
+        settings.sun = glm::normalize(glm::dvec3(-1, 0.4, 0.9));
+        settings.shadows = settings.occlusion = false;
+        renderer.draw(terrain, camera, settings, side_px, side_px);
+        return renderer.read_rgb(side_px, side_px);
+    }
+
+    glm::dvec2 downhill;
+};
+
+// The waterline of a lake on a tilted plane is where its depth is zero, whichever way the grid runs.
+TEST(WaterSurface, TheWaterlineFollowsNoGrid) {
+    const gpu::Context context;
+    constexpr double slope = 0.15;
+    for (const double turned_deg : {0.0, 7.0, 22.5, 31.0, 45.0}) {
+        const TiltedPlane plane(turned_deg);
+        const auto dry = plane.picture(slope, [](double) { return 0.0; });
+        const auto wet =
+            plane.picture(slope, [&](double along) { return std::max(0.0, slope * (along - 3.7)); });
+        // Where the picture begins to differ, along the fall line; on both sides of it.
+        double farthest_out_m = 0;
+        double farthest_in_m = 0;
+        for (int y = 0; y < TiltedPlane::side_px; ++y)
+            for (int x = 0; x < TiltedPlane::side_px; ++x) {
+                const std::size_t i = 3 * (static_cast<std::size_t>(y) * TiltedPlane::side_px + x);
+                int differs = 0;
+                for (std::size_t k = 0; k < 3; ++k)
+                    differs = std::max(differs, std::abs(static_cast<int>(wet[i + k]) - dry[i + k]));
+                const double from_line_m = plane.along_m(plane.place_of(x, y)) - 3.7;
+                if (differs > 0) farthest_out_m = std::max(farthest_out_m, -from_line_m);
+                if (differs <= 5) farthest_in_m = std::max(farthest_in_m, from_line_m);
+            }
+        const double pixel_m = TiltedPlane::seen_m / TiltedPlane::side_px;
+        fmt::print(
+            "turned by {}°: water is seen from {:.2f} px before to {:.2f} px behind the waterline on\n",
+            turned_deg, farthest_out_m / pixel_m, farthest_in_m / pixel_m);
+        EXPECT_LE(farthest_out_m, 1.0 * pixel_m) << turned_deg;
+        EXPECT_LE(farthest_in_m, 1.5 * pixel_m) << turned_deg;
+    }
+}
+
+// A film that thickens along the fall line is seen by its depth alone: nothing in the picture follows the
+// grid.
+TEST(WaterSurface, AFilmFadesWithItsDepth) {
+    const gpu::Context context;
+    for (const double turned_deg : {0.0, 13.0, 45.0}) {
+        const TiltedPlane plane(turned_deg);
+        const auto depth_m = [](double along) { return std::max(0.0, 0.03 * (along + 250) / 500); };
+        const auto dry = plane.picture(0.1, [](double) { return 0.0; });
+        const auto wet = plane.picture(0.1, depth_m);
+        // What the water changes at each depth, in steps of 0.25 mm: the brightest and the darkest pixel.
+        std::vector<glm::ivec2> changes(200, glm::ivec2(1000, -1000));
+        for (int y = 0; y < TiltedPlane::side_px; ++y)
+            for (int x = 0; x < TiltedPlane::side_px; ++x) {
+                const std::size_t i = 3 * (static_cast<std::size_t>(y) * TiltedPlane::side_px + x) + 1;
+                const double depth = depth_m(plane.along_m(plane.place_of(x, y)));
+                glm::ivec2& change = changes[static_cast<std::size_t>(depth / 0.00025)];
+                change.x = std::min(change.x, static_cast<int>(wet[i]) - dry[i]);
+                change.y = std::max(change.y, static_cast<int>(wet[i]) - dry[i]);
+            }
+        int widest = 0;
+        int steepest = 0;
+        for (std::size_t k = 1; k < changes.size(); ++k) {
+            if (changes[k].x > changes[k].y || changes[k - 1].x > changes[k - 1].y) continue;
+            widest = std::max(widest, changes[k].y - changes[k].x);
+            steepest = std::max(
+                steepest, std::abs(changes[k].x + changes[k].y - changes[k - 1].x - changes[k - 1].y) / 2);
+        }
+        const glm::ivec2 none = changes[8];    // at 2 mm
+        const glm::ivec2 most = changes[118];  // at 29.5 mm
+        fmt::print(
+            "turned by {}°: at one depth {} levels apart at most, from depth to depth {}; in all {} to {}\n",
+            turned_deg, widest, steepest, none.x, most.x);
+        EXPECT_LE(widest, 6) << turned_deg;
+        EXPECT_LE(steepest, 2) << turned_deg;
+        EXPECT_EQ(none, glm::ivec2(0)) << "2 mm are no surface";
+        EXPECT_GT(std::abs(most.x), 2) << "3 cm are seen";
     }
 }
 

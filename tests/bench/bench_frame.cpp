@@ -1,6 +1,7 @@
 // What a frame costs besides its rays: the shading of every view, with and without shadows.
 #include <fmt/format.h>
 
+#include "render/overview.h"
 #include "render/renderer.h"
 #include "sim/terrain/generate.h"
 #include "tests/bench/measure.h"

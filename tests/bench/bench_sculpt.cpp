@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "render/overview.h"
 #include "render/renderer.h"
 #include "sim/simulation.h"
 #include "sim/simulation_parameters.h"

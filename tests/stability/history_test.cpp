@@ -62,14 +62,17 @@ class RandomActs {
         dab.stamp = {static_cast<StampMode>(random_() % 4),
                      {60 + 200 * unit(), 60 + 200 * unit()},
                      360 * unit(),
-                     random_() % 2 == 0};
+                     random_() % 2 == 0,
+                     unit()};
         dab.erode = {5000 * unit(), 0.5 + 3 * unit(), 1 + 500 * unit(), random_() % 4 == 0,
                      random_() % 4 == 0};
         return dab;
     }
 
     SetParameter parameter() {
-        switch (random_() % 7) {
+        switch (random_() % 8) {
+            case 7:
+                return {"thermal.repose_deg", std::nullopt};
             case 0:
                 return {"thermal.repose_deg", 20 + 25 * unit()};
             case 1:

@@ -6,8 +6,10 @@
 #include "app/still.h"
 #include "app/tools/camera_control.h"
 #include "app/tools/ground_probe.h"
+#include "render/overview.h"
 #include "sim/gpu/context.h"
 #include "sim/terrain/generate.h"
+#include "tests/scenes/wait_until.h"
 
 namespace talus {
 namespace {
@@ -103,8 +105,10 @@ TEST(GroundProbe, ComesToRestOnSmallTerrain) {
     GroundProbe probe;
     for (const glm::dvec2 place :
          {glm::dvec2(0, 0), glm::dvec2(small.width_m(), small.height_m()), glm::dvec2(0.3, 0.2)}) {
-        for (int i = 0; i < 1000 && (!probe.height_m(small, place) || probe.pending()); ++i)
+        EXPECT_TRUE(wait_until([&] {
             probe.follow(terrain, place);
+            return probe.height_m(small, place) && !probe.pending();
+        }));
         EXPECT_EQ(probe.height_m(small, place), 5.0);
         EXPECT_FALSE(probe.pending());
     }
@@ -116,7 +120,10 @@ TEST(GroundProbe, ComesToRestOnSmallTerrain) {
     probe.follow(terrain, {0.1, 0.1});
     probe.forget();
     EXPECT_FALSE(probe.pending());
-    for (int i = 0; i < 1000 && !probe.height_m(small, {0.1, 0.1}); ++i) probe.follow(other, {0.1, 0.1});
+    EXPECT_TRUE(wait_until([&] {
+        probe.follow(other, {0.1, 0.1});
+        return probe.height_m(small, {0.1, 0.1}).has_value();
+    }));
     EXPECT_EQ(probe.height_m(small, {0.1, 0.1}), 9.0);
 }
 
@@ -125,7 +132,10 @@ TEST(GroundProbe, SeesChangesAndNothingBesideTheTerrain) {
     Terrain terrain(bedrock_terrain(grid, std::vector<float>(grid.count(), 5.0F)));
     GroundProbe probe;
     const auto wait = [&](glm::dvec2 place, double wanted) {
-        for (int i = 0; i < 1000 && probe.height_m(grid, place) != wanted; ++i) probe.follow(terrain, place);
+        wait_until([&] {
+            probe.follow(terrain, place);
+            return probe.height_m(grid, place) == wanted;
+        });
         return probe.height_m(grid, place);
     };
     EXPECT_EQ(wait({800, 900}, 5.0), 5.0);

@@ -188,6 +188,59 @@ TEST(ErodeBrush, HardRockStaysAndTheMaskLimits) {
     }
 }
 
+// How far a sample stands above the highest of its eight neighbours, m; below 0 where one of them is higher.
+double prominence_m(const std::vector<float>& ground, const Grid& grid, int column, int row) {
+    double highest = -1e30;
+    for (int y = row - 1; y <= row + 1; ++y)
+        for (int x = column - 1; x <= column + 1; ++x) {
+            if ((x == column && y == row) || x < 0 || y < 0 || x >= grid.nx || y >= grid.ny) continue;
+            highest =
+                std::max(highest, static_cast<double>(ground[static_cast<std::size_t>(y) * grid.nx + x]));
+        }
+    return ground[static_cast<std::size_t>(row) * grid.nx + column] - highest;
+}
+
+// No erosion by hand makes a sample stick out, whatever the brush, its speed and the terrain.
+TEST(ErodeBrush, MakesNoNeedles) {
+    const gpu::Context context;
+    const Grid coarse{200, 180, 40, 40};
+    const Grid fine{190, 150, 5, 7};
+    const std::vector<std::pair<const char*, TerrainState>> terrains = {
+        {"alpine", bedrock_terrain(coarse, generate_heights(coarse, {"mountains", 1, 1800}))},
+        {"massif", bedrock_terrain(coarse, generate_heights(coarse, {"massif", 3, 900}))},
+        {"hills", bedrock_terrain(fine, generate_heights(fine, {"hills", 2, 150}))}};
+    double tallest = 0;
+    for (const auto& [name, before] : terrains)
+        for (const double radius : {4.5, 12.0, 37.0})  // samples
+            for (const double seconds : {1.0, 8.0})    // of a dab
+                for (const auto& [acceleration, slides] :
+                     {std::pair(3000.0, true), {3000.0, false}, {1e5, true}}) {
+                    const Grid& grid = before.grid;
+                    const std::vector<float> was = before.ground();
+                    Simulation simulation(before,
+                                          slides ? Parameters(simulation_parameters()) : without_slides());
+                    Dab dab = erosion(0.55 * grid.width_m(), 0.48 * grid.height_m(), radius * grid.dx);
+                    dab.erode = {5000, seconds * grid.dx / 5, acceleration, true, true};
+                    hold(simulation, dab, 24);
+                    const std::vector<float> is = simulation.read().ground();
+                    double grown = 0;
+                    double raised = 0;
+                    for (int row = 0; row < grid.ny; ++row)
+                        for (int column = 0; column < grid.nx; ++column) {
+                            const std::size_t i = static_cast<std::size_t>(row) * grid.nx + column;
+                            raised = std::max(raised, static_cast<double>(is[i]) - was[i]);
+                            const double before_m = std::max(prominence_m(was, grid, column, row), 0.0);
+                            grown = std::max(grown, prominence_m(is, grid, column, row) - before_m);
+                        }
+                    std::printf("%s radius %g, %g s, x%g%s: raised %.1f m, sticks out %.2f m more\n", name,
+                                radius, seconds, acceleration, slides ? "" : ", no slides", raised, grown);
+                    tallest = std::max(tallest, grown / grid.dx);
+                }
+    // A summit at the angle of repose stands 0.65 of a sample's width above its neighbours; slides alone made
+    // 0.27 here.
+    EXPECT_LT(tallest, 0.4) << "of a sample's width";
+}
+
 // Undo stops the stroke's water; what the journal says leads to the same ground.
 TEST(ErodeBrush, ReplaysAfterUndoInMidStroke) {
     const gpu::Context context;

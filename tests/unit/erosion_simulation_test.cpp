@@ -14,6 +14,7 @@
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"
 #include "sim/terrain/state_hash.h"
+#include "tests/scenes/wait_until.h"
 
 namespace talus {
 namespace {
@@ -195,8 +196,7 @@ TEST(ErosionSimulation, TheLedgerIsFollowedWithoutWaiting) {
         simulation.ask_ledger();
         simulation.apply(Ticks{1});
         std::optional<LedgerReading> followed;
-        for (int frame = 0; frame < 1000 && !followed; ++frame) followed = simulation.poll_ledger();
-        ASSERT_TRUE(followed);
+        ASSERT_TRUE(wait_until([&] { return (followed = simulation.poll_ledger()).has_value(); }));
         EXPECT_EQ(followed->solid_final, waited.solid_final);
         EXPECT_EQ(followed->solid_in, waited.solid_in);
         EXPECT_EQ(followed->eroded_m3, waited.eroded_m3);

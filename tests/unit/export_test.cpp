@@ -1,5 +1,6 @@
 // What other programs get: the values that are to be typed there give the heights back, tiles meet, meshes
 // keep their error.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -249,6 +250,30 @@ TEST_F(Export, SaysWhatGetsLost) {
     ASSERT_EQ(lost.size(), 3U);
     EXPECT_NE(lost[1].find("16 bits"), std::string::npos);
     EXPECT_NE(lost[2].find("cut off"), std::string::npos);
+}
+
+// What the dialog announces is what is written.
+TEST_F(Export, AnnouncesTheSizesThatItWrites) {
+    const Document document = hills(600, 300);
+    for (const auto& [kind, ending] :
+         {std::pair(ExportKind::unreal, ".png"), {ExportKind::unity, ".raw"}, {ExportKind::godot, ".r16"}})
+        for (const glm::ivec2 tiles : {glm::ivec2(1, 1), glm::ivec2(2, 1), glm::ivec2(3, 2)}) {
+            ExportSettings settings;
+            settings.kind = kind;
+            settings.path = path(std::string("sizes") + ending);
+            settings.tiles = tiles;
+            const Exported exported = export_terrain(document, settings);
+            // Godot's tiles need not be alike.
+            if (kind == ExportKind::godot && tiles != glm::ivec2(1)) continue;
+            const glm::ivec2 written = (exported.tile_samples - 1) * tiles + 1;
+            const std::string announced = losses(document.state, settings).front();
+            if (written == glm::ivec2(600, 300))
+                EXPECT_EQ(announced.find("resampled"), std::string::npos) << announced;
+            else
+                EXPECT_NE(announced.find(fmt::format("takes: {} x {}", written.x, written.y)),
+                          std::string::npos)
+                    << announced << " where " << written.x << " x " << written.y << " were written";
+        }
 }
 
 TEST_F(Export, RefusesWhatCannotBeWritten) {

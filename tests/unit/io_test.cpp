@@ -143,6 +143,36 @@ TEST_F(Files, RawSizeAndByteOrderAreGuessedAndSaid) {
     EXPECT_THROW(parse_raw_layout("65x65,middle"), Error);
 }
 
+// Bytes that make no height in either order say nothing of the order.
+TEST_F(Files, NaNsAreNoEvidenceForTheOtherByteOrder) {
+    const auto bytes_of = [](const std::vector<float>& heights, bool big) {
+        std::string bytes(heights.size() * sizeof(float), '\0');
+        std::memcpy(bytes.data(), heights.data(), bytes.size());
+        for (std::size_t i = 0; big && i < bytes.size(); i += 4) {
+            std::swap(bytes[i], bytes[i + 3]);
+            std::swap(bytes[i + 1], bytes[i + 2]);
+        }
+        return bytes;
+    };
+    for (const bool big : {false, true}) {
+        write("nan.r32", bytes_of(std::vector<float>(33 * 33, std::nanf("")), big));
+        EXPECT_NE(refusal("nan.r32").find("in either byte order"), std::string::npos);
+        // A few of them among heights, level ones and rough ones: of those that stand alone.
+        for (const bool is_level : {true, false}) {
+            std::vector<float> heights(33 * 33, 100);
+            std::mt19937 random(5);
+            std::uniform_real_distribution<float> spread(-500, 4000);
+            if (!is_level)
+                for (float& height : heights) height = spread(random);
+            write("heights.r32", bytes_of(heights, big));
+            EXPECT_EQ(read_heightmap(path("heights.r32"), {}).heights, heights) << big << is_level;
+            heights[7] = heights[500] = std::nanf("");
+            write("holes.r32", bytes_of(heights, big));
+            EXPECT_NE(refusal("holes.r32").find(" 2 samples that are not finite"), std::string::npos);
+        }
+    }
+}
+
 TEST_F(Files, DeclaredNodataIsFilledAndCounted) {
     write("v.asc",
           "ncols 4\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 10\nNODATA_value -9999\n"

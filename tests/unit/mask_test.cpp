@@ -1,6 +1,7 @@
 // Masks out of the terrain, blurs, and what they limit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/gpu/context.h"
@@ -53,6 +54,100 @@ TEST(Mask, FollowsSlopeHeightCurvatureAndDepth) {
     made = simulation.read();
     EXPECT_EQ(mask_at(made, 7, 40), 0);
     EXPECT_EQ(mask_at(made, 8, 40), 1);
+}
+
+// s²(3 − 2s) between `from` and `to`.
+double step_of(double value, double from, double to) {
+    if (value >= to) return 1;
+    if (value <= from) return 0;
+    const double s = (value - from) / (to - from);
+    return s * s * (3 - 2 * s);
+}
+
+// Ground from −400 m up, whose slopes grow from 0 to 89.9° eastwards and turn with the row, and water that
+// deepens southwards.
+TerrainState of_all_slopes() {
+    const Grid grid{361, 40, 10, 12};
+    std::vector<float> heights;
+    std::vector<double> along(static_cast<std::size_t>(grid.nx), -400);
+    for (int x = 1; x < grid.nx; ++x)
+        along[static_cast<std::size_t>(x)] =
+            along[static_cast<std::size_t>(x) - 1] + 10 * std::tan(glm::radians((x - 0.5) * 89.9 / grid.nx));
+    for (int y = 0; y < grid.ny; ++y)
+        for (int x = 0; x < grid.nx; ++x)
+            heights.push_back(
+                static_cast<float>(along[static_cast<std::size_t>(x)] + 3 * std::sin(0.7 * y) * y));
+    TerrainState state = bedrock_terrain(grid, heights);
+    for (int y = 0; y < grid.ny; ++y)
+        for (int x = 0; x < grid.nx; ++x) state.water.emplace_back(0.1F * static_cast<float>(y), 0, 0, 0);
+    return state;
+}
+
+// Every source against its formula in double, over its whole range, on both sides of its band.
+TEST(Mask, EverySourceFollowsItsFormula) {
+    const gpu::Context context;
+    const TerrainState state = of_all_slopes();
+    const Grid& grid = state.grid;
+    const std::vector<float> ground = state.ground();
+    const auto height = [&](int x, int y) {
+        const int column = std::clamp(x, 0, grid.nx - 1);
+        const int row = std::clamp(y, 0, grid.ny - 1);
+        return static_cast<double>(ground[static_cast<std::size_t>(row) * grid.nx + column]);
+    };
+    const auto value = [&](MaskSource source, int x, int y) {
+        const double east = (height(x + 1, y) - height(x - 1, y)) / (2 * grid.dx);
+        const double south = (height(x, y + 1) - height(x, y - 1)) / (2 * grid.dy);
+        const double bend = (height(x + 1, y) - 2 * height(x, y) + height(x - 1, y)) / (grid.dx * grid.dx) +
+                            (height(x, y + 1) - 2 * height(x, y) + height(x, y - 1)) / (grid.dy * grid.dy);
+        switch (source) {
+            case MaskSource::height:
+                return height(x, y);
+            case MaskSource::slope:
+                return glm::degrees(std::atan(std::hypot(east, south)));
+            case MaskSource::curvature:
+                return -1000 * bend;
+            default:
+                return static_cast<double>(state.water[static_cast<std::size_t>(y) * grid.nx + x].x);
+        }
+    };
+    const std::vector<MaskSettings> all = {
+        {MaskSource::slope, 35, 80, 6},        {MaskSource::slope, 30, 90, 5},
+        {MaskSource::slope, 0, 5, 2},          {MaskSource::slope, 80, 89, 3},
+        {MaskSource::slope, 45, 45, 45},       {MaskSource::slope, 20, 40, 0},
+        {MaskSource::slope, 0, 90, 10},        {MaskSource::height, -100, 300, 200},
+        {MaskSource::height, -1e6, 0, 50},     {MaskSource::height, 500, 1e6, 0},
+        {MaskSource::curvature, -100, -1, 20}, {MaskSource::curvature, 5, 1e6, 300},
+        {MaskSource::depth, 1, 2, 0.5},        {MaskSource::depth, 0.05, 1e6, 0.02}};
+    Simulation simulation(state, Parameters(simulation_parameters()), undo_bytes);
+    for (const MaskSettings& settings : all) {
+        simulation.apply(settings);
+        const TerrainState made = simulation.read();
+        double largest = 0;
+        int ones = 0;
+        int zeros = 0;
+        for (int y = 0; y < grid.ny; ++y)
+            for (int x = 0; x < grid.nx; ++x) {
+                const double v = value(settings.source, x, y);
+                const double below = settings.low - settings.fade;
+                const double above = settings.high + settings.fade;
+                // Where it jumps, floats may fall on the other side.
+                const double room = 1e-4 * std::max(1.0, std::abs(v));
+                if (settings.fade == 0 &&
+                    (std::abs(v - settings.low) < room || std::abs(v - settings.high) < room))
+                    continue;
+                const double expected = step_of(v, below, settings.low) *
+                                        (v <= settings.high ? 1 : 1 - step_of(v, settings.high, above));
+                const double is = mask_at(made, x, y);
+                ones += is == 1 ? 1 : 0;
+                zeros += is == 0 ? 1 : 0;
+                // A float's height, 24 bits, in a difference over 10 m, against the fade.
+                const double slack = 2e-6 + 4 * room / std::max(settings.fade, room);
+                largest = std::max(largest, std::abs(is - expected) - (settings.fade == 0 ? 0 : slack));
+            }
+        EXPECT_LE(largest, 0) << mask_source_names()[static_cast<std::size_t>(settings.source)] << " "
+                              << settings.low << " to " << settings.high << ", fade " << settings.fade;
+        EXPECT_GT(ones + zeros, 0);
+    }
 }
 
 TEST(Mask, JoinsWithWhatIsPainted) {

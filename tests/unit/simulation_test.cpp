@@ -5,6 +5,7 @@
 
 #include "sim/gpu/context.h"
 #include "sim/gpu/error.h"
+#include "sim/preset.h"
 #include "sim/simulation.h"
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"
@@ -93,6 +94,45 @@ TEST(Simulation, ASliderThatIsDraggedIsOneEntryAndAnEmptyStrokeNone) {
     EXPECT_FALSE(simulation.can_undo());
     simulation.redo();
     EXPECT_EQ(simulation.parameters().number("thermal.repose_deg"), 49);
+}
+
+// What was unset follows again what it follows, in undo, in the journal and in a saved document too.
+TEST(Simulation, WhatIsUnsetFollowsAgain) {
+    const gpu::Context context;
+    Simulation simulation(mountains(), parameters(), undo_bytes);
+    const auto bedrock_deg = [](const Simulation& s) { return s.parameters().number("thermal.bedrock_deg"); };
+    const double natural = simulation.parameters().number("thermal.rate_m2_per_s");
+    simulation.apply(SetParameter{"thermal.bedrock_deg", 60.0});
+    simulation.apply(SetParameter{"thermal.repose_deg", 25.0});
+    EXPECT_EQ(bedrock_deg(simulation), 60);
+    simulation.apply(SetParameter{"thermal.bedrock_deg", std::nullopt});
+    EXPECT_EQ(bedrock_deg(simulation), 25);
+    simulation.apply(SetParameter{"thermal.repose_deg", 28.0});
+    EXPECT_EQ(bedrock_deg(simulation), 28);
+    simulation.apply(SetParameter{"thermal.repose_deg", std::nullopt});
+    EXPECT_EQ(bedrock_deg(simulation), 33);
+    simulation.apply(SetParameter{"thermal.rate_m2_per_s", natural / 10});
+    simulation.apply(SetParameter{"thermal.rate_m2_per_s", std::nullopt});
+    EXPECT_EQ(simulation.parameters().number("thermal.rate_m2_per_s"), natural);
+
+    Simulation replayed(mountains(), parameters());
+    for (const Operation& operation : read_journal(write_journal({}, simulation.journal()), "j").operations)
+        replayed.apply(operation);
+    EXPECT_EQ(replayed.parameters(), simulation.parameters());
+    EXPECT_FALSE(replayed.parameters().is_given("thermal.bedrock_deg"));
+
+    // Saved and read again, it follows still.
+    simulation.apply(SetParameter{"thermal.repose_deg", 40.0});
+    Parameters read = parameters();
+    from_toml(to_toml(simulation.parameters()), "document", read);
+    Simulation reopened(simulation.read(), read, undo_bytes);
+    EXPECT_EQ(reopened.parameters(), simulation.parameters());
+    reopened.apply(SetParameter{"thermal.repose_deg", 45.0});
+    EXPECT_EQ(bedrock_deg(reopened), 45);
+
+    for (int i = 0; i < 3; ++i) simulation.undo();
+    EXPECT_EQ(bedrock_deg(simulation), 25);
+    EXPECT_FALSE(simulation.parameters().is_given("thermal.bedrock_deg"));
 }
 
 TEST(Simulation, RefusesRatesThatNoTickCanRun) {

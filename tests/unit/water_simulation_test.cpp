@@ -8,6 +8,7 @@
 #include "app/gauges.h"
 #include "app/scene.h"
 #include "app/wave_note.h"
+#include "render/overview.h"
 #include "render/renderer.h"
 #include "sim/gpu/context.h"
 #include "sim/gpu/error.h"
@@ -19,6 +20,7 @@
 #include "sim/terrain/generate.h"
 #include "sim/terrain/sea.h"
 #include "sim/terrain/state_hash.h"
+#include "tests/scenes/wait_until.h"
 
 namespace talus {
 namespace {
@@ -414,8 +416,10 @@ TEST(WaterSimulation, GaugesFollowWithoutWaitingWhatTheyReadByWaiting) {
         simulation.apply(Ticks{1});
         waiting.record(simulation.terrain(), simulation.clock().simulated_s);
         // It asks, and takes what has come in a later frame.
-        for (int frame = 0; frame < 1000 && following.times_s().size() < waiting.times_s().size(); ++frame)
+        EXPECT_TRUE(wait_until([&] {
             following.follow(simulation.terrain(), simulation.clock().simulated_s);
+            return following.times_s().size() == waiting.times_s().size();
+        }));
     }
     EXPECT_EQ(waiting.to_csv(), following.to_csv());
     EXPECT_NE(waiting.to_csv().find(",,,\n"), std::string::npos) << "the third was placed later";

@@ -1,0 +1,18 @@
+#pragma once
+#include "render/camera.h"
+
+namespace talus {
+
+/// The picture that a terrain is to be framed in.
+struct Framing {
+    double aspect = 16.0 / 9;  ///< width by height
+    double fov_deg = 50;       ///< vertical
+    bool all_around =
+        false;  ///< the terrain stays within the picture while the camera turns about its middle
+};
+
+/// A view from the south-west that holds all of the terrain with its heights, as near as that allows, for a
+/// first look. The target is the point of the view's axis that is nearest to the terrain's middle.
+Camera overview(const Grid& grid, double lowest_m, double highest_m, const Framing& framing = {});
+
+}  // namespace talus
