@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <regex>
@@ -127,6 +128,19 @@ void delete_shader(unsigned name) {
     glDeleteShader(name);
 }
 
+fs::path& kept_shaders() {
+    static fs::path folder;
+    return folder;
+}
+
+// sim/brush.comp becomes sim_brush.1a2b3c4d.comp: one file for each set of defines.
+void keep(const std::string& path, const std::string& text) {
+    std::string name = path;
+    std::replace(name.begin(), name.end(), '/', '_');
+    name.insert(name.rfind('.'), fmt::format(".{:08x}", std::hash<std::string>()(text) & 0xffffffffU));
+    std::ofstream(kept_shaders() / name, std::ios::binary) << text;
+}
+
 Handle<delete_shader> compile(const std::string& path, const std::vector<std::string>& defines) {
     std::vector<std::string> files;
     std::string body;
@@ -134,6 +148,7 @@ Handle<delete_shader> compile(const std::string& path, const std::vector<std::st
     std::string text = "#version 450 core\n";
     for (const std::string& define : defines) text += "#define " + define + "\n";
     text += body;
+    if (!kept_shaders().empty()) keep(path, text);
     Handle<delete_shader> shader(glCreateShader(stage_of(path)));
     const char* source = text.c_str();
     glShaderSource(shader, 1, &source, nullptr);
@@ -175,6 +190,10 @@ bool poll_shader_folder() {
     watched.newest = newest;
     ++watched.generation;
     return true;
+}
+
+void keep_assembled_shaders(const fs::path& folder) {
+    kept_shaders() = folder;
 }
 
 void on_shader_message(std::function<void(const std::string&)> receive) {

@@ -31,6 +31,10 @@ bool poll_shader_folder();
 /// message.
 void on_shader_message(std::function<void(const std::string&)> receive);
 
+/// From now on every shader is also written to this folder as the driver gets it, with its includes and
+/// defines, for other compilers to look at; empty: no more.
+void keep_assembled_shaders(const std::filesystem::path& folder);
+
 /// What a draw does with the depth of its target: 1 at the near plane, 0 at infinity.
 enum class Depth {
     none,     ///< neither looks at it nor changes it

@@ -50,8 +50,8 @@ class Screen:
         self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1400x1000x24", "-noreset"],
                                        pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
-        self.name = ":" + os.read(read, 20).decode().strip()
-        os.close(read)
+        with os.fdopen(read) as told:
+            self.name = ":" + told.readline().strip()
         self.display = display.Display(self.name)
         self.root = self.display.screen().root
         self.root.change_attributes(event_mask=X.SubstructureNotifyMask)

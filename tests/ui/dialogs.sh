@@ -1,0 +1,143 @@
+#!/usr/bin/env bash
+# What hands found broken in dialogs and menus, by the same steps: settings of an import are changed, dialogs stay in the
+# middle of a window that changes its size, Escape closes menus, a right click unsets, a failed export can be mended, names
+# are completed, panels do not overlap in a narrow window, and the start page does not cover a file that was named.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/window.sh"
+
+gone() {
+    for _ in $(seq 50); do [ -z "$(rect_of "$1")" ] && return; sleep 0.1; done
+    fail "'$1' is still there"
+}
+# Types over what a field holds.
+type_over() {
+    click "$1"
+    xdotool key ctrl+a
+    xdotool type --delay 30 "$2"
+    xdotool key Return
+    sleep 0.6
+}
+resize() {
+    xdotool search --name 'Talus$' windowsize "$1" "$2"
+    sleep 0.8
+}
+# Closes a window whose work is not saved.
+drop_and_close() {
+    xdotool mousemove 600 400 key ctrl+q
+    click "Drop the changes"
+    for _ in $(seq 100); do kill -0 "$pid" 2>/dev/null || break; sleep 0.1; done
+    kill -0 "$pid" 2>/dev/null && fail "the window did not close"
+    wait "$pid" || fail "the window ended with an error"
+}
+# Whether a widget lies within a window of this width.
+within() {
+    local name=$1 width=$2
+    await_widget "$name"
+    set -- $(rect_of "$name")
+    [ "$1" -ge 0 ] && [ "$3" -le "$width" ] || fail "'$name' lies at $1 to $3 of $width pixels"
+}
+
+"$talus" run --preset slopes --size 97x81 --ticks 0 --out ground.exr --out heights.tif 2>/dev/null
+open_window ground.exr --ui-rects rects --window-size 1280x720 --journal window.journal
+await_widget Play
+sleep 1
+
+# The import dialog reads the file again and shows another picture of it.
+xdotool mousemove 600 400 key ctrl+o
+await_widget "file name"
+xdotool key ctrl+a
+xdotool type --delay 30 "$PWD/heights.tif"
+xdotool key Return
+for spacing in 12.5 80 25; do type_over "import spacing" "$spacing"; done
+grep -q "OpenGL reports" window.log && fail "a change of the import's settings broke the picture"
+import -window root 1_import.png
+# It follows the middle of the window.
+resize 900 600
+set -- $(rect_of "Open it")
+middle=$(rect_of "Cancel import")
+[ "$1" -ge 0 ] && [ "$(echo "$middle" | cut -d' ' -f3)" -le 900 ] || fail "the dialog is not in the window"
+import -window root 2_small.png
+resize 1280 720
+click "Open it"
+await_word "begun with hash .*"
+sleep 1.5
+
+# A name without an ending is completed.
+xdotool mousemove 600 400 key ctrl+shift+s
+await_widget "file name"
+xdotool key ctrl+a
+xdotool type --delay 30 "$PWD/valley"
+xdotool key Return
+await_word "saved .*valley.exr"
+"$talus" info --json valley.exr | grep -q '"dx": 25' || fail "the spacing that was typed is not the terrain's"
+
+# Escape closes menus, and the start page only when no menu is open.
+click File
+await_widget "Save as…"
+click "Start page"
+await_widget "Open a file…"
+click Edit
+await_widget "Back to the start of the scene"
+xdotool key Escape
+gone "Back to the start of the scene"
+[ -n "$(rect_of "Open a file…")" ] || fail "Escape closed the menu and the start page"
+xdotool key Escape
+gone "Open a file…"
+
+# A right click unsets.
+type_into thermal.bedrock_deg 60
+set -- $(rect_of thermal.bedrock_deg)
+xdotool mousemove $((($1 + $3) / 2)) $((($2 + $4) / 2))
+sleep 0.3
+xdotool click 3
+sleep 0.6
+
+# An export that fails says why, and the dialog stays.
+xdotool mousemove 600 400 key ctrl+e
+type_over "export path" "$PWD/no/such/folder/a.tif"
+click Write
+sleep 1
+await_widget Write
+import -window root 3_failed_export.png
+type_over "export path" "$PWD/mended"
+click Write
+await_word "wrote .*mended.tif"
+gone Write
+
+# Narrow, everything is in one column beside the picture.
+resize 560 600
+within Water 560
+within Tools 560
+[ -z "$(rect_of Play)" ] || fail "the tools lie over the panels"
+click Tools
+within Play 560
+import -window root 4_narrow.png
+resize 1280 720
+await_widget Play
+drop_and_close
+grep -q '"name":"thermal.bedrock_deg","op":"set","value":null' window.journal || fail "the right click did not unset"
+
+# Work that an earlier session left is told, and does not cover the file that was named.
+open_window ground.exr --ui-rects rects --window-size 1280x720 --set autosave.interval_s=1 --set water.rain=50
+await_widget Play
+sleep 1
+xdotool mousemove 600 400
+sleep 0.5
+xdotool mousedown 1 sleep 0.6 mouseup 1
+for _ in $(seq 100); do ls state/talus/sessions/*/autosave.exr >/dev/null 2>&1 && break; sleep 0.1; done
+kill -9 "$pid"
+wait "$pid" 2>/dev/null || true
+sleep 1
+rm -f rects
+open_window ground.exr --ui-rects rects --window-size 1280x720
+await_widget Play
+await_word "ended with unsaved work"
+[ -z "$(rect_of Recover)" ] || fail "the start page covers the file that was named"
+import -window root 5_left_behind.png
+click File
+click "Start page"
+await_widget Recover
+xdotool key Escape
+sleep 0.5
+close_window
+echo "window: dialogs and menus do what was mended"

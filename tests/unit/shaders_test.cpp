@@ -1,0 +1,134 @@
+// Every shader as a driver gets it, with its includes and defines, is GLSL for the reference compiler too
+// (glslangValidator, where TALUS_GLSLANG names it: ./dev check).
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+
+#include "render/overview.h"
+#include "render/renderer.h"
+#include "sim/gpu/context.h"
+#include "sim/gpu/embedded_text.h"
+#include "sim/simulation.h"
+#include "sim/simulation_parameters.h"
+#include "sim/terrain/generate.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Grid grid{70, 66, 10, 10};
+
+// A little of everything that the simulation does.
+void simulate_everything(Simulation& simulation) {
+    Dab dab;
+    dab.x_m = dab.y_m = 300;
+    dab.radius_m = 150;
+    dab.amount_m = 2;
+    dab.blend = 0.5;
+    dab.target_m = 0.5;
+    simulation.apply(ChooseStamp{{}, {100, 100, 300, 300}, nullptr});
+    for (const Material material :
+         {Material::bedrock, Material::water, Material::hardness, Material::mask, Material::rain}) {
+        dab.material = material;
+        simulation.apply(dab);
+    }
+    dab.material = Material::bedrock;
+    for (int mode = 0; mode < 9; ++mode) {
+        dab.mode = static_cast<BrushMode>(mode);
+        simulation.apply(dab);
+    }
+    simulation.apply(MakeMask{MaskSource::slope, 0, 40, 5});
+    for (const char* assignment :
+         {"water.rain=100", "water.rain_over=mask", "water.order=1", "erosion.on=true", "erosion.over=mask",
+          "thermal.wet_deg=20", "water.manning=0", "water.order=2", "erosion.on=false", "water.manning=0.03",
+          "water.infiltration=5", "water.boundary.west=wave", "water.boundary.east=inflow",
+          "erosion.over=everywhere"}) {
+        Parameters changed = simulation.parameters();
+        changed.set_assignment(assignment);
+        const std::string name = std::string(assignment).substr(0, std::string(assignment).find('='));
+        simulation.apply(SetParameter{name, changed.value(name)});
+        simulation.apply(Ticks{1});
+    }
+    simulation.apply(PlaceSpring{400, 400, 3});
+    simulation.apply(Ticks{1});
+    simulation.ledger();
+}
+
+// Every view by every method, with every choice of shading, of ground without and with layers.
+void draw_everything(Terrain& terrain) {
+    Renderer renderer(terrain, 8);
+    const Camera camera = overview(grid, 0, 300);
+    const std::vector<std::uint8_t> picture(4 * 4 * 4, 200);
+    for (const MethodEntry& method : methods())
+        for (const View view : {View::shaded, View::steps, View::cells}) {
+            ViewSettings settings;
+            settings.method = method.name;
+            settings.view = view;
+            renderer.draw(terrain, camera, settings, 64, 48);
+            renderer.refine(terrain, 2);
+        }
+    for (std::size_t view = 0; view < view_names().size(); ++view)
+        for (int choice = 0; choice < (view == 0 ? 16 : 1); ++choice) {
+            ViewSettings settings;
+            settings.view = static_cast<View>(view);
+            settings.shadows = (choice & 1) == 0;
+            settings.occlusion = (choice & 2) == 0;
+            settings.quick = (choice & 4) != 0;
+            settings.ring = {glm::dvec2(300), 50};
+            if ((choice & 8) != 0) renderer.drape(4, 4, std::as_bytes(std::span(picture)));
+            renderer.draw(terrain, camera, settings, 64, 48);
+        }
+}
+
+TEST(Shaders, AreGlslForTheReferenceCompiler) {
+    const fs::path folder = fs::temp_directory_path() / ("talus_shaders_" + std::to_string(::getpid()));
+    fs::create_directories(folder);
+    {
+        const gpu::Context context;
+        gpu::keep_assembled_shaders(folder);
+        const TerrainState dry = bedrock_terrain(grid, generate_heights(grid, {"mountains", 3, 300}));
+        {
+            Terrain terrain(dry);
+            draw_everything(terrain);
+        }
+        Simulation simulation(dry, Parameters(simulation_parameters()));
+        simulate_everything(simulation);
+        Renderer renderer(simulation.terrain(), 8);
+        ViewSettings stamped;
+        const gpu::Texture& stamp = simulation.stamp_texture();
+        stamped.ring.radius_m = 80;
+        stamped.ring.stamp = &stamp;
+        renderer.draw(simulation.terrain(), overview(grid, 0, 300), stamped, 64, 48);
+        draw_everything(simulation.terrain());
+        gpu::keep_assembled_shaders({});
+    }
+    std::set<std::string> seen;
+    const char* compiler = std::getenv("TALUS_GLSLANG");
+    int wrong = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        seen.insert(name.substr(0, name.find('.')) + entry.path().extension().string());
+        if (!compiler) continue;
+        const fs::path said = folder / "said";
+        const std::string command =
+            std::string(compiler) + " '" + entry.path().string() + "' > '" + said.string() + "' 2>&1";
+        if (std::system(command.c_str()) == 0) continue;
+        ++wrong;
+        std::system(("head -n 5 '" + said.string() + "'").c_str());
+    }
+    EXPECT_EQ(wrong, 0);
+    // None was forgotten.
+    for (const auto& [path, text] : embedded_shaders()) {
+        if (path.ends_with(".glsl") || path.ends_with(".h")) continue;
+        std::string name = path;
+        std::replace(name.begin(), name.end(), '/', '_');
+        EXPECT_TRUE(seen.contains(name)) << path << " was never assembled";
+    }
+    fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace talus
