@@ -10,7 +10,7 @@ layout(binding = 5, std430) readonly buffer Springs { vec4 springs[]; };        
 layout(binding = 6, std430) readonly buffer EdgeSeries { float edge_series[]; };  // inflow, m²/s; then wave, m
 #ifdef SEDIMENT
 layout(binding = 3, rg32f) coherent uniform image2D load_state;
-layout(binding = 8, std430) buffer EdgeSolidBooks { dvec2 edge_solid_books[]; };  // metres in, out, as they count for the bed
+layout(binding = 4, std430) buffer EdgeSolidBooks { dvec2 edge_solid_books[]; };  // metres in, out, as they count for the bed
 uniform real edge_concentration;  // of what flows in by edges of kind inflow
 uniform real sediment_speedup;
 #endif

@@ -86,6 +86,27 @@ namespace {
 // Squares of the picture are drawn as points (render/blocks.h).
 constexpr float largest_point = 128;
 
+// What Talus leans on (docs/devices.md). OpenGL 4.5 promises all of it but storage blocks in vertex shaders and the size of
+// points.
+struct Limit {
+    GLenum name;
+    const char* what;
+    GLint needed;
+};
+constexpr std::array<Limit, 11> limits = {{
+    {GL_MAX_TEXTURE_SIZE, "texels along a texture's side", 16384},
+    {GL_MAX_TEXTURE_IMAGE_UNITS, "textures in a fragment shader", 13},
+    {GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS, "textures in a vertex shader", 2},
+    {GL_MAX_IMAGE_UNITS, "images that shaders write", 6},
+    {GL_MAX_COMPUTE_IMAGE_UNIFORMS, "images in a compute shader", 6},
+    {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, "storage buffers at once", 8},
+    {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, "storage buffers in a compute shader", 6},
+    {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, "storage buffers in a vertex shader", 1},
+    {GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS, "invocations in a compute group", 256},
+    {GL_MAX_COMPUTE_SHARED_MEMORY_SIZE, "bytes shared in a compute group", 16384},
+    {GL_MAX_SHADER_STORAGE_BLOCK_SIZE, "bytes in a storage buffer", 1 << 27},
+}};
+
 }  // namespace
 
 Device adopt_current_context(const std::string& route) {
@@ -109,6 +130,13 @@ Device adopt_current_context(const std::string& route) {
     if (point_sizes[1] < largest_point)
         throw Error(fmt::format("{} draws points of {} pixels at most where Talus needs {}", device.renderer,
                                 point_sizes[1], largest_point));
+    for (const Limit& limit : limits) {
+        GLint given = 0;
+        glGetIntegerv(limit.name, &given);
+        if (given < limit.needed)
+            throw Error(fmt::format("{} offers {} {} where Talus needs {}: another driver may offer more",
+                                    device.renderer, given, limit.what, limit.needed));
+    }
     watch_errors();
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);

@@ -271,7 +271,6 @@ void Water::substep(Terrain& terrain) {
     const SedimentStep sediment =
         sediment_step(settings_.sediment, settings_.gravity_m_per_s2, settings_.manning_s_per_m13);
     if (carried) {
-        sediment_.edge_books.bind_storage(8);
         ghosts.set("edge_concentration", static_cast<float>(settings_.sediment.inflow_concentration));
         ghosts.set("sediment_speedup", sediment.speedup);
     }
@@ -301,7 +300,10 @@ void Water::substep(Terrain& terrain) {
         ghosts.set("gravity", gravity);
         ghosts.set("spring_count", spring_count_);
         ghosts.set("eulers", eulers);
+        // Where the stage's sources stand else: OpenGL promises eight bindings.
+        if (carried) sediment_.edge_books.bind_storage(4);
         ghosts.dispatch(1);
+        sources_.bind_storage(4);
 
         gpu::Program& program = stage_program(stage);
         from.bind_image(0, gpu::Access::read);
