@@ -134,6 +134,7 @@ int parse_and_do(int argc, char** argv) {
     RenderOptions render_options;
     CompareOptions compare_options;
     ConvertOptions convert_options;
+    VerifyOptions verify_options;
     WindowOptions window_options;
 
     app.add_option("FILE", t.file, "heightmap or Talus document to open in the window");
@@ -216,6 +217,14 @@ int parse_and_do(int argc, char** argv) {
     compare_command->add_flag("--json", t.json, "print the report");
     add_import(*compare_command, t);
     add_gpu(*compare_command, t);
+
+    CLI::App* verify_command = app.add_subcommand(
+        "verify", "check on this device what Talus claims of its numbers, in a minute or two");
+    verify_command->add_option("--json", verify_options.json, "write the findings, for a report")
+        ->type_name("FILE.json");
+    verify_command->add_option("--only", verify_options.only, "this claim alone, may be repeated")
+        ->type_name("CLAIM");
+    add_gpu(*verify_command, t);
 
     CLI::App* convert_command = app.add_subcommand("convert", "turn a heightmap into another format");
     convert_command->add_option("IN", convert_options.input)->required();
@@ -315,6 +324,9 @@ int parse_and_do(int argc, char** argv) {
                 fmt::format("--frames {} cannot be flown, it must be 2 to 100000", compare_options.frames));
         compare_options.json = t.json;
         compare(compare_options);
+    } else if (verify_command->parsed()) {
+        verify_options.gpu = t.context();
+        verify(verify_options);
     } else if (convert_command->parsed()) {
         convert_options.import = t.import();
         convert_options.range_m = t.range_m();

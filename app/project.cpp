@@ -78,6 +78,7 @@ void Project::serve(const PanelRequests& asked) {
         when_replaceable(asked.write->path.string(),
                          [this, settings = *asked.write] { export_files(settings); });
     if (asked.map) act_on_map(*asked.map);
+    if (asked.verify) verify();
     if (asked.reset) when_saved([this] { reset(); });
 }
 
@@ -192,6 +193,16 @@ void Project::export_files(const ExportSettings& settings) {
         };
     };
     work_.start(fmt::format("Writing {}", settings.path.string()), write);
+}
+
+void Project::verify() {
+    work_.start("Verifying this device, a minute or two", [this]() -> Work::Then {
+        return [this, found = run_self_check()] {
+            voice_.note(found.holds ? "verified: all claims hold" : "verified: not all claims hold");
+            state_.self_check = found;
+            voice_.changed();
+        };
+    });
 }
 
 void Project::look_at(const ImportWish& wish) {

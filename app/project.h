@@ -47,6 +47,7 @@ class Project {
     void save(const std::string& path, const std::function<void()>& then);
     void export_files(const ExportSettings& settings);
     void look_at(const ImportWish& wish);
+    void verify();
     void act_on_map(const Operation& operation);
     void act_when_ready(const std::string& name, const std::function<Operation()>& make);
     void reset();

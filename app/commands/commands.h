@@ -70,6 +70,15 @@ struct CompareOptions {
 /// Measures methods against the double-precision reference (render/measure.h): error, steps and time.
 void compare(const CompareOptions& options);
 
+struct VerifyOptions {
+    gpu::ContextChoice gpu;
+    std::string json;               ///< a file for the findings; empty: none
+    std::vector<std::string> only;  ///< names of claims; empty: all
+};
+/// Checks what Talus claims of its numbers on this device (app/claims). Throws talus::Error where one does
+/// not hold, after all were checked.
+void verify(const VerifyOptions& options);
+
 struct ConvertOptions {
     std::string input;
     std::string output;

@@ -115,12 +115,12 @@ PictureArea picture_area(const PanelState& state, glm::ivec2 size) {
 
 bool PanelRequests::any() const {
     return open || save || import || look_at || import_here || stamp || write || map || reset || undo ||
-           redo || framing || !acts.empty() || answer;
+           redo || framing || verify || !acts.empty() || answer;
 }
 
 bool is_dialog_open(const PanelState& state) {
     return state.dialog.purpose != FileDialog::Purpose::none || !state.import.path.empty() ||
-           state.write.shown || state.question.has_value();
+           state.write.shown || state.question.has_value() || state.self_check.has_value();
 }
 
 void draw_panels(PanelContext& context, const StatusFigures& figures, glm::ivec2 size) {
@@ -142,6 +142,8 @@ void draw_panels(PanelContext& context, const StatusFigures& figures, glm::ivec2
     // One dialog at a time: two would replace each other every frame.
     if (context.state.question)
         draw_question(context);
+    else if (context.state.self_check)
+        draw_self_check_dialog(context);
     else if (!context.state.import.path.empty())
         draw_import_dialog(context);
     else if (context.state.write.shown)

@@ -66,6 +66,12 @@ void draw_menu(PanelContext& context) {
         ImGui::EndMenu();
     }
     note_widget("View menu");
+    if (ImGui::BeginMenu("Help")) {
+        close_on_escape();
+        if (menu_item("Verify this device", nullptr)) context.requests.verify = true;
+        ImGui::EndMenu();
+    }
+    note_widget("Help");
     ImGui::TextDisabled("  |  %s%s", context.session.scene().title.c_str(),
                         context.session.unsaved() ? " *" : "");
 }

@@ -8,6 +8,7 @@
 
 #include "app/panels/widgets.h"
 #include "app/recovery.h"
+#include "app/self_check.h"
 #include "app/session.h"
 #include "app/work.h"
 #include "sim/gpu/profile.h"
@@ -32,6 +33,7 @@ struct PanelRequests {
     std::optional<ExportSettings> write;    ///< files for other programs
     std::optional<Operation> map;           ///< an act on the whole map, which may take long
     bool reset = false;
+    bool verify = false;  ///< what Talus claims of its numbers, on this device
     bool undo = false;
     bool redo = false;
     bool quit = false;
@@ -128,11 +130,12 @@ struct PanelState {
     ImportDialog import;
     ExportDialog write;
     std::optional<Question> question;
-    std::vector<std::string> recent;    ///< files, the last one first
-    std::vector<LeftBehind> left;       ///< by sessions that ended without saving
-    std::vector<std::string> log;       ///< what was said, oldest first
-    std::vector<gpu::PassTime> passes;  ///< of the last half second
-    double passes_s = 0;                ///< how long that was
+    std::optional<SelfCheck> self_check;  ///< what was found of this device, while it is shown
+    std::vector<std::string> recent;      ///< files, the last one first
+    std::vector<LeftBehind> left;         ///< by sessions that ended without saving
+    std::vector<std::string> log;         ///< what was said, oldest first
+    std::vector<gpu::PassTime> passes;    ///< of the last half second
+    double passes_s = 0;                  ///< how long that was
     std::map<std::string, gpu::Texture> thumbnails;
 };
 
@@ -186,6 +189,8 @@ void draw_file_dialog(PanelContext& context);
 void draw_import_dialog(PanelContext& context);
 void draw_export_dialog(PanelContext& context);
 void draw_question(PanelContext& context);
+/// What `talus verify` found.
+void draw_self_check_dialog(PanelContext& context);
 /// A bar for long work, with a button to give it up.
 void draw_work(const Work& work, bool& cancelled);
 void draw_status_line(const Session& session, const StatusFigures& figures, int width, int height);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "app/claims/picture_agreement.h"
 #include "render/overview.h"
 #include "render/renderer.h"
 #include "sim/gpu/context.h"
@@ -33,57 +34,12 @@ class Redraw : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Redraw, KeptPicturesEqualFreshOnes) {
     const gpu::Context context;
-    const Grid grid{700, 513, 20, 20};
-    const std::vector<float> heights = generate_heights(grid, {"mountains", 5, 1500});
-    Scene kept(grid, heights);
-    Scene fresh(grid, heights);
-    std::mt19937 random(23);
-    std::uniform_real_distribution<double> unit(0, 1);
-    std::array<int, 4> counts{};
-    ViewSettings settings;
-    settings.method = GetParam();
-    settings.sun = glm::normalize(glm::dvec3(-0.8, 0.5, 0.3));
-    Camera camera = overview(grid, 0, 1500);
-    for (int frame = 0; frame < 300; ++frame) {
-        const double dice = unit(random);
-        if (dice < 0.35) {
-            Dab dab;
-            dab.mode = static_cast<BrushMode>(random() % 4);
-            dab.x_m = grid.width_m() * unit(random);
-            dab.y_m = grid.height_m() * unit(random);
-            dab.radius_m = 30 + 300 * unit(random);
-            dab.amount_m = 400 * unit(random);
-            dab.blend = unit(random);
-            dab.target_m = 1000 * unit(random);
-            for (Scene* scene : {&kept, &fresh}) scene->simulation.apply(dab);
-        } else if (dice < 0.45) {
-            for (Scene* scene : {&kept, &fresh}) scene->simulation.apply(Ticks{1});
-        } else if (dice < 0.6) {
-            const glm::dvec3 eye(grid.width_m() * unit(random), grid.height_m() * unit(random),
-                                 900 + 8000 * unit(random) * unit(random));
-            camera.eye = eye;
-            camera.target = glm::dvec3(grid.width_m() * unit(random), grid.height_m() * unit(random), 600);
-        } else if (dice < 0.65) {
-            settings.sun =
-                glm::normalize(glm::dvec3(unit(random) - 0.5, unit(random) - 0.5, 0.1 + 0.5 * unit(random)));
-        } else if (dice < 0.7) {
-            settings.view = static_cast<View>(random() % view_names().size());
-        } else if (dice < 0.73) {
-            settings.tolerance_px = random() % 3;
-        }
-        const Drawn drawn = kept.renderer.draw(kept.simulation.terrain(), camera, settings, width, height);
-        fresh.renderer.forget();
-        fresh.renderer.draw(fresh.simulation.terrain(), camera, settings, width, height);
-        ++counts[static_cast<std::size_t>(drawn)];
-        ASSERT_EQ(kept.renderer.read_depth(width, height), fresh.renderer.read_depth(width, height))
-            << "distances of frame " << frame << ", drawn " << static_cast<int>(drawn);
-        ASSERT_EQ(kept.renderer.read_rgb(width, height), fresh.renderer.read_rgb(width, height))
-            << "colours of frame " << frame << ", drawn " << static_cast<int>(drawn);
-    }
+    const KeptFrames kept = kept_frames({700, 513, 20, 20}, GetParam(), 300, {width, height});
     std::printf("%s: 300 frames, nothing drawn in %d, colours in %d, changes in %d, everything in %d\n",
-                GetParam(), counts[0], counts[1], counts[2], counts[3]);
-    EXPECT_GT(counts[static_cast<std::size_t>(Drawn::nothing)], 40);
-    EXPECT_GT(counts[static_cast<std::size_t>(Drawn::changes)], 80);
+                GetParam(), kept.drawn[0], kept.drawn[1], kept.drawn[2], kept.drawn[3]);
+    EXPECT_EQ(kept.differing, 0);
+    EXPECT_GT(kept.drawn[static_cast<std::size_t>(Drawn::nothing)], 40);
+    EXPECT_GT(kept.drawn[static_cast<std::size_t>(Drawn::changes)], 80);
 }
 
 // On a plain under a low sun a tower's shadow reaches far beyond its tile, and rays end early in cells that a

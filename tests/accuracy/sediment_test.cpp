@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "app/claims/twin_agreement.h"
+#include "app/claims/water_scenes.h"
 #include "sim/gpu/context.h"
-#include "sim/passes/water_twin.h"
-#include "tests/scenes/water_scenes.h"
 
 namespace talus {
 namespace {
@@ -66,79 +66,21 @@ std::vector<glm::vec2> load_of(const TerrainState& state) {
                                    : state.suspended;
 }
 
-template <typename Real>
-maths::WaterTwin<Real> twin_of(const TerrainState& state, const WaterSettings& settings) {
-    std::vector<Real> beds;
-    std::vector<glm::vec<4, Real>> water;
-    std::vector<glm::vec<4, Real>> solid;
-    for (const float height : state.ground()) beds.push_back(height);
-    for (const glm::vec4& texel : state.water) water.emplace_back(texel);
-    for (const glm::vec4& texel : solid_of(state)) solid.emplace_back(texel);
-    std::vector<glm::vec<2, Real>> load;
-    for (const glm::vec2& texel : load_of(state)) load.emplace_back(texel);
-    maths::WaterTwin<Real> twin(state.grid, beds, water, settings, state.painted);
-    twin.carry(solid, load);
-    return twin;
-}
-
 TEST(Sediment, AgreesWithItsFloatTwinToTheBit) {
     const gpu::Context context;
-    struct Case {
-        int order;
-        double rain;
-        EdgeKind north, south, west, east;
-    };
-    const Case cases[] = {
-        {2, 0, EdgeKind::wall, EdgeKind::wall, EdgeKind::wall, EdgeKind::wall},
-        {1, 0, EdgeKind::wall, EdgeKind::open, EdgeKind::level, EdgeKind::wall},
-        {2, 2e-4, EdgeKind::open, EdgeKind::level, EdgeKind::inflow, EdgeKind::open},
-        {2, 0, EdgeKind::periodic, EdgeKind::periodic, EdgeKind::periodic, EdgeKind::periodic},
-        {1, 1e-4, EdgeKind::wave, EdgeKind::inflow, EdgeKind::level, EdgeKind::wave}};
-    for (const Case& c : cases) {
-        WaterScene scene = eroding_basin(97, 2);
-        scene.grid.nx = 131;
-        scene.grid.dy = 6;
-        scene.settings.order = c.order;
-        scene.settings.rain_m_per_s = c.rain;
-        scene.settings.infiltration_m_per_s = c.rain / 3;
-        scene.settings.edges = {c.north, c.south, c.west, c.east};
-        scene.settings.level_m = 3;
-        scene.settings.wave_height_m = 0.7;
-        scene.settings.wave_period_s = 4;
-        scene.settings.inflow_m3_per_s = 900;
-        scene.settings.sediment.inflow_concentration = 0.002;
-        scene.settings.sediment.strata_m = 1;
-        scene.settings.sediment.strata_hardness = 0.8;
-        TerrainState start = with_regolith(scene);
-        for (std::size_t i = 0; i < scene.grid.count(); ++i)
-            start.painted.emplace_back(0.01F * static_cast<float>(i % 100),
-                                       0.05F * static_cast<float>(i % 21), 0, 0);
-        scene.settings.sediment.masked = c.order == 1;
-        WaterRun run(start, scene.settings);
-        auto twin = twin_of<float>(start, scene.settings);
-        auto exact = twin_of<double>(start, scene.settings);
-        for (int tick = 0; tick < 10; ++tick) {
-            twin.tick(1, run.time_s());
-            exact.tick(1, run.time_s());
-            run.tick(1);
-        }
-        const TerrainState end = run.read();
-        EXPECT_EQ(differing(end.water, twin.read()), 0U) << "order " << c.order;
-        EXPECT_EQ(differing(solid_of(end), twin.solid()), 0U) << "order " << c.order;
-        EXPECT_EQ(differing(load_of(end), twin.read_load()), 0U) << "order " << c.order;
-        EXPECT_GT(differing(solid_of(end), solid_of(start)), scene.grid.count() / 8);
-        double missed = 0;
-        double moved = 0;
-        const auto height = [](const glm::dvec4& words) { return words.x + words.y + words.z + words.w; };
-        const std::vector<glm::vec4> before = solid_of(start);
-        const std::vector<glm::vec4> after = solid_of(end);
-        for (std::size_t i = 0; i < scene.grid.count(); ++i) {
-            missed += std::abs(height(after[i]) - height(exact.solid()[i]));
-            moved += std::abs(height(exact.solid()[i]) - height(before[i]));
-        }
+    const WaterCase cases[] = {
+        {2, 0, 0, EdgeKind::wall, EdgeKind::wall, EdgeKind::wall, EdgeKind::wall},
+        {1, 0, 0, EdgeKind::wall, EdgeKind::open, EdgeKind::level, EdgeKind::wall},
+        {2, 0, 2e-4, EdgeKind::open, EdgeKind::level, EdgeKind::inflow, EdgeKind::open},
+        {2, 0, 0, EdgeKind::periodic, EdgeKind::periodic, EdgeKind::periodic, EdgeKind::periodic},
+        {1, 0, 1e-4, EdgeKind::wave, EdgeKind::inflow, EdgeKind::level, EdgeKind::wave}};
+    for (const WaterCase& c : cases) {
+        const TwinAgreement agreement = sediment_against_twin(c);
+        EXPECT_EQ(agreement.differing, 0U) << "order " << c.order;
+        EXPECT_GT(agreement.changed, agreement.samples / 8);
         fmt::print("sediment, float against double, order {}: L1 of the change of the ground {:.1e}\n",
-                   c.order, missed / moved);
-        EXPECT_LT(missed / moved, 1e-3);
+                   c.order, agreement.of_double);
+        EXPECT_LT(agreement.of_double, 1e-3);
     }
 }
 

@@ -8,9 +8,11 @@
 #include <bit>
 #include <cmath>
 
+#include "app/claims/exact_solutions.h"
+#include "app/claims/histories.h"
+#include "app/claims/twin_agreement.h"
+#include "app/claims/water_scenes.h"
 #include "sim/gpu/context.h"
-#include "sim/passes/water_twin.h"
-#include "tests/scenes/water_scenes.h"
 
 namespace talus {
 namespace {
@@ -19,13 +21,10 @@ using scenes::WaterRun;
 using scenes::WaterScene;
 
 double error_of(const WaterScene& scene) {
-    WaterRun run(scene.state(), scene.settings);
-    run.run(scene.tick_s, scene.end_s);
-    const double error = depth_error(scene, run.read(), scene.end_s);
-    const Water::Work work = run.water.work();
+    const SceneError error = error_after(scene);
     fmt::print("{:<16} n {:>4}  order {}  L1 {:.3e}  {} sub-steps\n", scene.name, scene.grid.nx,
-               scene.settings.order, error, work.substeps);
-    return error;
+               scene.settings.order, error.relative_l1, error.substeps);
+    return error.relative_l1;
 }
 
 double order_of(double coarse, double fine, double refinement) {
@@ -54,18 +53,6 @@ TEST(Water, ThackerBowls) {
     }
 }
 
-glm::dvec2 velocity_of(const glm::vec4& water) {
-    const double h = water.x;
-    const double factor = 2 * h / (h * h + std::max(h * h, 1e-12));
-    return {factor * water.z, factor * water.w};
-}
-
-double fastest_of(const TerrainState& state) {
-    double fastest = 0;
-    for (const glm::vec4& water : state.water) fastest = std::max(fastest, glm::length(velocity_of(water)));
-    return fastest;
-}
-
 double volume_of(const TerrainState& state) {
     double sum = 0;
     for (const glm::vec4& water : state.water) sum += static_cast<double>(water.x) + water.y;
@@ -90,23 +77,11 @@ std::size_t differing(const std::vector<glm::vec4>& a, const std::vector<glm::ve
 TEST(Water, ALakeAtRestStaysAtRest) {
     const gpu::Context context;
     for (const double datum_m : {0.0, 1000.0}) {
-        const WaterScene scene = scenes::lake(128, datum_m);
-        const TerrainState start = scene.state();
-        WaterRun run(start, scene.settings);
-        run.settings.skips_rest = false;
-        double fastest = 0;
-        while (run.water.work().substeps < 2000) {
-            run.run(1, run.time_s() + 20);
-            fastest = std::max(fastest, fastest_of(run.read()));
-        }
-        const TerrainState end = run.read();
-        double moved = 0;
-        for (std::size_t i = 0; i < end.water.size(); ++i)
-            moved = std::max(moved, std::abs(static_cast<double>(end.water[i].x) - start.water[i].x));
+        const LakeMoved moved = lake_at_rest(datum_m, 2000);
         fmt::print("lake at rest, bed at {:+.0f} m: speed {:.1e} m/s, level {:.1e} m after {} sub-steps\n",
-                   datum_m, fastest, moved, run.water.work().substeps);
-        EXPECT_LE(fastest, datum_m == 0 ? 1e-5 : 1e-4);
-        EXPECT_LE(moved, 1e-6);
+                   datum_m, moved.fastest_m_per_s, moved.level_m, moved.substeps);
+        EXPECT_LE(moved.fastest_m_per_s, datum_m == 0 ? 1e-5 : 1e-4);
+        EXPECT_LE(moved.level_m, 1e-6);
     }
 }
 
@@ -198,52 +173,14 @@ TEST(Water, TurnsAndMirrorsToTheBit) {
 
 TEST(Water, SkippingWhatRestsChangesNothing) {
     const gpu::Context context;
-    struct Case {
-        int order;
-        bool driven;
-    };
-    for (const auto [order, driven] : {Case{1, false}, Case{2, false}, Case{1, true}, Case{2, true}}) {
-        // Water that comes down into a corner of a dry map, and leaves its film behind.
-        WaterScene scene = scenes::basin(320, 5);
-        scene.settings.order = order;
-        scene.settings.manning_s_per_m13 = 0.02;
-        scene.water = [bed = scene.bed](double x, double y, double) {
-            return glm::dvec3(x < 300 && y < 300 ? std::max(0.0, 6 - bed(x, y)) : 0, 0, 0);
-        };
-        // What wakes tiles besides: two springs, waves and a level at edges, and losses.
-        if (driven) {
-            scene.settings.edges = {EdgeKind::wall, EdgeKind::open, EdgeKind::level, EdgeKind::wave};
-            scene.settings.level_m = -1;
-            scene.settings.wave_height_m = 0.5;
-            scene.settings.wave_period_s = 20;
-            scene.settings.evaporation_m_per_s = 2e-6;
+    for (const int order : {1, 2})
+        for (const bool driven : {false, true}) {
+            const SkippedRest rest = skipped_rest(order, driven, 50);
+            EXPECT_EQ(rest.differing, 0U) << "order " << order << driven;
+            fmt::print("order {}{}: {:.0f} % of the tiles active\n", order, driven ? ", driven" : "",
+                       100.0 * static_cast<double>(rest.active_tiles) / static_cast<double>(rest.all_tiles));
+            EXPECT_LT(rest.active_tiles, rest.all_tiles * 9 / 10) << "something must have slept";
         }
-        TerrainState start = scene.state();
-        if (driven) {  // and rain that was painted over a square of 20 samples
-            scene.settings.rain_painted = true;
-            start.painted.assign(start.grid.count(), glm::vec4(0));
-            for (int row = 100; row < 120; ++row)
-                for (int column = 200; column < 220; ++column)
-                    start.painted[static_cast<std::size_t>(row) * 320 + column].z = 90;
-        }
-        WaterRun sparse(start, scene.settings);
-        WaterRun dense(start, scene.settings);
-        dense.settings.skips_rest = false;
-        if (driven) sparse.springs = dense.springs = {{800, 800, 3}, {1300, 700, 1e-6}};
-        for (int i = 0; i < 2; ++i) {
-            sparse.run(1, sparse.time_s() + 25);
-            dense.run(1, dense.time_s() + 25);
-            ASSERT_EQ(differing(sparse.read().water, dense.read().water), 0U)
-                << "after " << sparse.time_s() << " s";
-        }
-        const Water::Work skipped = sparse.water.work();
-        const Water::Work all = dense.water.work();
-        EXPECT_EQ(skipped.substeps, all.substeps);
-        fmt::print("order {}{}: {:.1f} of {} tiles active\n", order, driven ? ", driven" : "",
-                   static_cast<double>(skipped.tiles) / static_cast<double>(skipped.substeps), 25);
-        EXPECT_LT(skipped.tiles, all.tiles * 9 / 10) << "something must have slept";
-        EXPECT_GT(differing(start.water, sparse.read().water), start.water.size() / 25);
-    }
 }
 
 TEST(Water, MacDonaldsStream) {
@@ -370,32 +307,11 @@ TEST(Water, ASolitaryWaveRunsUpABeach) {
 TEST(Water, SmallWavesTravelAtTheirSpeed) {
     const gpu::Context context;
     for (const glm::ivec2 waves : {glm::ivec2(1, 0), glm::ivec2(0, 1), glm::ivec2(1, 1)}) {
-        const WaterScene scene = scenes::small_wave(80, waves.x, waves.y);
-        WaterRun run(scene.state(), scene.settings);
-        run.run(scene.tick_s, scene.end_s);
-        const TerrainState end = run.read();
-        // The phase of the mode, against the exact one's.
-        glm::dvec2 found(0);
-        glm::dvec2 exact(0);
-        const double pi = std::acos(-1.0);
-        for (int row = 0; row < 80; ++row)
-            for (int column = 0; column < 80; ++column) {
-                const double x = (column + 0.5) * scene.grid.dx;
-                const double y = (79 - row + 0.5) * scene.grid.dy;
-                const double phase = 2 * pi * (waves.x * x + waves.y * y) / 640;
-                const glm::dvec2 wave(std::cos(phase), std::sin(phase));
-                found += wave * (end.water[static_cast<std::size_t>(row) * 80 + column].x - 7.0);
-                exact += wave * (scene.water(x, y, scene.end_s).x - 7.0);
-            }
-        const double k = 2 * pi * glm::length(glm::dvec2(waves)) / 640;
-        const double behind =
-            std::remainder(std::atan2(exact.y, exact.x) - std::atan2(found.y, found.x), 2 * pi);
-        const double travelled = k * std::sqrt(9.81 * 7) * scene.end_s;
-        fmt::print(
-            "small wave ({}, {}), kd {:.3f}: speed {:+.3f} % off the square root of gd, amplitude {:.3f}\n",
-            waves.x, waves.y, 7 * k, -100 * behind / travelled, glm::length(found) / glm::length(exact));
-        EXPECT_LE(std::abs(behind / travelled), 0.005);
-        EXPECT_GT(glm::length(found) / glm::length(exact), 0.5);
+        const WaveError error = small_wave_error(waves.x, waves.y);
+        fmt::print("small wave ({}, {}): speed {:+.3f} % off the square root of gd, amplitude {:.3f}\n",
+                   waves.x, waves.y, 100 * error.speed, error.amplitude);
+        EXPECT_LE(std::abs(error.speed), 0.005);
+        EXPECT_GT(error.amplitude, 0.5);
     }
 }
 
@@ -442,72 +358,21 @@ TEST(Water, RainBelowTheLastDigitAddsUp) {
     EXPECT_NEAR(run.water.read_books(scene.grid).rain_m3 / (gained * 640 * 640), 1, 1e-5);
 }
 
-template <typename Real>
-maths::WaterTwin<Real> twin_of(const TerrainState& state, const WaterSettings& settings) {
-    std::vector<Real> beds;
-    std::vector<glm::vec<4, Real>> water;
-    for (const float height : state.ground()) beds.push_back(height);
-    for (const glm::vec4& texel : state.water) water.emplace_back(texel);
-    return {state.grid, beds, water, settings, state.painted};
-}
-
 TEST(Water, AgreesWithItsFloatTwinToTheBit) {
     const gpu::Context context;
-    struct Case {
-        int order;
-        double manning;
-        double rain;
-        EdgeKind north, south, west, east;
-    };
-    const Case cases[] = {
+    const WaterCase cases[] = {
         {2, 0, 0, EdgeKind::wall, EdgeKind::wall, EdgeKind::wall, EdgeKind::wall},
         {1, 0.03, 0, EdgeKind::wall, EdgeKind::open, EdgeKind::level, EdgeKind::wall},
         {2, 0.03, 2e-4, EdgeKind::open, EdgeKind::level, EdgeKind::wall, EdgeKind::open},
         {2, 0, 0, EdgeKind::periodic, EdgeKind::periodic, EdgeKind::periodic, EdgeKind::periodic},
         {2, 0.02, 1e-4, EdgeKind::wave, EdgeKind::inflow, EdgeKind::level, EdgeKind::wave},
         {1, 0, 0, EdgeKind::inflow, EdgeKind::wave, EdgeKind::open, EdgeKind::inflow}};
-    for (const Case& c : cases) {
-        WaterScene scene = scenes::basin(97, 2);
-        scene.grid.nx = 131;
-        scene.grid.dy = 6;
-        scene.settings.order = c.order;
-        scene.settings.manning_s_per_m13 = c.manning;
-        scene.settings.rain_m_per_s = c.rain;
-        scene.settings.infiltration_m_per_s = c.rain / 3;
-        scene.settings.edges = {c.north, c.south, c.west, c.east};
-        scene.settings.level_m = 3;
-        scene.settings.wave_height_m = 0.7;
-        scene.settings.wave_period_s = 4;
-        scene.settings.inflow_m3_per_s = 900;
-        scene.settings.inflow_rise_s = 6;
-        TerrainState start = scene.state();
-        if (c.manning > 0) {  // rain by a map
-            scene.settings.rain_painted = scene.settings.rain_masked = true;
-            for (std::size_t i = 0; i < start.grid.count(); ++i)
-                start.painted.emplace_back(0, 0.01F * static_cast<float>(i % 100), i % 7 * 100, 0);
-        }
-        WaterRun run(start, scene.settings);
-        auto twin = twin_of<float>(start, scene.settings);
-        auto exact = twin_of<double>(start, scene.settings);
-        for (int tick = 0; tick < 10; ++tick) {
-            twin.tick(1, run.time_s());
-            exact.tick(1, run.time_s());
-            run.tick(1);
-        }
-        const std::vector<glm::vec4> end = run.read().water;
-        EXPECT_EQ(differing(end, twin.read()), 0U)
-            << "order " << c.order << ", north " << static_cast<int>(c.north);
-        EXPECT_GT(differing(end, start.water), end.size() / 3);
-        double missed = 0;
-        double all = 0;
-        const std::vector<glm::dvec4> in_double = exact.read();
-        for (std::size_t i = 0; i < end.size(); ++i) {
-            missed += std::abs(static_cast<double>(end[i].x) - in_double[i].x);
-            all += in_double[i].x;
-        }
-        fmt::print("float against double after {} sub-steps, order {}: L1 {:.1e}\n",
-                   run.water.work().substeps, c.order, missed / all);
-        EXPECT_LT(missed / all, 1e-4);
+    for (const WaterCase& c : cases) {
+        const TwinAgreement agreement = water_against_twin(c);
+        EXPECT_EQ(agreement.differing, 0U) << "order " << c.order << ", north " << static_cast<int>(c.north);
+        EXPECT_GT(agreement.changed, agreement.samples / 3);
+        fmt::print("float against double, order {}: L1 {:.1e}\n", c.order, agreement.of_double);
+        EXPECT_LT(agreement.of_double, 1e-4);
     }
 }
 

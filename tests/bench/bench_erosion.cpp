@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "app/claims/water_scenes.h"
 #include "app/report.h"
 #include "render/renderer.h"
 #include "sim/passes/water_twin.h"
@@ -12,7 +13,6 @@
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"
 #include "tests/bench/measure.h"
-#include "tests/scenes/water_scenes.h"
 
 namespace talus::bench {
 

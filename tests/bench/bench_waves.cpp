@@ -4,9 +4,9 @@
 #include <cmath>
 #include <memory>
 
+#include "app/claims/water_scenes.h"
 #include "app/report.h"
 #include "tests/bench/measure.h"
-#include "tests/scenes/water_scenes.h"
 
 namespace talus::bench {
 

@@ -453,5 +453,46 @@ TEST_F(Program, ComparesMethodsWithTheReference) {
     EXPECT_NE(refusal("render a.exr --turntable 3 --depth d.exr").find("give --image"), std::string::npos);
 }
 
+// One sign in a shader, and `verify` fails in the row that tells of it, while another holds.
+TEST_F(Program, VerifyFindsTheShaderWithAWrongSign) {
+    const struct {
+        const char* shader;
+        const char* right;
+        const char* wrong;
+        const char* fails;
+        const char* holds;
+    } cases[] = {{"maths/thermal.glsl", "(share / spacing) * along", "(share / spacing) * -along",
+                  "brush and slopes", "pyramid"},
+                 {"maths/water_sources.glsl", "depth = add_increment(depth, rain);",
+                  "depth = add_increment(depth, -rain);", "water", "exact picture"},
+                 {"maths/sediment_exchange.glsl", "before.solid.y), -metres_rock)",
+                  "before.solid.y), metres_rock)", "sediment", "wet dam break"},
+                 {"maths/patch.glsl", "real c1 = direction.z - (", "real c1 = direction.z + (",
+                  "exact picture", "lake at rest"},
+                 {"sim/ledger.comp", "stores.z += load.x + load.y", "stores.z -= load.x + load.y",
+                  "ledger of rock", "ledger of water"}};
+    for (const auto& c : cases) {
+        const fs::path shaders = path("shaders");
+        fs::remove_all(shaders);
+        fs::copy(SHADER_FOLDER, shaders, fs::copy_options::recursive);
+        std::ifstream in(shaders / c.shader);
+        std::string text((std::istreambuf_iterator<char>(in)), {});
+        const auto at = text.find(c.right);
+        ASSERT_NE(at, std::string::npos) << c.shader;
+        text.replace(at, std::string(c.right).size(), c.wrong);
+        std::ofstream(shaders / c.shader) << text;
+        const std::string only = std::string("verify --only '") + c.fails + "' --only '" + c.holds + "' ";
+        const Outcome right = talus(only);
+        EXPECT_EQ(right.code, 0) << right.output;
+        const Outcome wrong = talus(only + "--shader-dir shaders --json found.json");
+        EXPECT_EQ(wrong.code, 1) << c.shader << ": " << wrong.output;
+        const json found = report("found.json");
+        EXPECT_FALSE(found["claims"][0]["holds"]) << c.shader << ": " << wrong.output;
+        EXPECT_TRUE(found["claims"][1]["holds"]) << c.shader << ": " << wrong.output;
+        EXPECT_NE(wrong.output.find("do not hold on this device"), std::string::npos);
+    }
+    EXPECT_NE(refusal("verify --only rivers").find("'rivers' is no claim"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace talus

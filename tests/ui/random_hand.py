@@ -27,8 +27,8 @@ from Xlib.ext import xtest
 # Nothing waits longer than this for the window to answer, s. A loaded machine needs more than the two seconds of a person.
 PATIENCE_S = float(os.environ.get("TALUS_HAND_PATIENCE_S", "2"))
 
-# What would end the session in an orderly way, or change how much undo keeps.
-LEFT_ALONE = {"Quit", "undo.memory_mib", "Profiler"}
+# What would end the session in an orderly way, change how much undo keeps, or go on for a minute.
+LEFT_ALONE = {"Quit", "undo.memory_mib", "Verify this device"}
 KEYS = ["space", "period", "f", "F12", "Tab", "Escape", "bracketleft", "bracketright", "minus", "equal", "Return",
         "ctrl+z", "ctrl+shift+z", "ctrl+y", "ctrl+s", "ctrl+e", "ctrl+o", "ctrl+shift+s", "ctrl+a", "Delete", "w", "a",
         "s", "d", "q", "e", "1", "2", "3", "4", "5", "6", "7", "8", "9", "shift+1", "shift+2", "shift+3", "shift+4",
@@ -346,7 +346,7 @@ def undo_everything(window, talus, folder):
         if window.busy():
             time.sleep(0.2)
             continue
-        if not {"file name", "export path", "import spacing", "Cancel", "Cancel import", "Cancel export"} & set(rects):
+        if not {"file name", "export path", "import spacing", "Cancel", "Cancel import", "Cancel export", "Close"} & set(rects):
             break
         window.press("Escape")
         time.sleep(0.2)

@@ -1,4 +1,4 @@
-#include "tests/scenes/water_scenes.h"
+#include "app/claims/water_scenes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,268 @@
+#include "app/claims/twin_agreement.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include "app/claims/water_scenes.h"
+#include "sim/passes/brush_twin.h"
+#include "sim/passes/thermal_twin.h"
+#include "sim/passes/water_twin.h"
+#include "sim/terrain/generate.h"
+
+namespace talus {
+
+using scenes::WaterRun;
+using scenes::WaterScene;
+
+namespace {
+
+std::vector<glm::vec4> solid_of(const TerrainState& state) {
+    std::vector<glm::vec4> solid;
+    solid.reserve(state.bedrock.size());
+    for (std::size_t i = 0; i < state.bedrock.size(); ++i)
+        solid.emplace_back(state.bedrock[i], state.regolith[i]);
+    return solid;
+}
+
+template <typename Texel>
+std::size_t differing_bits(const std::vector<Texel>& a, const std::vector<Texel>& b) {
+    if (a.size() != b.size()) return std::max(a.size(), b.size());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) count += std::memcmp(&a[i], &b[i], sizeof(Texel)) == 0 ? 0 : 1;
+    return count;
+}
+
+double height_of(const glm::dvec4& words) {
+    return words.x + words.y + words.z + words.w;
+}
+
+// Σ|found - exact| over Σ|exact - start| of the ground.
+template <typename Exact>
+double l1_of_moved(const std::vector<glm::vec4>& start, const std::vector<glm::vec4>& found,
+                   const Exact& exact) {
+    double missed = 0;
+    double moved = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const double wanted = height_of(glm::dvec4(exact[i]));
+        missed += std::abs(height_of(found[i]) - wanted);
+        moved += std::abs(wanted - height_of(start[i]));
+    }
+    return missed / moved;
+}
+
+// The twins of brush and slopes, over the same samples.
+template <typename Real>
+struct SolidTwin {
+    maths::BrushTwin<Real> brush;
+    maths::ThermalTwin<Real> thermal;
+    std::vector<glm::vec<4, Real>> samples;
+
+    SolidTwin(const TerrainState& state, const ThermalStep& step) : thermal(state.grid, step) {
+        brush.nx = state.grid.nx;
+        brush.ny = state.grid.ny;
+        for (const glm::vec4& painted : state.painted) thermal.masks.push_back(painted.y);
+        brush.masks = thermal.masks;
+        for (const glm::vec4& solid : solid_of(state)) samples.emplace_back(solid);
+    }
+    void dab(const Dab& dab, const DabStep& step) {
+        brush.ground_samples.swap(samples);
+        brush.dab(dab, step);
+        brush.ground_samples.swap(samples);
+    }
+    void slide() {
+        thermal.samples.swap(samples);
+        thermal.step();
+        thermal.samples.swap(samples);
+    }
+};
+
+constexpr glm::ivec2 stamp_samples(9, 7);
+
+// The dab of a sub-step: all modes, curves and materials come in turn.
+Dab turning_dab(int substep, const Grid& grid, std::mt19937& random) {
+    std::uniform_real_distribution<double> unit(0, 1);
+    Dab dab;
+    dab.mode = static_cast<BrushMode>(substep / 5 % 8);
+    dab.curve = static_cast<FalloffCurve>(substep / 40 % 4);
+    dab.masked = substep / 5 % 3 == 0;
+    if (dab.mode == BrushMode::ramp) dab.way_m = 900.0 * (glm::dvec2(unit(random), unit(random)) - 0.5);
+    dab.rise_m = 300 * (unit(random) - 0.5);
+    dab.step_m = 10 + 90 * unit(random);
+    dab.flat = 0.9 * unit(random);
+    dab.noise = {substep / 40 % 3,       40 + 400 * unit(random),
+                 1 + substep / 40 % 6,   0.5,
+                 substep / 40 % 2 * 0.3, static_cast<std::uint32_t>(substep)};
+    dab.stamp = {static_cast<StampMode>(substep / 40 % 4),
+                 {50 + 400 * unit(random), 300},
+                 360 * unit(random),
+                 substep % 10 == 0,
+                 0.3 * (substep / 80 % 3)};
+    dab.x_m = unit(random) * grid.width_m();
+    dab.y_m = unit(random) * grid.height_m();
+    dab.radius_m = 40 + 600 * unit(random);
+    dab.falloff = unit(random);
+    dab.amount_m = 30 * unit(random);
+    dab.blend = unit(random);
+    dab.target_m = 1500 * unit(random);
+    dab.material = unit(random) < 0.5 ? Material::regolith : Material::bedrock;
+    return dab;
+}
+
+template <typename Real>
+maths::WaterTwin<Real> water_twin(const TerrainState& state, const WaterSettings& settings) {
+    std::vector<Real> beds;
+    std::vector<glm::vec<4, Real>> water;
+    for (const float height : state.ground()) beds.push_back(height);
+    for (const glm::vec4& texel : state.water) water.emplace_back(texel);
+    maths::WaterTwin<Real> twin(state.grid, beds, water, settings, state.painted);
+    if (!settings.sediment.carried) return twin;
+    std::vector<glm::vec<4, Real>> solid;
+    for (const glm::vec4& texel : solid_of(state)) solid.emplace_back(texel);
+    twin.carry(solid, std::vector<glm::vec<2, Real>>(state.grid.count(), glm::vec<2, Real>(0)));
+    return twin;
+}
+
+// What both kinds of water have in common.
+WaterScene sloshing(const WaterCase& c) {
+    WaterScene scene = scenes::basin(97, 2);
+    scene.grid.nx = 131;
+    scene.grid.dy = 6;
+    scene.settings.order = c.order;
+    scene.settings.manning_s_per_m13 = c.manning_s_per_m13;
+    scene.settings.rain_m_per_s = c.rain_m_per_s;
+    scene.settings.infiltration_m_per_s = c.rain_m_per_s / 3;
+    scene.settings.edges = {c.north, c.south, c.west, c.east};
+    scene.settings.level_m = 3;
+    scene.settings.wave_height_m = 0.7;
+    scene.settings.wave_period_s = 4;
+    scene.settings.inflow_m3_per_s = 900;
+    return scene;
+}
+
+// Ten ticks of the device and of both twins.
+template <typename Act>
+void run_with_twins(WaterRun& run, maths::WaterTwin<float>& twin, maths::WaterTwin<double>& exact,
+                    Act&& after) {
+    for (int tick = 0; tick < 10; ++tick) {
+        twin.tick(1, run.time_s());
+        exact.tick(1, run.time_s());
+        run.tick(1);
+    }
+    after(run.read());
+}
+
+}  // namespace
+
+TwinAgreement brush_and_slopes_against_twin(int substeps) {
+    const Grid grid{150, 97, 20, 17};
+    TerrainState state = bedrock_terrain(grid, generate_heights(grid, {"mountains", 7, 1500}));
+    for (std::size_t i = 0; i < grid.count(); ++i)
+        state.painted.emplace_back(0, i % 5 == 0 ? 0.0F : 0.25F * static_cast<float>(i % 5), 0, 0);
+    ThermalSettings settings{33, natural_thermal_rate(grid, 1, 0.3)};
+    settings.bedrock_deg = 41;
+    settings.porosity = 0.3;
+    settings.weathering_m_per_s = 1e-4;
+    settings.masked = true;
+    const ThermalStep step = thermal_step(grid, settings, 1, 1);
+    SolidTwin<float> twin(state, step);
+    SolidTwin<double> exact(state, step);
+    twin.brush.stamp_samples = exact.brush.stamp_samples = stamp_samples;
+    for (int i = 0; i < 63; ++i) twin.brush.stamp_heights.push_back(static_cast<float>(i * 37 % 63) / 62);
+    exact.brush.stamp_heights.assign(twin.brush.stamp_heights.begin(), twin.brush.stamp_heights.end());
+    gpu::Texture stamp("stamp", gpu::Format::r32f, stamp_samples.x, stamp_samples.y);
+    stamp.write(stamp.whole(), std::as_bytes(std::span(twin.brush.stamp_heights)));
+    Terrain terrain(state);
+    Thermal thermal(terrain);
+    Brush brush(terrain);
+    std::mt19937 random(42);
+    for (int substep = 0; substep < substeps; ++substep) {
+        if (substep % 5 == 0) {
+            const Dab dab = turning_dab(substep, grid, random);
+            const DabStep dab_in_steps = dab_step(grid, dab, stamp_samples);
+            brush.dab(terrain, dab, &stamp);
+            twin.dab(dab, dab_in_steps);
+            exact.dab(dab, dab_in_steps);
+        }
+        thermal.substep(terrain, step);
+        twin.slide();
+        exact.slide();
+    }
+    const std::vector<glm::vec4> start = solid_of(state);
+    const std::vector<glm::vec4> end = solid_of(terrain.read());
+    return {differing_bits(end, twin.samples), differing_bits(end, start), grid.count(),
+            l1_of_moved(start, end, exact.samples)};
+}
+
+TwinAgreement water_against_twin(const WaterCase& c) {
+    WaterScene scene = sloshing(c);
+    scene.settings.inflow_rise_s = 6;
+    TerrainState start = scene.state();
+    if (c.manning_s_per_m13 > 0) {  // rain by a map
+        scene.settings.rain_painted = scene.settings.rain_masked = true;
+        for (std::size_t i = 0; i < start.grid.count(); ++i)
+            start.painted.emplace_back(0, 0.01F * static_cast<float>(i % 100), i % 7 * 100, 0);
+    }
+    WaterRun run(start, scene.settings);
+    auto twin = water_twin<float>(start, scene.settings);
+    auto exact = water_twin<double>(start, scene.settings);
+    TwinAgreement agreement;
+    run_with_twins(run, twin, exact, [&](const TerrainState& end) {
+        double missed = 0;
+        double all = 0;
+        const std::vector<glm::dvec4> in_double = exact.read();
+        for (std::size_t i = 0; i < end.water.size(); ++i) {
+            missed += std::abs(static_cast<double>(end.water[i].x) - in_double[i].x);
+            all += in_double[i].x;
+        }
+        agreement = {differing_bits(end.water, twin.read()), differing_bits(end.water, start.water),
+                     end.water.size(), missed / all};
+    });
+    return agreement;
+}
+
+TwinAgreement sediment_against_twin(const WaterCase& c) {
+    WaterCase rough = c;
+    rough.manning_s_per_m13 = 0.03;
+    WaterScene scene = sloshing(rough);
+    // Coarse silt in a stream that carries much: all parts of the exchange act.
+    SedimentSettings& silt = scene.settings.sediment;
+    silt.carried = true;
+    silt.regolith_m_per_s_pa = 4e-6;
+    silt.bedrock_m_per_s_pa = 4e-7;
+    silt.critical_pa = 2;
+    silt.settling_m_per_s = 0.02;
+    silt.porosity = 0.3;
+    silt.acceleration = 20;
+    silt.inflow_concentration = 0.002;
+    silt.strata_m = 1;
+    silt.strata_hardness = 0.8;
+    silt.masked = c.order == 1;
+    TerrainState start = scene.state();
+    for (std::size_t i = 0; i < scene.grid.count(); ++i) {
+        // Regolith of varied depth, bare in places, and hardness painted.
+        const auto x = static_cast<float>(i % static_cast<std::size_t>(scene.grid.nx));
+        const float depth = std::max(0.0F, 0.02F * std::sin(0.2F * x) + 0.005F);
+        start.regolith[i].x = depth;
+        start.bedrock[i].x -= depth;
+        start.painted.emplace_back(0.01F * static_cast<float>(i % 100), 0.05F * static_cast<float>(i % 21), 0,
+                                   0);
+    }
+    WaterRun run(start, scene.settings);
+    auto twin = water_twin<float>(start, scene.settings);
+    auto exact = water_twin<double>(start, scene.settings);
+    TwinAgreement agreement;
+    run_with_twins(run, twin, exact, [&](const TerrainState& end) {
+        const std::vector<glm::vec4> before = solid_of(start);
+        const std::vector<glm::vec4> after = solid_of(end);
+        agreement = {std::max({differing_bits(end.water, twin.read()), differing_bits(after, twin.solid()),
+                               differing_bits(end.suspended, twin.read_load())}),
+                     differing_bits(after, before), scene.grid.count(),
+                     l1_of_moved(before, after, exact.solid())};
+    });
+    return agreement;
+}
+
+}  // namespace talus
