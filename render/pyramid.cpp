@@ -65,7 +65,9 @@ void Pyramid::rebuild(const Terrain& terrain) {
     }
     low_levels_.set("patches", glm::ivec2(terrain.grid().nx - 1, terrain.grid().ny - 1));
     low_levels_.dispatch_indirect(dirty_.buffer);
+    gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::texture_transfer});
     high_levels_.dispatch(1);
+    gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::texture_transfer});
 }
 
 void Pyramid::bind(gpu::Program& program, const Terrain& terrain) const {

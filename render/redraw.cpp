@@ -43,6 +43,7 @@ void Redraw::mark(bool after, const TileList& tiles, const Terrain& terrain, con
     bind(mark_);
     tiles.buffer.bind_storage(1);
     mark_.dispatch_indirect(tiles.buffer);
+    gpu::barrier({gpu::Use::storage, gpu::Use::buffer_transfer});
 }
 
 void Redraw::list() {
@@ -51,6 +52,7 @@ void Redraw::list() {
     bind(list_);
     listed_.bind_storage(6);
     list_.dispatch((blocks_.x * blocks_.y + 63) / 64);
+    gpu::barrier({gpu::Use::storage, gpu::Use::indirect, gpu::Use::buffer_transfer});
 }
 
 void Redraw::draw(gpu::Program& program, const gpu::Framebuffer& target, gpu::Depth depth) const {

@@ -38,6 +38,7 @@ void Refinement::add(const gpu::Texture& picture, int width, int height) {
     sum_.bind_image(0, gpu::Access::read_write);
     mean_.bind_image(1, gpu::Access::write);
     add_.dispatch((width + 31) / 32, (height + 7) / 8);
+    gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::texture_transfer, gpu::Use::framebuffer});
 }
 
 }  // namespace talus

@@ -23,6 +23,7 @@ void ShadeList::make(const gpu::Texture& hits, int width, int height) {
     program_.set("size", glm::ivec2(width, height));
     const glm::ivec2 groups = large_blocks_of(blocks);
     program_.dispatch(groups.x, groups.y);
+    gpu::barrier({gpu::Use::storage, gpu::Use::indirect, gpu::Use::buffer_transfer});
 }
 
 BlockList ShadeList::nothing() const {

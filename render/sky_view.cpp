@@ -21,6 +21,7 @@ void SkyView::refresh(Terrain& terrain, const Pyramid& pyramid) {
     program_.set("patches", glm::ivec2(terrain.grid().nx - 1, terrain.grid().ny - 1));
     program_.set("cell_m", glm::vec2(terrain.grid().dx, terrain.grid().dy));
     program_.dispatch_indirect(dirty_.buffer);
+    gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::texture_transfer});
 }
 
 }  // namespace talus

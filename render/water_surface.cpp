@@ -19,6 +19,7 @@ void WaterSurface::refresh(Terrain& terrain) {
     program_.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
     program_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
     program_.dispatch_indirect(changed.buffer);
+    gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::texture_transfer});
     pyramid_.rebuild(terrain);
 }
 

@@ -67,6 +67,7 @@ void Ledger::sum(const Terrain& terrain) {
     program.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
     program.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
     program.dispatch(terrain.tiles.columns(), terrain.tiles.rows());
+    gpu::barrier({gpu::Use::buffer_transfer, gpu::Use::storage});
 }
 
 LedgerReading Ledger::reading(const LedgerStart& start, const std::vector<glm::dvec4>& tile_sums,

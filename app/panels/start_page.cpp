@@ -13,9 +13,8 @@ void draw_left_behind(PanelContext& context) {
     PanelState& state = context.state;
     if (state.left.empty()) return;
     heading("Not saved");
-    for (std::size_t i = 0; i < state.left.size(); ++i) {
-        const LeftBehind& left = state.left[i];
-        ImGui::PushID(static_cast<int>(i));
+    for (const LeftBehind& left : state.left) {
+        ImGui::PushID(left.folder.c_str());
         text_line(fmt::format("{}, {}", left.title, left.saved_at));
         if (button("Recover", "opens what was there when Talus ended: " + left.document.string())) {
             SceneRequest request;
@@ -28,7 +27,8 @@ void draw_left_behind(PanelContext& context) {
         ImGui::PopID();
         if (!dropped) continue;
         forget(left);
-        state.left.erase(state.left.begin() + static_cast<std::ptrdiff_t>(i));
+        std::erase_if(state.left,
+                      [folder = left.folder](const LeftBehind& one) { return one.folder == folder; });
         break;
     }
 }

@@ -40,6 +40,7 @@ void Beams::mark_changes(const Frame& frame) {
     frame.redraw->bind(changes_);
     changes_.set("beam_count", size);
     changes_.dispatch((size.x + 15) / 16, (size.y + 15) / 16);
+    gpu::barrier({gpu::Use::storage});
 }
 
 std::size_t Beams::bytes() const {

@@ -62,6 +62,7 @@ void choose_cells(Hybrid& hybrid, const CellRectangle& cells) {
     hybrid.cells.bind_storage(3);
     hybrid.sectors.bind_storage(4);
     hybrid.choose.dispatch(1);
+    gpu::barrier({gpu::Use::storage, gpu::Use::indirect, gpu::Use::buffer_transfer});
 }
 
 void draw(Hybrid& hybrid, const Frame& frame) {
@@ -97,6 +98,7 @@ void draw(Hybrid& hybrid, const Frame& frame) {
         hybrid.sectors_before.bind_storage(6);
         frame.redraw->bind(hybrid.reach_changes);
         hybrid.reach_changes.dispatch((sector_count + 63) / 64);
+        gpu::barrier({gpu::Use::storage});
         hybrid.rays.beams().mark_changes(frame);
         frame.redraw->list();
         frame.redraw->draw(hybrid.reset_blocks, frame.hits, gpu::Depth::reset);

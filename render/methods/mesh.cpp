@@ -54,6 +54,7 @@ Method make_mesh(Detail) {
         }
         frame.pyramid.lowest.bind_sampled(2);
         mesh->list.dispatch((size.x * size.y + 63) / 64);
+        gpu::barrier({gpu::Use::storage, gpu::Use::indirect, gpu::Use::buffer_transfer});
         const auto near_m = static_cast<float>(1e-3 * std::min(grid.dx, grid.dy));
         mesh->draw.set("near_m", near_m);
         mesh->walls.set("near_m", near_m);

@@ -44,6 +44,7 @@ void RayCasting::cast_beams(const Frame& frame, double flatness) {
     list_.set("blocks", blocks);
     list_.set("beam_count", Beams::count(frame));
     list_.dispatch(1);
+    gpu::barrier({gpu::Use::storage, gpu::Use::indirect});
 }
 
 void RayCasting::draw(const Frame& frame) {

@@ -2,6 +2,7 @@
 // the cells that no cell of rays can hide, then those that one may. One group does it all, because a dispatch costs more
 // than this work.
 layout(local_size_x = 256) in;
+#define MAKES_MESH_CELLS
 #include "render/surface.glsl"
 #include "render/camera.glsl"
 #include "render/cell_box.glsl"

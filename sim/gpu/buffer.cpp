@@ -4,6 +4,7 @@
 
 #include "sim/gpu/debug.h"
 #include "sim/gpu/fence.h"
+#include "sim/gpu/hazards.h"
 
 namespace talus::gpu {
 
@@ -17,22 +18,25 @@ Buffer::Buffer(const std::string& label, std::size_t bytes) : bytes_(bytes) {
     handle_ = Handle<delete_buffer>(name);
     glObjectLabel(GL_BUFFER, name, static_cast<GLsizei>(label.size()), label.data());
     glNamedBufferStorage(name, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    hazards::made(hazards::Kind::buffer, name, label);
     raise_errors();
 }
 
 void Buffer::fill(std::uint32_t word) {
+    hazards::used(hazards::Kind::buffer, handle_, Use::buffer_transfer, "Buffer::fill");
     glClearNamedBufferData(handle_, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &word);
     raise_errors();
 }
 
 void Buffer::write(std::size_t offset, std::span<const std::byte> data) {
+    hazards::used(hazards::Kind::buffer, handle_, Use::buffer_transfer, "Buffer::write");
     glNamedBufferSubData(handle_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(data.size()),
                          data.data());
     raise_errors();
 }
 
 void Buffer::read(std::size_t offset, std::span<std::byte> data) const {
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    hazards::used(hazards::Kind::buffer, handle_, Use::buffer_transfer, "Buffer::read");
     // OpenGL makes glGetNamedBufferSubData wait for all that was asked before. Mesa 22.3's zink does not wait
     // for glGetTextureSubImage into the buffer (docs/devices.md): a fence does.
     Fence::now().wait();
@@ -46,13 +50,15 @@ void Buffer::copy_from(const Buffer& other) {
 }
 
 void Buffer::copy_part(std::size_t offset, const Buffer& other, std::size_t other_offset, std::size_t bytes) {
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    hazards::used(hazards::Kind::buffer, other.handle_, Use::buffer_transfer, "Buffer::copy_part");
+    hazards::used(hazards::Kind::buffer, handle_, Use::buffer_transfer, "Buffer::copy_part");
     glCopyNamedBufferSubData(other.handle_, handle_, static_cast<GLintptr>(other_offset),
                              static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes));
     raise_errors();
 }
 
 void Buffer::bind_storage(unsigned index) const {
+    hazards::bound_storage(index, handle_);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, index, handle_);
 }
 

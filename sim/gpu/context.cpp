@@ -12,6 +12,7 @@
 
 #include "sim/gpu/debug.h"
 #include "sim/gpu/error.h"
+#include "sim/gpu/hazards.h"
 
 namespace talus::gpu {
 namespace {
@@ -86,8 +87,8 @@ namespace {
 // Squares of the picture are drawn as points (render/blocks.h).
 constexpr float largest_point = 128;
 
-// What Talus leans on (docs/devices.md). OpenGL 4.5 promises all of it but storage blocks in vertex shaders and the size of
-// points.
+// What Talus leans on (docs/devices.md). OpenGL 4.5 promises all of it but storage blocks in vertex shaders
+// and the size of points.
 struct Limit {
     GLenum name;
     const char* what;
@@ -138,6 +139,7 @@ Device adopt_current_context(const std::string& route) {
                                     device.renderer, given, limit.what, limit.needed));
     }
     watch_errors();
+    hazards::context_made();
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glDisable(GL_DITHER);

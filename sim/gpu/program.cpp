@@ -141,13 +141,15 @@ void keep(const std::string& path, const std::string& text) {
     std::ofstream(kept_shaders() / name, std::ios::binary) << text;
 }
 
-Handle<delete_shader> compile(const std::string& path, const std::vector<std::string>& defines) {
+Handle<delete_shader> compile(const std::string& path, const std::vector<std::string>& defines,
+                              std::string& assembled) {
     std::vector<std::string> files;
     std::string body;
     expand(path, files, body);
     std::string text = "#version 450 core\n";
     for (const std::string& define : defines) text += "#define " + define + "\n";
     text += body;
+    assembled += text;
     if (!kept_shaders().empty()) keep(path, text);
     Handle<delete_shader> shader(glCreateShader(stage_of(path)));
     const char* source = text.c_str();
@@ -209,8 +211,9 @@ void Program::build() {
     generation_ = folder().generation;
     Handle<delete_program> fresh(glCreateProgram());
     std::vector<Handle<delete_shader>> shaders;
+    std::string text;
     for (const std::string& path : paths_) {
-        shaders.push_back(compile(path, defines_));
+        shaders.push_back(compile(path, defines_, text));
         glAttachShader(fresh, shaders.back());
     }
     glLinkProgram(fresh);
@@ -221,6 +224,7 @@ void Program::build() {
         throw Error(fmt::format("shaders/{}: {}", paths_.back(), program_log(fresh)));
     }
     glObjectLabel(GL_PROGRAM, fresh, static_cast<GLsizei>(paths_.back().size()), paths_.back().data());
+    accesses_ = hazards::accesses_of(fresh, text);
     handle_ = std::move(fresh);
     locations_.clear();
     for (const auto& [name, value] : values_) upload(name, value);
@@ -236,6 +240,7 @@ void Program::use() {
         }
     }
     glUseProgram(handle_);
+    hazards::run(paths_.back(), accesses_);
 }
 
 void Program::upload(std::string_view name, const Value& value) {
@@ -306,16 +311,15 @@ void Program::dispatch(int groups_x, int groups_y, int groups_z) {
     use();
     glDispatchCompute(static_cast<GLuint>(groups_x), static_cast<GLuint>(groups_y),
                       static_cast<GLuint>(groups_z));
-    glMemoryBarrier(GL_ALL_BARRIER_BITS);
     raise_errors();
 }
 
 void Program::dispatch_indirect(const Buffer& arguments, std::size_t offset) {
     const PassSpan timed(paths_.back());
+    hazards::used(hazards::Kind::buffer, arguments.name(), Use::indirect, paths_.back().c_str());
     use();
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, arguments.name());
     glDispatchComputeIndirect(static_cast<GLintptr>(offset));
-    glMemoryBarrier(GL_ALL_BARRIER_BITS);
     raise_errors();
 }
 
@@ -357,13 +361,16 @@ const void* as_offset(std::size_t offset) {
 void Program::draw_fullscreen() {
     const PassSpan timed(paths_.back());
     use();
+    hazards::draws(paths_.back());
     with_vertex_array(0, [] { glDrawArrays(GL_TRIANGLES, 0, 3); });
     raise_errors();
 }
 
 void Program::draw_indirect(const Buffer& arguments, std::size_t offset, Depth depth) {
     const PassSpan timed(paths_.back());
+    hazards::used(hazards::Kind::buffer, arguments.name(), Use::indirect, paths_.back().c_str());
     use();
+    hazards::draws(paths_.back());
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, arguments.name());
     with_vertex_array(
         0, [&] { with_depth(depth, [&] { glDrawArraysIndirect(GL_TRIANGLES, as_offset(offset)); }); });
@@ -372,7 +379,9 @@ void Program::draw_indirect(const Buffer& arguments, std::size_t offset, Depth d
 
 void Program::draw_points_indirect(const Buffer& arguments, std::size_t offset, Depth depth) {
     const PassSpan timed(paths_.back());
+    hazards::used(hazards::Kind::buffer, arguments.name(), Use::indirect, paths_.back().c_str());
     use();
+    hazards::draws(paths_.back());
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, arguments.name());
     glEnable(GL_PROGRAM_POINT_SIZE);
     with_vertex_array(
@@ -384,8 +393,11 @@ void Program::draw_points_indirect(const Buffer& arguments, std::size_t offset, 
 void Program::draw_indexed_indirect(const Buffer& indices, const Buffer& arguments, std::size_t offset,
                                     Depth depth) {
     const PassSpan timed(paths_.back());
+    hazards::used(hazards::Kind::buffer, arguments.name(), Use::indirect, paths_.back().c_str());
     use();
+    hazards::draws(paths_.back());
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, arguments.name());
+    hazards::used(hazards::Kind::buffer, indices.name(), Use::elements, paths_.back().c_str());
     with_vertex_array(indices.name(), [&] {
         with_depth(depth, [&] { glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, as_offset(offset)); });
     });

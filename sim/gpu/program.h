@@ -10,6 +10,7 @@
 
 #include "sim/gpu/buffer.h"
 #include "sim/gpu/handle.h"
+#include "sim/gpu/hazards.h"
 
 namespace talus::gpu {
 
@@ -65,7 +66,8 @@ class Program {
     void set(std::string_view name, glm::vec4 value);
     void set(std::string_view name, glm::ivec2 value);
 
-    /// Runs compute groups; what they write is visible to everything after.
+    /// Runs compute groups. What they store is there for who uses it after a gpu::barrier() that names the
+    /// use.
     void dispatch(int groups_x, int groups_y = 1, int groups_z = 1);
     /// The same with the three group counts read on the device from the buffer at the offset (bytes).
     void dispatch_indirect(const Buffer& arguments, std::size_t offset = 0);
@@ -100,6 +102,7 @@ class Program {
     unsigned generation_ = 0;
     std::map<std::string, int, std::less<>> locations_;
     std::map<std::string, Value, std::less<>> values_;
+    std::vector<hazards::Access> accesses_;
 };
 
 }  // namespace talus::gpu

@@ -23,7 +23,7 @@ void Readback::start(const Texture& texture, const Region& region) {
 
 void Readback::start(const Buffer& buffer, std::size_t bytes) {
     if (buffer_.bytes() != bytes) buffer_ = Buffer("readback", bytes);
-    glCopyNamedBufferSubData(buffer.name(), buffer_.name(), 0, 0, static_cast<GLsizeiptr>(bytes));
+    buffer_.copy_part(0, buffer, 0, bytes);
     fence_ = Fence::now();
     raise_errors();
 }

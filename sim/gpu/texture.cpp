@@ -8,6 +8,7 @@
 
 #include "sim/gpu/debug.h"
 #include "sim/gpu/error.h"
+#include "sim/gpu/hazards.h"
 
 namespace talus::gpu {
 namespace {
@@ -63,6 +64,7 @@ Texture::Texture(const std::string& label, Format format, int width, int height,
     handle_ = Handle<delete_texture>(name);
     glObjectLabel(GL_TEXTURE, name, static_cast<GLsizei>(label.size()), label.data());
     glTextureStorage2D(name, levels, layout_of(format).internal, width, height);
+    hazards::made(hazards::Kind::texture, name, label);
     glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST);
     glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -89,6 +91,7 @@ bool filters_along() {
 }
 
 void Texture::fill(float value) {
+    hazards::used(hazards::Kind::texture, handle_, Use::texture_transfer, "Texture::fill");
     const std::array<float, 4> texel = {value, value, value, value};
     for (int level = 0; level < levels_; ++level)
         glClearTexImage(handle_, level, layout_of(format_).format, GL_FLOAT, texel.data());
@@ -96,6 +99,7 @@ void Texture::fill(float value) {
 }
 
 void Texture::write(const Region& region, std::span<const std::byte> texels, int level) {
+    hazards::used(hazards::Kind::texture, handle_, Use::texture_transfer, "Texture::write");
     const Layout layout = layout_of(format_);
     glTextureSubImage2D(handle_, level, region.x, region.y, region.width, region.height, layout.format,
                         layout.type, texels.data());
@@ -104,7 +108,7 @@ void Texture::write(const Region& region, std::span<const std::byte> texels, int
 
 void Texture::read(const Region& region, std::span<std::byte> texels, int level) const {
     const Layout layout = layout_of(format_);
-    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+    hazards::used(hazards::Kind::texture, handle_, Use::texture_transfer, "Texture::read");
     glGetTextureSubImage(handle_, level, region.x, region.y, 0, region.width, region.height, 1, layout.format,
                          layout.type, static_cast<GLsizei>(texels.size()), texels.data());
     raise_errors();
@@ -112,7 +116,8 @@ void Texture::read(const Region& region, std::span<std::byte> texels, int level)
 
 void Texture::copy_to(const Buffer& buffer, std::size_t offset, const Region& region) const {
     const Layout layout = layout_of(format_);
-    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);
+    hazards::used(hazards::Kind::texture, handle_, Use::texture_transfer, "Texture::copy_to");
+    hazards::used(hazards::Kind::buffer, buffer.name(), Use::pixel_buffer, "Texture::copy_to");
     glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer.name());
     glGetTextureSubImage(handle_, 0, region.x, region.y, 0, region.width, region.height, 1, layout.format,
                          layout.type, static_cast<GLsizei>(buffer.bytes() - offset), as_offset(offset));
@@ -122,7 +127,8 @@ void Texture::copy_to(const Buffer& buffer, std::size_t offset, const Region& re
 
 void Texture::copy_from(const Buffer& buffer, std::size_t offset, const Region& region) {
     const Layout layout = layout_of(format_);
-    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);
+    hazards::used(hazards::Kind::texture, handle_, Use::texture_transfer, "Texture::copy_from");
+    hazards::used(hazards::Kind::buffer, buffer.name(), Use::pixel_buffer, "Texture::copy_from");
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer.name());
     glTextureSubImage2D(handle_, 0, region.x, region.y, region.width, region.height, layout.format,
                         layout.type, as_offset(offset));
@@ -131,13 +137,15 @@ void Texture::copy_from(const Buffer& buffer, std::size_t offset, const Region& 
 }
 
 void Texture::copy_from(const Texture& other, const Region& region) {
-    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    hazards::used(hazards::Kind::texture, other.handle_, Use::texture_transfer, "Texture::copy_from");
+    hazards::used(hazards::Kind::texture, handle_, Use::texture_transfer, "Texture::copy_from");
     glCopyImageSubData(other.handle_, GL_TEXTURE_2D, 0, region.x, region.y, 0, handle_, GL_TEXTURE_2D, 0,
                        region.x, region.y, 0, region.width, region.height, 1);
     raise_errors();
 }
 
 void Texture::bind_sampled(unsigned unit) const {
+    hazards::bound_sampler(unit, handle_);
     glBindTextureUnit(unit, handle_);
 }
 
@@ -145,6 +153,7 @@ void Texture::bind_image(unsigned unit, Access access, int level) const {
     const GLenum mode = access == Access::read    ? GL_READ_ONLY
                         : access == Access::write ? GL_WRITE_ONLY
                                                   : GL_READ_WRITE;
+    hazards::bound_image(unit, handle_);
     glBindImageTexture(unit, handle_, level, GL_FALSE, 0, mode, layout_of(format_).internal);
 }
 
@@ -159,6 +168,7 @@ Framebuffer::Framebuffer(const std::string& label, std::span<const Texture* cons
         targets.push_back(static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + i));
         glNamedFramebufferTexture(name, targets.back(), colours[i]->name(), 0);
     }
+    for (const Texture* colour : colours) targets_.push_back(colour->name());
     if (depth) glNamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, depth->name(), 0);
     glNamedFramebufferDrawBuffers(name, static_cast<GLsizei>(targets.size()), targets.data());
     glNamedFramebufferReadBuffer(name, GL_COLOR_ATTACHMENT0);
@@ -168,6 +178,8 @@ Framebuffer::Framebuffer(const std::string& label, std::span<const Texture* cons
 }
 
 void Framebuffer::clear(int colour, const std::array<float, 4>& value) const {
+    hazards::used(hazards::Kind::texture, targets_[static_cast<std::size_t>(colour)], Use::framebuffer,
+                  "Framebuffer::clear");
     glClearNamedFramebufferfv(handle_, GL_COLOR, colour, value.data());
     raise_errors();
 }
@@ -179,6 +191,7 @@ void Framebuffer::clear_depth() const {
 }
 
 void Framebuffer::bind(const Region& viewport) const {
+    hazards::bound_targets(targets_);
     glBindFramebuffer(GL_FRAMEBUFFER, handle_);
     glViewport(viewport.x, viewport.y, viewport.width, viewport.height);
     glDisable(GL_SCISSOR_TEST);
@@ -191,6 +204,7 @@ void Framebuffer::bind(const Region& viewport, const Region& clip) const {
 }
 
 void Framebuffer::blit_to_window(const Region& source, const Region& target) const {
+    hazards::used(hazards::Kind::texture, targets_.front(), Use::framebuffer, "Framebuffer::blit_to_window");
     const bool same = source.width == target.width && source.height == target.height;
     glBlitNamedFramebuffer(handle_, 0, source.x, source.y, source.x + source.width, source.y + source.height,
                            target.x, target.y, target.x + target.width, target.y + target.height,
@@ -199,6 +213,7 @@ void Framebuffer::blit_to_window(const Region& source, const Region& target) con
 }
 
 void bind_window(int width, int height) {
+    hazards::bound_targets({});
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     // A clip of the last target would cut copies onto the window too.
     glDisable(GL_SCISSOR_TEST);

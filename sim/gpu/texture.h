@@ -103,6 +103,7 @@ class Framebuffer {
 
   private:
     Handle<delete_framebuffer> handle_;
+    std::vector<unsigned> targets_;  // names of its colours
 };
 
 /// Draws go to the window of the current context.

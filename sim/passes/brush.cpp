@@ -189,6 +189,8 @@ void Brush::run(Terrain& terrain, const Dab& dab, Set&& set) {
     program.set("dab_high", high);
     set(program);
     program.dispatch(block.size.x, block.size.y);
+    gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
+                  gpu::Use::buffer_transfer});
     terrain.settle({low.x, low.y, high.x - low.x + 1, high.y - low.y + 1});
 }
 

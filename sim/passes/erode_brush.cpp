@@ -102,6 +102,7 @@ void ErodeBrush::place(const Terrain& terrain, const Dab& dab) {
     program_.set("is_painted", terrain.painted ? 1 : 0);
     program_.set("erode_rain", static_cast<float>(dab.erode.rain_mm_per_h));
     program_.dispatch((grid.nx + 15) / 16, (grid.ny + 15) / 16);
+    gpu::barrier({gpu::Use::image, gpu::Use::texture_transfer, gpu::Use::storage, gpu::Use::buffer_transfer});
     patch.solid.back.copy_from(patch.solid.front, patch.solid.front.whole());
     patch.tiles.mark_all();
 }

@@ -50,6 +50,8 @@ void Mask::make(Terrain& terrain, const MaskSettings& settings) {
     program_.set("mask_inverted", settings.inverted ? 1 : 0);
     program_.set("has_water", terrain.water ? 1 : 0);
     program_.dispatch(terrain.tiles.columns(), terrain.tiles.rows());
+    gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
+                  gpu::Use::buffer_transfer});
 }
 
 }  // namespace talus

@@ -19,6 +19,8 @@ void Paint::dab(Terrain& terrain, const Dab& dab) {
     const TileBlock block = tile_block(terrain.tiles, reached);
     program_.set("first_tile", block.first);
     program_.dispatch(block.size.x, block.size.y);
+    gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
+                  gpu::Use::buffer_transfer});
 }
 
 }  // namespace talus

@@ -59,12 +59,15 @@ void Sediment::exchange(Terrain& terrain, const SedimentStep& step, double gravi
     program.set("sediment_masked", step.masked);
     program.set("sediment_below", step.below);
     program.dispatch_indirect(list);
+    gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
+                  gpu::Use::buffer_transfer});
 
     terrain.ground.bind_image(0, gpu::Access::read);
     terrain.water->bed.bind_image(1, gpu::Access::write);
     bed_program_.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
     bed_program_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
     bed_program_.dispatch_indirect(list);
+    gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::texture_transfer, gpu::Use::storage, gpu::Use::buffer_transfer});
 }
 
 }  // namespace talus

@@ -83,6 +83,8 @@ void Thermal::substep(Terrain& terrain, const ThermalStep& step) {
     program.set("thermal_bulking", step.bulking);
     program.set("weathering", step.weathering_m);
     program.dispatch_indirect(active_.buffer);
+    gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
+                  gpu::Use::buffer_transfer});
     terrain.swap();
 }
 

@@ -222,6 +222,8 @@ void Water::begin_tick(Terrain& terrain, const WaterSettings& settings, const st
     bed.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
     bed.set("gravity", static_cast<float>(settings.gravity_m_per_s2));
     bed.dispatch_indirect(active_.buffer);
+    gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
+                  gpu::Use::buffer_transfer});
 }
 
 void Water::substep(Terrain& terrain) {
@@ -265,6 +267,7 @@ void Water::substep(Terrain& terrain) {
                       !settings_.skips_rest || periodic || (rain > 0 && !settings_.rain_masked) ? 1 : 0);
     step_program_.set("spring_count", spring_count_);
     step_program_.dispatch(1);
+    gpu::barrier({gpu::Use::storage, gpu::Use::indirect, gpu::Use::buffer_transfer});
 
     const bool carried = settings_.sediment.carried;
     gpu::Program& ghosts = edge_program();
@@ -303,6 +306,8 @@ void Water::substep(Terrain& terrain) {
         // Where the stage's sources stand else: OpenGL promises eight bindings.
         if (carried) sediment_.edge_books.bind_storage(4);
         ghosts.dispatch(1);
+        gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
+                      gpu::Use::buffer_transfer});
         sources_.bind_storage(4);
 
         gpu::Program& program = stage_program(stage);
@@ -322,6 +327,8 @@ void Water::substep(Terrain& terrain) {
         program.set("slope_mark", settings_.wakes_slopes ? 2U : 0U);
         program.set("loss_m_per_s", static_cast<float>(loss));
         program.dispatch_indirect(active_.buffer);
+        gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
+                      gpu::Use::buffer_transfer});
     }
     if (carried) sediment_.exchange(terrain, sediment, settings_.gravity_m_per_s2, eulers, active_.buffer);
 }

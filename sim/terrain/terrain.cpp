@@ -143,6 +143,8 @@ void Terrain::refresh(const gpu::Region& samples) {
     bind(ground_program_);
     ground_program_.set("first_sample", glm::ivec2(samples.x, samples.y));
     ground_program_.dispatch((samples.width + 15) / 16, (samples.height + 15) / 16);
+    gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
+                  gpu::Use::buffer_transfer});
 }
 
 TerrainState Terrain::read() const {

@@ -46,6 +46,7 @@ void Tiles::take(Mark mark, int reach_low, int reach_high, int groups_per_tile, 
     list_program_.set("reach_high", reach_high);
     list_program_.set("groups_per_tile", static_cast<unsigned>(groups_per_tile));
     list_program_.dispatch(1);
+    gpu::barrier({gpu::Use::storage, gpu::Use::indirect, gpu::Use::buffer_transfer});
 }
 
 void Tiles::clear(Mark mark) {
@@ -53,6 +54,7 @@ void Tiles::clear(Mark mark) {
     clear_program_.set("flag_bit", static_cast<unsigned>(mark));
     clear_program_.set("tile_count", count());
     clear_program_.dispatch((count() + 63) / 64);
+    gpu::barrier({gpu::Use::storage, gpu::Use::buffer_transfer});
 }
 
 std::vector<bool> Tiles::read(Mark mark) const {

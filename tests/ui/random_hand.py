@@ -363,11 +363,12 @@ def undo_everything(window, talus, folder):
         window.press("ctrl+z")
         window.answers()
         window.click_on("Edit")
-        window.answers()
-        time.sleep(0.12)
+        # Only that menu has this line: without it, what is not there yet would be taken for nothing left.
+        window.wait_for(lambda: "Back to the start of the scene" in window.rects(), 20, "the menu Edit did not open")
         left = [name for name in window.rects() if name == "Undo" or name.startswith("Undo ")]
         window.press("Escape")
-        time.sleep(0.05)
+        window.wait_for(lambda: "Back to the start of the scene" not in window.rects(), 20,
+                        "Escape did not close the menu Edit")
         # The button on the left is called Undo too; the menu's line has the act's name while there is one.
         if not [name for name in left if name.startswith("Undo ")]:
             break

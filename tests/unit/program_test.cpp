@@ -58,6 +58,7 @@ TEST(Program, FollowsItsFolderAndKeepsTheOldOneWhenTheNewDoesNotCompile) {
     const auto run = [&] {
         target.bind_image(0, Access::write);
         program.dispatch(1);
+        barrier({Use::texture_transfer, Use::image});
         return target.read_all<float>()[0];
     };
     EXPECT_EQ(run(), 1.0F);
