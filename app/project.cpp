@@ -29,6 +29,7 @@ void Project::poll() {
 }
 
 void Project::cancel() {
+    cancel_self_check();
     work_.cancel();
     after_saving_ = nullptr;
 }

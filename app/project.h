@@ -37,7 +37,10 @@ class Project {
     /// Does it, once unsaved work is saved or given up.
     void when_saved(const std::function<void()>& act);
     /// An orderly end: nothing is left behind.
-    void end() { recovery_.end(); }
+    void end() {
+        cancel_self_check();
+        recovery_.end();
+    }
     void write_journal() const;
 
   private:

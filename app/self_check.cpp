@@ -1,9 +1,14 @@
 #include "app/self_check.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
-
+#include <spawn.h>
+#include <sys/wait.h>
 #include <unistd.h>
-#include <cstdlib>
+
+#include <array>
+#include <atomic>
+#include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -14,6 +19,28 @@ namespace talus {
 namespace {
 
 namespace fs = std::filesystem;
+
+// The process that verifies; 0: none.
+std::atomic<pid_t> verifying = 0;
+
+// Runs the program to its end, with nothing on the terminal.
+void run(std::string talus, std::string report) {
+    posix_spawn_file_actions_t quiet;
+    posix_spawn_file_actions_init(&quiet);
+    for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
+        posix_spawn_file_actions_addopen(&quiet, stream, "/dev/null", O_WRONLY, 0);
+    std::string verify = "verify";
+    std::string json = "--json";
+    std::array<char*, 5> words = {talus.data(), verify.data(), json.data(), report.data(), nullptr};
+    pid_t child = 0;
+    const int failed = posix_spawn(&child, words[0], &quiet, nullptr, words.data(), environ);
+    posix_spawn_file_actions_destroy(&quiet);
+    if (failed != 0) throw Error(fmt::format("'{}' cannot be run to verify this device", talus));
+    verifying = child;
+    int status = 0;
+    waitpid(child, &status, 0);
+    verifying = 0;
+}
 
 SelfCheck::Row row_of(const nlohmann::json& found) {
     SelfCheck::Row row;
@@ -38,19 +65,22 @@ SelfCheck run_self_check() {
     std::error_code ignored;
     fs::remove(report, ignored);
     // It says with its exit code whether all claims hold; whether it came to its end, the report tells.
-    const int code = std::system(
-        fmt::format("'{}' verify --json '{}' > /dev/null 2>&1", talus.string(), report.string()).c_str());
-    if (!fs::exists(report, ignored))
-        throw Error(fmt::format(
-            "'{} verify' ended with {} before it had checked all: run it in a terminal to see why",
-            talus.string(), code));
-    const nlohmann::json found = nlohmann::json::parse(read_text(report));
+    run(talus.string(), report.string());
+    const bool is_there = fs::exists(report, ignored);
+    const nlohmann::json found = is_there ? nlohmann::json::parse(read_text(report)) : nlohmann::json();
     fs::remove(report, ignored);
+    if (!is_there || !found.at("complete"))
+        throw Error(fmt::format(
+            "'{} verify' ended before it had checked all: run it in a terminal to see why", talus.string()));
     SelfCheck check;
     check.device = found.at("device");
     check.holds = found.at("holds");
     for (const nlohmann::json& row : found.at("claims")) check.rows.push_back(row_of(row));
     return check;
+}
+
+void cancel_self_check() {
+    if (const pid_t child = verifying.exchange(0); child > 0) kill(child, SIGTERM);
 }
 
 }  // namespace talus

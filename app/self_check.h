@@ -21,4 +21,7 @@ struct SelfCheck {
 /// minute or two. Throws talus::Error when it does not run to its end.
 SelfCheck run_self_check();
 
+/// Ends the one that goes on, if any: run_self_check() throws then.
+void cancel_self_check();
+
 }  // namespace talus

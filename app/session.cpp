@@ -84,6 +84,8 @@ void Session::suggest_for_terrain() {
     scene_.view.suggest("terrace.step_m", std::max(0.01, (bounds_.y - bounds_.x) / 20));
     scene_.view.suggest("brush.height_m", bounds_.x);
     scene_.view.suggest("map.base_m", bounds_.x);
+    scene_.view.suggest("render.level_m", simulation_->parameters().number("water.sea_level"));
+    if (const Stamp* stamp = simulation_->stamp()) scene_.view.suggest("stamp.relief_m", stamp->relief_m);
 }
 
 void Session::follow_terrain() {
@@ -351,7 +353,7 @@ void Session::apply(const Operation& operation) {
     pause();
     simulation_->apply(operation);
     simulation_->end_entry();
-    if (const Stamp* stamp = simulation_->stamp()) scene_.view.suggest("stamp.relief_m", stamp->relief_m);
+    suggest_for_terrain();
     follow_terrain();
 }
 

@@ -472,7 +472,7 @@ class Window {
         draw_panels(context, figures, size);
         bool cancelled = false;
         draw_work(project_.work(), cancelled);
-        if (cancelled) project_.cancel();
+        if (cancelled || std::exchange(requests_.cancel_work, false)) project_.cancel();
         ImGui::Render();
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     }

@@ -132,7 +132,7 @@ void Simulation::act(const SetParameter& set) {
     follow_repose(changed);
     check_tick(terrain_.grid(), changed);
     const bool fills = set.name == "water.sea_level" && set.value;
-    if (fills) withdraw_sea();
+    if (set.name == "water.sea_level") withdraw_sea();
     const auto change = [&] {
         if (keeps_undo_ && fills) undo_.keep_all(terrain_);
         if (set.name == "erosion.porosity" || set.name == "erosion.acceleration") reweigh(changed);
@@ -328,7 +328,7 @@ void Simulation::withdraw_sea() {
     const std::vector<Operation>& done = journal_.operations();
     const auto* last = done.empty() ? nullptr : std::get_if<SetParameter>(&done.back());
     if (undo_.is_open() || !can_undo() || undo_.undo_name() != "water.sea_level") return;
-    if (last && last->name == "water.sea_level") exchange(&Undo::undo);
+    if (last && last->name == "water.sea_level" && last->value) exchange(&Undo::undo);
 }
 
 void Simulation::place(const Spring& spring) {

@@ -3,10 +3,10 @@
 #include <unistd.h>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <random>
 
+#include "app/claims/differing_bits.h"
 #include "app/claims/water_scenes.h"
 #include "sim/io/document.h"
 #include "sim/preset.h"
@@ -148,10 +148,7 @@ SkippedRest skipped_rest(int order, bool driven, double seconds) {
     for (int i = 0; i < 2; ++i) {
         sparse.run(1, sparse.time_s() + seconds / 2);
         dense.run(1, dense.time_s() + seconds / 2);
-        const std::vector<glm::vec4> a = sparse.read().water;
-        const std::vector<glm::vec4> b = dense.read().water;
-        for (std::size_t k = 0; k < a.size(); ++k)
-            rest.differing += std::memcmp(&a[k], &b[k], sizeof(glm::vec4)) == 0 ? 0 : 1;
+        rest.differing += differing_bits(sparse.read().water, dense.read().water);
     }
     rest.active_tiles = sparse.water.work().tiles;
     rest.all_tiles = dense.water.work().tiles;

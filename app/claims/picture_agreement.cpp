@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <random>
 
+#include "app/claims/differing_bits.h"
 #include "render/hits_target.h"
 #include "render/methods/method.h"
 #include "render/overview.h"
@@ -22,12 +22,6 @@ Method method_named(const std::string& name) {
                                     [&](const MethodEntry& entry) { return entry.name == name; });
     if (found == methods().end()) throw Error("there is no method '" + name + "'");
     return found->make(Detail::kind);
-}
-
-std::size_t differing_bits(const std::vector<float>& a, const std::vector<float>& b) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) count += std::memcmp(&a[i], &b[i], sizeof(float)) == 0 ? 0 : 1;
-    return count;
 }
 
 Dab random_dab(const Grid& grid, std::mt19937& random, double reach_m, double amount_m, double height_m) {

@@ -1,11 +1,10 @@
 #include "app/claims/twin_agreement.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <random>
 
+#include "app/claims/differing_bits.h"
 #include "app/claims/water_scenes.h"
 #include "sim/passes/brush_twin.h"
 #include "sim/passes/thermal_twin.h"
@@ -25,14 +24,6 @@ std::vector<glm::vec4> solid_of(const TerrainState& state) {
     for (std::size_t i = 0; i < state.bedrock.size(); ++i)
         solid.emplace_back(state.bedrock[i], state.regolith[i]);
     return solid;
-}
-
-template <typename Texel>
-std::size_t differing_bits(const std::vector<Texel>& a, const std::vector<Texel>& b) {
-    if (a.size() != b.size()) return std::max(a.size(), b.size());
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) count += std::memcmp(&a[i], &b[i], sizeof(Texel)) == 0 ? 0 : 1;
-    return count;
 }
 
 double height_of(const glm::dvec4& words) {

@@ -56,6 +56,12 @@ void verify(const VerifyOptions& options) {
     fmt::print("{}\n", device);
     nlohmann::ordered_json report;
     report["device"] = device;
+    report["complete"] = false;
+    const auto write_report = [&] {
+        if (!options.json.empty()) write_atomically(options.json, report.dump(2) + "\n");
+    };
+    // What was found is there also where the driver ends the program half way.
+    write_report();
     report["claims"] = nlohmann::json::array();
     int broken = 0;
     const std::size_t count = wanted.size();
@@ -64,15 +70,19 @@ void verify(const VerifyOptions& options) {
         say(fmt::format("[{:<20}] {} of {}: {}", std::string(20 * i / count, '='), i + 1, count, claim.name));
         const Verdict verdict = verdict_on(claim, context.device());
         broken += verdict.holds() ? 0 : 1;
-        fmt::print("{}  {:<18} {:>9.3g} {}, at most {:.3g}  ({:.1f} s)\n", verdict.holds() ? "pass" : "FAIL",
-                   verdict.name, verdict.finding.figure, verdict.finding.unit, verdict.finding.bound,
+        const std::string found = !verdict.error.empty()
+                                      ? verdict.error
+                                      : fmt::format("{:>9.3g} {}, at most {:.3g}", verdict.finding.figure,
+                                                    verdict.finding.unit, verdict.finding.bound);
+        fmt::print("{}  {:<18} {}  ({:.1f} s)\n", verdict.holds() ? "pass" : "FAIL", verdict.name, found,
                    verdict.seconds);
-        if (!verdict.error.empty()) fmt::print("      {}\n", verdict.error);
         std::fflush(stdout);
         report["claims"].push_back(row_of(verdict));
+        write_report();
     }
     report["holds"] = broken == 0;
-    if (!options.json.empty()) write_atomically(options.json, report.dump(2) + "\n");
+    report["complete"] = true;
+    write_report();
     if (broken == 0) return;
     throw Error(fmt::format(
         "{} of {} claims do not hold on this device: look for a newer driver, and report it with the "

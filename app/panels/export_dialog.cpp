@@ -128,10 +128,15 @@ void draw_export_dialog(PanelContext& context) {
         dialog.error.clear();
         context.requests.write = settings;
     }
-    ImGui::SameLine();
-    const bool escaped = !writes && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    if (button("Cancel export", "", !writes) || escaped) dialog.close();
     ImGui::EndDisabled();
+    ImGui::SameLine();
+    // While it is written, that is given up.
+    if (button("Cancel export") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+        if (writes)
+            context.requests.cancel_work = true;
+        else
+            dialog.close();
+    }
     if (!dialog.shown) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }

@@ -162,26 +162,33 @@ void draw_import_dialog(PanelContext& context) {
     // It is read again on a thread, and shown between two frames: this one still draws the picture before.
     if (draw_settings(dialog)) context.requests.look_at = {dialog.path, dialog.settings};
     ImGui::EndChild();
-    const bool good = dialog.error.empty() && !waits && !context.requests.look_at;
-    bool ended = false;
-    if (button("Open it", "as a scene of its own", good)) {
-        SceneRequest request;
-        request.input = dialog.path;
-        request.import = dialog.settings;
-        context.requests.open = request;
-        context.state.start_page = false;
-        ended = true;
-    }
-    ImGui::SameLine();
-    if (button("Import it", "in place of this terrain, as an act that can be undone; settings go on", good)) {
-        context.requests.import_here = {dialog.path, dialog.settings};
-        ended = true;
-    }
-    ImGui::SameLine();
-    const bool escaped = !waits && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    if (button("Cancel import", "", !waits) || escaped) ended = true;
     ImGui::EndDisabled();
+    // What is pressed while the file is read again is done when that has ended.
+    const bool good = dialog.error.empty();
+    if (button("Open it", "as a scene of its own", good)) dialog.then = ImportDialog::Then::open;
+    ImGui::SameLine();
+    if (button("Import it", "in place of this terrain, as an act that can be undone; settings go on", good))
+        dialog.then = ImportDialog::Then::import_here;
+    if (!good) dialog.then = ImportDialog::Then::stay;
+    bool ended = false;
+    if (!waits && !context.requests.look_at && dialog.then != ImportDialog::Then::stay) {
+        if (dialog.then == ImportDialog::Then::open) {
+            SceneRequest request;
+            request.input = dialog.path;
+            request.import = dialog.settings;
+            context.requests.open = request;
+            context.state.start_page = false;
+        } else {
+            context.requests.import_here = {dialog.path, dialog.settings};
+        }
+        ended = true;
+    }
+    ImGui::SameLine();
+    // While it is read again, that is given up.
+    if (button("Cancel import") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
+        (waits ? context.requests.cancel_work : ended) = true;
     if (ended) {
+        dialog.then = ImportDialog::Then::stay;
         dialog.path.clear();
         ImGui::CloseCurrentPopup();
     }

@@ -41,6 +41,7 @@ struct PanelRequests {
     bool picture = false;                             ///< saved as a file
     std::vector<std::function<void(Session&)>> acts;  ///< may throw; done after the panels
     std::function<void()> answer;                     ///< to a question; may throw
+    bool cancel_work = false;                         ///< the long work that goes on
     /// Whether anything was asked that may change title or picture.
     bool any() const;
 };
@@ -99,6 +100,8 @@ struct ImportDialog {
     glm::ivec2 samples{0};
     gpu::Texture preview;
     glm::ivec2 preview_size{0};
+    /// What a person chose, until it can be done.
+    enum class Then { stay, open, import_here } then = Then::stay;
     /// Shows what was found.
     void show(const ImportPreview& found);
 };

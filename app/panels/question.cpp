@@ -38,7 +38,7 @@ void draw_work(const Work& work, bool& cancelled) {
     // How far it is nobody knows: the bar says that it goes on, and for how long it has.
     const auto turn = static_cast<float>(work.seconds() - std::floor(work.seconds()));
     ImGui::ProgressBar(turn, {-1, 0}, fmt::format("{:.0f} s", work.seconds()).c_str());
-    cancelled = button("Cancel", "everything stays as it was", work.can_cancel());
+    cancelled = button("Cancel work", "everything stays as it was", work.can_cancel());
     ImGui::End();
 }
 

@@ -15,7 +15,7 @@ const int water_ghosts = 2;
 // How far below the ground the surface lies where no water is near, m: no ray looks for it there.
 const real far_below_m = real(1e4);
 
-// How much of a surface of its own water of this depth has, 0 to 1.
+// From 0, a film that lies on the ground, to 1, water with a surface of its own.
 real body_of(real depth) { return smoothstep(film_m.x, film_m.y, depth); }
 
 // The highest level of water that is more than a film in a row, at a column and its two neighbours; far below where there

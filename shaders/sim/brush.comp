@@ -24,7 +24,7 @@ real4 after_dab(int2 at, real4 before) {
     int2 there = at - dab_low;
     real4 after = imageLoad(eroded, there);
     // What settles at a stroke's end raises no sample by more than half of the way to its highest neighbour: all else
-    // would stick out. What is left of the load is taken.
+    // would stick out. What is left of the load is removed, and booked as taken by the brush.
     int2 last = dab_high - dab_low;
     real highest = max(max(eroded_ground(there + int2(-1, 0), last), eroded_ground(there + int2(1, 0), last)),
                        max(eroded_ground(there + int2(0, -1), last), eroded_ground(there + int2(0, 1), last)));

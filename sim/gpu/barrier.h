@@ -17,8 +17,8 @@ enum class Use : unsigned {
 };
 constexpr unsigned use_count = 9;
 
-/// Draws, copies and calls are in order by themselves; what shaders store is there for these uses from here
-/// on only. A debug build throws where one is missing (sim/gpu/hazards.h).
+/// Draws, copies and calls are in order by themselves. What shaders store is not: it is there for a use only
+/// after a barrier that names the use. A debug build throws where one is missing (sim/gpu/hazards.h).
 void barrier(std::initializer_list<Use> uses);
 
 }  // namespace talus::gpu

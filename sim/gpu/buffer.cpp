@@ -36,10 +36,14 @@ void Buffer::write(std::size_t offset, std::span<const std::byte> data) {
 }
 
 void Buffer::read(std::size_t offset, std::span<std::byte> data) const {
-    hazards::used(hazards::Kind::buffer, handle_, Use::buffer_transfer, "Buffer::read");
     // OpenGL makes glGetNamedBufferSubData wait for all that was asked before. Mesa 22.3's zink does not wait
     // for glGetTextureSubImage into the buffer (docs/devices.md): a fence does.
     Fence::now().wait();
+    read_passed(offset, data);
+}
+
+void Buffer::read_passed(std::size_t offset, std::span<std::byte> data) const {
+    hazards::used(hazards::Kind::buffer, handle_, Use::buffer_transfer, "Buffer::read");
     glGetNamedBufferSubData(handle_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(data.size()),
                             data.data());
     raise_errors();

@@ -29,6 +29,8 @@ class Buffer {
     void write(std::size_t offset, std::span<const std::byte> data);
     /// Waits for the device. Not for use within a frame (law 7).
     void read(std::size_t offset, std::span<std::byte> data) const;
+    /// The same where a fence behind the last write has passed: nothing is waited for.
+    void read_passed(std::size_t offset, std::span<std::byte> data) const;
 
     template <typename T>
     void write_all(const std::vector<T>& values) {

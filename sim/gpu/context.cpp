@@ -160,6 +160,7 @@ Context::Context(const ContextChoice& choice) {
     if (choice.gpu && (*choice.gpu < 0 || *choice.gpu >= count))
         throw Error(
             fmt::format("--gpu {} names no device, there are {} (0 to {})", *choice.gpu, count, count - 1));
+    std::string lacks;  // what the first device that was refused has too little of
     for (int i = 0; i < count; ++i) {
         if (choice.gpu && *choice.gpu != i) continue;
         EGLContext context = make_current(candidates[i].display);
@@ -170,14 +171,16 @@ Context::Context(const ContextChoice& choice) {
         try {
             device_ = adopt_current_context(candidates[i].route);
             usable = !(choice.require_hardware && device_.software);
-        } catch (const Error&) {
+        } catch (const Error& error) {
             if (choice.gpu) throw;
+            if (lacks.empty()) lacks = error.what();
         }
         if (usable) return;
         eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         eglDestroyContext(display_, context_);
         context_ = nullptr;
     }
+    if (!lacks.empty() && !choice.require_hardware) throw Error(lacks);
     throw Error(
         choice.require_hardware
             ? "--require-hardware: no hardware device gives OpenGL 4.5 here, leave the option out to render "

@@ -9,11 +9,14 @@
 namespace talus::gpu {
 namespace {
 
-constexpr GLuint64 nanoseconds_a_minute = 60'000'000'000;
+constexpr GLuint64 nanoseconds_a_second = 1'000'000'000;
 
-bool wait_for(void* sync, GLuint64 nanoseconds) {
+// Whether it passed within that time. Throws talus::Error where it never will.
+bool passes_within(void* sync, GLuint64 nanoseconds) {
     const GLenum state = glClientWaitSync(static_cast<GLsync>(sync), GL_SYNC_FLUSH_COMMANDS_BIT, nanoseconds);
-    return state == GL_ALREADY_SIGNALED || state == GL_CONDITION_SATISFIED;
+    if (state == GL_WAIT_FAILED)
+        throw Error("the graphics device does not answer any more: save what you can, and start Talus again");
+    return state != GL_TIMEOUT_EXPIRED;
 }
 
 }  // namespace
@@ -34,14 +37,13 @@ Fence& Fence::operator=(Fence&& other) noexcept {
 }
 
 bool Fence::passed() const {
-    return wait_for(sync_, 0);
+    return passes_within(sync_, 0);
 }
 
 void Fence::wait() const {
-    if (!wait_for(sync_, nanoseconds_a_minute))
-        throw Error(
-            "the graphics device did not finish its work within a minute: restart Talus, and look for a "
-            "newer driver");
+    // However long: a run may have asked for hours of work.
+    while (!passes_within(sync_, nanoseconds_a_second)) {
+    }
 }
 
 }  // namespace talus::gpu

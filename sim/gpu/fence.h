@@ -20,9 +20,9 @@ class Fence {
 
     explicit operator bool() const { return sync_ != nullptr; }
     /// Does not wait. The commands before it are handed to the device, so that it passes sooner or later.
+    /// Throws talus::Error when the device is lost.
     bool passed() const;
-    /// Waits. Not for use within a frame (law 7). Throws talus::Error when the device does not come to it in
-    /// a minute.
+    /// Waits. Not for use within a frame (law 7). Throws as passed() does.
     void wait() const;
 
   private:

@@ -41,13 +41,14 @@ std::optional<std::vector<float>> Readback::poll() {
 }
 
 std::vector<float> Readback::wait() {
+    fence_.wait();
     return take();
 }
 
 std::vector<float> Readback::take() {
     cancel();
-    // Reading waits for what was written before.
-    std::vector<float> words = buffer_.read_all<float>();
+    std::vector<float> words(buffer_.bytes() / sizeof(float));
+    buffer_.read_passed(0, std::as_writable_bytes(std::span(words)));
     if (owned_) buffer_ = Buffer();
     owned_ = false;
     return words;

@@ -16,7 +16,8 @@ void Inundation::record(Terrain& terrain, double simulated_s) {
     program_.set("arrived_m", static_cast<float>(arrived_m));
     program_.set("now_s", static_cast<float>(simulated_s));
     program_.dispatch_indirect(changed_.buffer);
-    gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::texture_transfer, gpu::Use::storage, gpu::Use::buffer_transfer});
+    gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::texture_transfer, gpu::Use::storage,
+                  gpu::Use::buffer_transfer});
 }
 
 }  // namespace talus

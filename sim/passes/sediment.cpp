@@ -67,7 +67,8 @@ void Sediment::exchange(Terrain& terrain, const SedimentStep& step, double gravi
     bed_program_.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
     bed_program_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
     bed_program_.dispatch_indirect(list);
-    gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::texture_transfer, gpu::Use::storage, gpu::Use::buffer_transfer});
+    gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::texture_transfer, gpu::Use::storage,
+                  gpu::Use::buffer_transfer});
 }
 
 }  // namespace talus

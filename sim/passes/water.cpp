@@ -303,7 +303,7 @@ void Water::substep(Terrain& terrain) {
         ghosts.set("gravity", gravity);
         ghosts.set("spring_count", spring_count_);
         ghosts.set("eulers", eulers);
-        // Where the stage's sources stand else: OpenGL promises eight bindings.
+        // In the place of the sources, which the stage needs later: OpenGL promises eight bindings.
         if (carried) sediment_.edge_books.bind_storage(4);
         ghosts.dispatch(1);
         gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,

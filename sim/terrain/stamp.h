@@ -16,7 +16,8 @@ struct Stamp {
     double file_zero = 0;  ///< the height of 0 m in the file, on the same scale: may lie below 0 or above 1
 };
 
-/// Heights in metres as a stamp: the lowest becomes 0, the highest 1; level ones 1 over a border of 0. Throws
+/// Heights in metres as a stamp: the lowest becomes 0, the highest 1. A level stamp is 1
+/// everywhere, and its zero is 0. Throws
 /// talus::Error when the grid cannot be used.
 Stamp stamp_of(const Grid& grid, const std::vector<float>& heights_m);
 

@@ -21,7 +21,7 @@ import sys
 import time
 from pathlib import Path
 
-from Xlib import X, XK, display, protocol
+from Xlib import X, XK, display, error, protocol
 from Xlib.ext import xtest
 
 # Nothing waits longer than this for the window to answer, s. A loaded machine needs more than the two seconds of a person.
@@ -219,7 +219,7 @@ class Window:
         return rect and rect[0] >= 0 and rect[1] >= 0 and rect[2] <= width and rect[3] <= height
 
     def busy(self):
-        return "Cancel" in self.rects()
+        return "Cancel work" in self.rects()
 
     def click_on(self, name, button=1, modifier=None, times=1):
         place = self.middle(name)
@@ -426,13 +426,22 @@ def attempt(talus, folder, seed, seconds, acts):
         return done, None, window.slowest_s
     except Failure as failure:
         return done, str(failure), 0.0
+    except (error.XError, error.ConnectionClosedError, subprocess.TimeoutExpired) as failure:
+        # A window that ended answers no question of the display's.
+        ended = window and window.process.poll()
+        return done, f"the window ended with {ended}: {window.words()[-600:]}" if ended is not None else str(failure), 0.0
     finally:
         if window:
             window.close()
         screen.close()
 
 
-def shrink(talus, folder, seed, acts, tries):
+def kind_of(failure):
+    """What two failures have in common that are the same: their first words."""
+    return failure and failure[:20]
+
+
+def shrink(talus, folder, seed, acts, failure, tries):
     """Leaves out what the failure does not need: halves, quarters, …, single acts."""
     size = max(1, len(acts) // 2)
     while tries > 0:
@@ -442,7 +451,7 @@ def shrink(talus, folder, seed, acts, tries):
                 break
             tries -= 1
             fewer = acts[:first] + acts[first + size:]
-            if attempt(talus, folder, seed, 0, fewer)[1]:
+            if kind_of(attempt(talus, folder, seed, 0, fewer)[1]) == kind_of(failure):
                 shorter = fewer
                 break
         if shorter is not None:
@@ -476,7 +485,7 @@ def main():
     for act in done[-12:]:
         print("   ", json.dumps(act))
     if given.shrink:
-        shrunk = shrink(talus, folder / "shrinking", given.seed, done, given.shrink)
+        shrunk = shrink(talus, folder / "shrinking", given.seed, done, failure, given.shrink)
         (folder / "shrunk.json").write_text(json.dumps(shrunk))
         print(f"the shortest list that fails has {len(shrunk)} acts:")
         for act in shrunk:

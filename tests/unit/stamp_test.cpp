@@ -16,6 +16,7 @@ namespace talus {
 namespace {
 
 constexpr int side = 33;
+constexpr int half = side / 2;
 constexpr double bowl_m = 50;
 constexpr double rim_m = 12;  // what the file's border is above its 0
 
@@ -25,11 +26,11 @@ std::string bowl_file() {
     heightmap.grid = {side, side, 10, 10};
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {
-            const double from_middle = std::hypot(x - side / 2, y - side / 2) / (side / 2);
+            const double from_middle = std::hypot(x - half, y - half) / half;
             const double depth = bowl_m * std::max(0.0, 1 - from_middle * from_middle);
             heightmap.heights.push_back(static_cast<float>(rim_m - depth));
         }
-    const std::string path = (std::filesystem::temp_directory_path() / "talus_bowl.tif").string();
+    std::string path = (std::filesystem::temp_directory_path() / "talus_bowl.tif").string();
     write_heightmap(path, heightmap, std::nullopt);
     return path;
 }
@@ -60,7 +61,7 @@ Pressed pressed(const Stamp& stamp, const ChooseStamp& choose, const std::string
     const auto at = [&](int x, int y) {
         return static_cast<double>(ground[static_cast<std::size_t>(y) * 65 + x]) - 100;
     };
-    return {at(32, 32), at(32 - side / 2, 32)};
+    return {at(32, 32), at(32 - half, 32)};
 }
 
 TEST(Stamp, ABowlDigsUnlessItsLowestSampleStandsOnTheGround) {
