@@ -24,14 +24,14 @@ namespace fs = std::filesystem;
 std::atomic<pid_t> verifying = 0;
 
 // Runs the program to its end, with nothing on the terminal.
-void run(std::string talus, std::string report) {
+void run(const std::string& talus, const std::string& report) {
     posix_spawn_file_actions_t quiet;
     posix_spawn_file_actions_init(&quiet);
     for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
         posix_spawn_file_actions_addopen(&quiet, stream, "/dev/null", O_WRONLY, 0);
-    std::string verify = "verify";
-    std::string json = "--json";
-    std::array<char*, 5> words = {talus.data(), verify.data(), json.data(), report.data(), nullptr};
+    std::array<std::string, 4> given = {talus, "verify", "--json", report};
+    std::array<char*, 5> words = {given[0].data(), given[1].data(), given[2].data(), given[3].data(),
+                                  nullptr};
     pid_t child = 0;
     const int failed = posix_spawn(&child, words[0], &quiet, nullptr, words.data(), environ);
     posix_spawn_file_actions_destroy(&quiet);

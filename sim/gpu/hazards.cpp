@@ -54,7 +54,7 @@ Book& book() {
     return the;
 }
 
-const char* name_of(Use use) {
+std::string name_of(Use use) {
     constexpr std::array<const char*, use_count> names = {
         "as an image",           "through a sampler", "as storage",
         "as indirect arguments", "as indices",        "by a texture's call",
