@@ -172,6 +172,22 @@ TEST(WaterSimulation, ASeaLevelThatIsDraggedIsOneAct) {
     EXPECT_FALSE(simulation.can_undo());
 }
 
+// A right click on the sea's level takes back the sea that was just set, and the next level fills anew.
+TEST(WaterSimulation, AnUnsetSeaGoes) {
+    const gpu::Context context;
+    Simulation simulation(coast(), Parameters(simulation_parameters()), undo_bytes);
+    const std::uint64_t dry = hash_of(simulation);
+    simulation.apply(SetParameter{"water.sea_level", 60.0});
+    EXPECT_NE(hash_of(simulation), dry);
+    simulation.apply(SetParameter{"water.sea_level", std::nullopt});
+    EXPECT_EQ(hash_of(simulation), dry);
+    EXPECT_FALSE(simulation.parameters().is_given("water.sea_level"));
+    simulation.apply(SetParameter{"water.sea_level", 20.0});
+    Simulation straight(coast(), Parameters(simulation_parameters()));
+    straight.apply(SetParameter{"water.sea_level", 20.0});
+    EXPECT_EQ(hash_of(simulation), hash_of(straight));
+}
+
 TEST(WaterSimulation, AWaveMakerBeginsWhenItIsSet) {
     const gpu::Context context;
     Parameters all(simulation_parameters());
