@@ -184,9 +184,14 @@ void draw_import_dialog(PanelContext& context) {
         ended = true;
     }
     ImGui::SameLine();
-    // While it is read again, that is given up.
-    if (button("Cancel import") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
-        (waits ? context.requests.cancel_work : ended) = true;
+    // While it is read again, that is given up, and what was to be done with it.
+    if (button("Cancel import") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+        dialog.then = ImportDialog::Then::stay;
+        if (waits)
+            context.requests.cancel_work = true;
+        else
+            ended = true;
+    }
     if (ended) {
         dialog.then = ImportDialog::Then::stay;
         dialog.path.clear();
