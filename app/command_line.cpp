@@ -1,6 +1,7 @@
 #include "app/command_line.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -13,6 +14,8 @@
 #include "app/window.h"
 #include "sim/gpu/error.h"
 #include "sim/gpu/program.h"
+#include "sim/io/heightmap_formats.h"
+#include "sim/terrain/layers.h"
 
 namespace talus {
 namespace {
@@ -112,16 +115,15 @@ void add_import(CLI::App& app, Texts& t) {
 }
 void add_outputs(CLI::App& app, Texts& t, Outputs& outputs) {
     app.add_option("--out", outputs.files,
-                   "write the terrain: .exr (document), .tif, .png, .r16, .r32; may be repeated")
+                   fmt::format("write the terrain: {}; .exr is a document; may be repeated",
+                               fmt::join(writable_endings(), ", ")))
         ->type_name("FILE");
     app.add_option("--image", outputs.image, "write a picture")->type_name("FILE.png");
     app.add_option("--report", outputs.report, "write the report")->type_name("FILE.json");
     app.add_option("--journal", outputs.journal, "write what was done, for 'talus replay'")
         ->type_name("FILE.journal");
     app.add_option("--layer", outputs.layer,
-                   "what single-layer outputs hold: ground, bedrock, regolith, water, level, depth_max, "
-                   "arrival_s, suspended, "
-                   "hardness, mask or rain");
+                   fmt::format("what single-layer outputs hold: {}", fmt::join(output_names(), ", ")));
     app.add_flag("--json", t.json, "print the report");
 }
 

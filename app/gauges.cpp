@@ -72,7 +72,7 @@ void Gauges::follow(const Terrain& terrain, double time_s) {
         ground_.push_back(std::make_unique<gpu::Readback>());
         ground_.back()->start(terrain.ground, sample);
         water_.push_back(std::make_unique<gpu::Readback>());
-        if (terrain.water) water_.back()->start(terrain.water->front, WaterLayer::texels(sample));
+        if (terrain.water) water_.back()->start(terrain.water->front, terrain.water->texels(sample));
     }
 }
 

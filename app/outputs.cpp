@@ -1,6 +1,7 @@
 #include "app/outputs.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -11,8 +12,10 @@
 #include "render/overview.h"
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
+#include "sim/io/heightmap_formats.h"
 #include "sim/io/image_file.h"
 #include "sim/preset.h"
+#include "sim/terrain/layers.h"
 
 namespace talus {
 
@@ -24,7 +27,7 @@ void write_overview(const std::string& path, const Scene& scene, Simulation& sim
     constexpr int width = 1280;
     constexpr int height = 720;
     Renderer renderer(simulation.terrain(), patch_pixels(device));
-    const ViewSettings settings = view_settings(scene.view);
+    const ViewSettings settings = view_settings(scene.view, simulation.parameters());
     const std::vector<float> ground = scene.document.state.ground();
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
     const Camera camera =
@@ -42,11 +45,11 @@ void write_overview(const std::string& path, const Scene& scene, Simulation& sim
 void check_outputs(const Outputs& outputs) {
     for (const std::string& file : outputs.files)
         if (!can_write_heightmap(file))
-            throw Error(
-                fmt::format("cannot write '{}': its ending must be one of {}", file, heightmap_endings));
+            throw Error(fmt::format("cannot write '{}': its ending must be one of {}", file,
+                                    fmt::join(writable_endings(), ", ")));
     if (!outputs.image.empty() && ending_of(outputs.image) != ".png")
         throw Error(fmt::format("cannot write the picture '{}': its ending must be .png", outputs.image));
-    if (!outputs.layer.empty()) layer_of({}, outputs.layer);
+    if (!outputs.layer.empty()) output_of({}, outputs.layer);
     std::vector<std::string> all = outputs.files;
     for (const std::string& file : {outputs.image, outputs.report, outputs.journal})
         if (!file.empty()) all.push_back(file);
@@ -64,7 +67,7 @@ void write_terrain(const std::string& path, const Document& document, const std:
     if (ending_of(path) == ".exr" && layer.empty()) return save_document(path, document);
     Heightmap heightmap;
     heightmap.grid = document.state.grid;
-    heightmap.heights = layer_of(document.state, layer.empty() ? "ground" : layer);
+    heightmap.heights = output_of(document.state, layer.empty() ? "ground" : layer);
     heightmap.georeference = document.state.georeference;
     write_heightmap(path, heightmap, range_m);
 }

@@ -303,7 +303,7 @@ class Window {
         int number = 1;
         while (std::filesystem::exists(fmt::format("talus-{:04}.png", number))) ++number;
         const std::string path = fmt::format("talus-{:04}.png", number);
-        const ViewSettings settings = view_settings(session_.view());
+        const ViewSettings settings = view_settings(session_.view(), session_.simulation().parameters());
         const glm::dvec2 bounds = session_.renderer().bounds();
         const Still still = draw_still(session_.renderer(), session_.simulation().terrain(),
                                        session_.camera(), settings, legend_of(settings, bounds.x, bounds.y),
@@ -430,15 +430,15 @@ class Window {
     }
 
     void draw_picture(glm::dvec2 mouse, glm::ivec2 size, glm::ivec2 drawn_size, bool moving) {
-        settings_ = view_settings(session_.view());
+        settings_ = view_settings(session_.view(), session_.simulation().parameters());
         settings_.quick = moving && scale_ < 0.6;
         // A shader that does not compile is told, and the last picture stays.
         try {
-            if (hand_.cursor() && !ImGui::GetIO().WantCaptureMouse)
-                settings_.ring = session_.ring(*hand_.cursor());
+            Ring ring;
+            if (hand_.cursor() && !ImGui::GetIO().WantCaptureMouse) ring = session_.ring(*hand_.cursor());
             Terrain& terrain = session_.simulation().terrain();
-            const Drawn drawn =
-                session_.renderer().draw(terrain, session_.camera(), settings_, drawn_size.x, drawn_size.y);
+            const Drawn drawn = session_.renderer().draw(terrain, session_.camera(), settings_, drawn_size.x,
+                                                         drawn_size.y, ring);
             hand_.look(session_, mouse, size, drawn_size, drawn != Drawn::nothing);
             // At rest the picture gathers samples, one a frame; while somebody works at the panels they come
             // first.

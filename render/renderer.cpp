@@ -16,13 +16,17 @@ namespace {
 constexpr int normals_reach = 14;
 constexpr int sky_reach = 64;
 
-Detail detail_of(View view) {
-    return view == View::steps ? Detail::steps : view == View::cells ? Detail::kind : Detail::none;
+Detail detail_of(const ViewSettings& settings) {
+    return view_named(settings.view).detail;
+}
+
+bool is_natural(const ViewSettings& settings) {
+    return view_named(settings.view).natural;
 }
 
 // Whether the hits of two pictures of the same terrain are the same.
 bool same_hits(const ViewSettings& a, const ViewSettings& b) {
-    return a.method == b.method && a.tolerance_px == b.tolerance_px && detail_of(a.view) == detail_of(b.view);
+    return a.method == b.method && a.tolerance_px == b.tolerance_px && detail_of(a) == detail_of(b);
 }
 
 }  // namespace
@@ -52,7 +56,7 @@ const Method& Renderer::method_of(const ViewSettings& settings, const char* use,
     const auto entry = std::find_if(talus::methods().begin(), talus::methods().end(),
                                     [&](const MethodEntry& e) { return e.name == settings.method; });
     if (entry == talus::methods().end()) throw Error("there is no method '" + settings.method + "'");
-    const Detail detail = detail_of(settings.view);
+    const Detail detail = detail_of(settings);
     // Steps of a walk depend on bounds far from where it ends.
     redraws_blocks = entry->redraws_blocks && detail != Detail::steps;
     const std::string key = settings.method + use + std::to_string(static_cast<int>(detail));
@@ -63,17 +67,16 @@ const Method& Renderer::method_of(const ViewSettings& settings, const char* use,
 }
 
 Drawn Renderer::draw(Terrain& terrain, const Camera& camera, const ViewSettings& settings, int width,
-                     int height) {
+                     int height, const Ring& ring) {
     resize(width, height);
-    Picture picture{camera, settings, width, height, terrain.tiles.changes()};
-    picture.settings.ring = {};
+    const Picture picture{camera, settings, width, height, terrain.tiles.changes()};
     // What throws half way leaves nothing to build on.
     const std::optional<Picture> before = std::exchange(drawn_, std::nullopt);
     const Drawn drawn = redraw(terrain, picture, before);
     drawn_ = picture;
     follow_bounds(drawn != Drawn::nothing);
-    ringed_ = settings.ring.radius_m > 0;
-    ring_on_ = settings.ring;
+    ringed_ = ring.radius_m > 0;
+    ring_on_ = ring;
     if (drawn != Drawn::nothing) refinement_.restart();
     if (ringed_) draw_ring(terrain.grid());
     return drawn;
@@ -122,10 +125,10 @@ Drawn Renderer::redraw(Terrain& terrain, const Picture& picture, const std::opti
     const Method& method = method_of(picture.settings, " drawn ", redraws_blocks);
     // What water shows of the ground may lie anywhere in the picture.
     const bool blocks = redraws_blocks && same_view && before->settings == picture.settings && !terrain.water;
-    const bool shadows =
-        picture.settings.shadows && !picture.settings.quick && picture.settings.view == View::shaded;
+    const bool natural = is_natural(picture.settings);
+    const bool shadows = picture.settings.shadows && !picture.settings.quick && natural;
     const glm::dvec3 sun = shadows ? picture.settings.sun : glm::dvec3(0);
-    const bool looks_far = picture.settings.occlusion && picture.settings.view == View::shaded;
+    const bool looks_far = picture.settings.occlusion && natural;
     const int reach = looks_far ? sky_reach : normals_reach;
     if (blocks) redraw_.begin(picture.width, picture.height);
     if (refreshed_changes_ != picture.changes) {
@@ -148,7 +151,7 @@ Drawn Renderer::redraw(Terrain& terrain, const Picture& picture, const std::opti
 
 void Renderer::follow_sky(Terrain& terrain, const ViewSettings& settings) {
     // What no view looks at waits until one does.
-    if (!settings.occlusion || settings.view != View::shaded || sky_changes_ == refreshed_changes_) return;
+    if (!settings.occlusion || !is_natural(settings) || sky_changes_ == refreshed_changes_) return;
     sky_view_.refresh(terrain, pyramid_);
     sky_changes_ = refreshed_changes_;
 }
@@ -159,19 +162,22 @@ void Renderer::shade(const Terrain& terrain, const Picture& picture, const Redra
 
 void Renderer::colour(const Terrain& terrain, const Picture& picture, const gpu::Texture& hits,
                       const gpu::Framebuffer& target, const Redraw* redraw) {
-    const bool watered = water_ && picture.settings.view == View::shaded;
+    const bool watered = water_ && is_natural(picture.settings);
     if (watered && ground_colour_.width() == 0) {
         ground_colour_ =
             gpu::Texture("colour of the ground", gpu::Format::rgba8, colour_.width(), colour_.height());
         const std::array<const gpu::Texture*, 1> attached = {&ground_colour_};
         ground_colour_buffer_ = gpu::Framebuffer("colour of the ground", attached);
     }
-    shading_.draw(terrain, pyramid_, sky_view_, picture.camera, picture.settings, picture.width,
-                  picture.height, hits, watered ? ground_colour_buffer_ : target, redraw);
+    const ShadeFrame frame{
+        terrain,       pyramid_,       picture.camera, picture.settings,
+        picture.width, picture.height, hits,           watered ? ground_colour_buffer_ : target};
+    shading_.draw(frame, sky_view_, redraw);
     if (!watered) return;
     water_->cast(terrain, picture.camera, picture.width, picture.height);
-    water_shading_.draw(terrain, pyramid_, *water_, picture.camera, picture.settings, picture.width,
-                        picture.height, hits, ground_colour_, target);
+    water_shading_.draw(
+        {terrain, pyramid_, picture.camera, picture.settings, picture.width, picture.height, hits, target},
+        *water_, ground_colour_);
 }
 
 // What the ring can cover: the box around it, from the lowest to the highest ground. All of the picture where

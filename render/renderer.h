@@ -10,6 +10,7 @@
 #include "render/pyramid.h"
 #include "render/redraw.h"
 #include "render/refinement.h"
+#include "render/ring.h"
 #include "render/shading.h"
 #include "render/view.h"
 #include "render/water_shading.h"
@@ -30,8 +31,9 @@ class Renderer {
 
     /// Brings the pyramid up to date with the terrain's changed tiles and draws width x height pixels: all of
     /// them, only what changed tiles can touch, only the colours, or nothing. The picture is the same bit for
-    /// bit as a fresh one.
-    Drawn draw(Terrain& terrain, const Camera& camera, const ViewSettings& settings, int width, int height);
+    /// bit as a fresh one. The ring lies on top: moving it draws nothing else again.
+    Drawn draw(Terrain& terrain, const Camera& camera, const ViewSettings& settings, int width, int height,
+               const Ring& ring = {});
     /// Adds one sample a pixel to the picture drawn last, until it has as many: smoother silhouettes and
     /// detail. False where the picture stays as it is. The mean is the same bit for bit in whatever steps it
     /// was made.
@@ -57,7 +59,7 @@ class Renderer {
     glm::dvec2 bounds() const { return bounds_; }
 
   private:
-    // What a picture was drawn from; the brush's ring lies on top of it.
+    // What a picture was drawn from.
     struct Picture {
         Camera camera;
         ViewSettings settings;

@@ -12,6 +12,18 @@
 
 namespace talus {
 
+/// What is shaded: the hits of a picture, and what lies there.
+struct ShadeFrame {
+    const Terrain& terrain;
+    const Pyramid& pyramid;
+    const Camera& camera;
+    const ViewSettings& settings;
+    int width;  ///< of the picture; textures may be larger
+    int height;
+    const gpu::Texture& hits;
+    const gpu::Framebuffer& target;
+};
+
 /// Colours the hits of a picture: one program for each view and what it looks at, made when first used.
 class Shading {
   public:
@@ -22,13 +34,11 @@ class Shading {
     void drape(int width, int height, std::span<const std::byte> rgba);
 
     /// Draws all of the picture, or the blocks of a redraw where one is given.
-    void draw(const Terrain& terrain, const Pyramid& pyramid, const SkyView& sky, const Camera& camera,
-              const ViewSettings& settings, int width, int height, const gpu::Texture& hits,
-              const gpu::Framebuffer& target, const Redraw* redraw);
+    void draw(const ShadeFrame& frame, const SkyView& sky, const Redraw* redraw);
 
   private:
-    // `sky`: for blocks where nothing was hit; `there`: the layer that the view is of.
-    gpu::Program& program_of(const ViewSettings& settings, bool sky, bool there);
+    // `sky`: for blocks where nothing was hit; `there`: the layer that the view shows.
+    gpu::Program& program_of(const View& view, const ViewSettings& settings, bool sky, bool there);
 
     std::map<std::string, gpu::Program> programs_;
     ShadeList list_;

@@ -1,173 +1,239 @@
 #include "render/view.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
-#include "render/methods/method.h"
+#include "sim/gpu/error.h"
 
 namespace talus {
 namespace {
 
-std::string number_text(double value) {
-    std::ostringstream text;
-    text << value;
-    return text.str();
+using Scale = Legend::Scale;
+using Legends = std::vector<Legend>;
+
+// From one side of 0 to the other.
+Legends difference_legend(const View& view, const ViewSettings& settings, glm::dvec2) {
+    const double most = view.numbers.front().in(settings);
+    return {{"Ground since the start", -most, most, "m", Scale::difference}};
+}
+
+Legends bands_legend(const View& view, const ViewSettings& settings, glm::dvec2 heights_m) {
+    const double band_m = view.numbers.front().in(settings);
+    const auto band_of = [&](double height_m) { return static_cast<int>(std::floor(height_m / band_m)); };
+    const int first = band_of(heights_m.x);
+    const int last = band_of(heights_m.y);
+    return {{"Height", first * band_m, (last + 1) * band_m, "m", Scale::map, last - first + 1}};
+}
+
+Legends contours_legend(const View& view, const ViewSettings& settings, glm::dvec2) {
+    const double band_m = view.numbers.front().in(settings);
+    return {{fmt::format("Contours: {:g} m, bold: {:g} m", band_m, 5 * band_m), 0, 0, "m", Scale::none}};
+}
+
+Legends level_legend(const View& view, const ViewSettings& settings, glm::dvec2) {
+    const double middle_m = view.numbers[0].in(settings);
+    const double range_m = view.numbers[1].in(settings);
+    return {{"Level of the water", middle_m - range_m, middle_m + range_m, "m", Scale::difference}};
+}
+
+Legends cells_legend(const View&, const ViewSettings&, glm::dvec2) {
+    return {{"Drawn by",
+             0,
+             0,
+             "method",
+             Scale::none,
+             0,
+             {{1, "mesh"},
+              {2, "rays to the patch"},
+              {4, "rays ended at level 2"},
+              {8, "rays ended at level 6"}}}};
+}
+
+Parameter band() {
+    return number("render.band_m", 100, 1e-3, 1e5, "m",
+                  "Interval of the views of height bands and contours.");
+}
+
+Parameter depth() {
+    return number("render.depth_m", 10, 1e-3, 1e5, "m",
+                  "End of the scale of the views of the water's depth, now and at its largest.");
 }
 
 }  // namespace
 
-const std::vector<std::string>& view_names() {
-    static const std::vector<std::string> names = {
-        "shaded",   "hillshade",  "slope", "bands", "steps",     "cells",   "aspect",
-        "contours", "difference", "depth", "speed", "level",     "froude",  "largest_depth",
-        "arrival",  "hardness",   "mask",  "rain",  "suspended", "regolith"};
-    return names;
+const std::vector<View>& views() {
+    static const std::vector<View> all = {
+        {.name = "shaded", .natural = true},
+        {.name = "hillshade",
+         .numbers =
+             {{"hillshade_from",
+               choice("render.hillshade", "sun", {"sun", "four sides"},
+                      "Light of the hillshade: the sun's, or from four sides, each where slopes need it.")}},
+         .title = "Hillshade",
+         .unit = "of full light",
+         .scale = Scale::grey,
+         .scale_end = 1},
+        {.name = "slope",
+         .numbers = {{"slope_scale_deg", std::nullopt, 60}},
+         .title = "Slope",
+         .unit = "degrees"},
+        {.name = "bands", .numbers = {{"band_m", band()}}, .legend = bands_legend},
+        {.name = "steps",
+         .numbers = {{"steps_scale", std::nullopt, 96}},
+         .title = "Steps of the ray",
+         .unit = "cells",
+         .detail = Detail::steps,
+         .sky_too = true},
+        {.name = "cells", .legend = cells_legend, .detail = Detail::kind},
+        {.name = "aspect",
+         .title = "Slope faces",
+         .unit = "degrees from north",
+         .scale = Scale::direction,
+         .scale_end = 360},
+        {.name = "contours", .numbers = {{"band_m", band()}}, .legend = contours_legend},
+        {.name = "difference",
+         .numbers = {{"difference_m", number("render.difference_m", 20, 1e-3, 1e5, "m",
+                                             "End of the scale of the view of differences.")}},
+         .legend = difference_legend},
+        {.name = "depth",
+         .numbers = {{"depth_scale_m", depth()}},
+         .title = "Depth of the water",
+         .unit = "m",
+         .layer = &Terrain::water},
+        {.name = "speed",
+         .numbers = {{"speed_scale", number("render.speed", 5, 1e-3, 1e5, "m/s",
+                                            "End of the scale of the view of its speed.")}},
+         .title = "Speed of the water",
+         .unit = "m/s",
+         .layer = &Terrain::water},
+        {.name = "level",
+         .numbers = {{"level_middle_m",
+                      number("render.level_m", 0, -1e6, 1e6, "m",
+                             "Middle of the scale of the view of its level. Unless set, it is the sea's.")},
+                     {"level_scale_m", number("render.level_range_m", 2, 1e-4, 1e5, "m",
+                                              "From there to the ends of the scale.")}},
+         .legend = level_legend,
+         .layer = &Terrain::water},
+        {.name = "froude",
+         .numbers = {{"froude_scale", std::nullopt, 2}},
+         .title = "Froude number",
+         .unit = "1: critical",
+         .layer = &Terrain::water},
+        {.name = "largest_depth",
+         .numbers = {{"depth_scale_m", depth()}},
+         .title = "Largest depth so far",
+         .unit = "m",
+         .layer = &Terrain::inundation},
+        {.name = "arrival",
+         .numbers = {{"arrival_scale_s",
+                      number("render.arrival_s", 600, 1e-3, 1e9, "s",
+                             "End of the scale of the view of the time at which water arrived.")}},
+         .title = "Water arrived at",
+         .unit = "s",
+         .layer = &Terrain::inundation},
+        {.name = "hardness",
+         .title = "Hardness",
+         .unit = "1: does not erode",
+         .scale_end = 1,
+         .layer = &Terrain::painted},
+        {.name = "mask", .title = "Mask", .unit = "share", .scale_end = 1, .layer = &Terrain::painted},
+        {.name = "rain",
+         .numbers = {{"rain_scale", number("render.rain", 200, 1e-3, 1e4, "mm/h",
+                                           "End of the scale of the view of painted rain.")}},
+         .title = "Painted rain",
+         .unit = "mm/h",
+         .layer = &Terrain::painted},
+        {.name = "suspended",
+         .numbers = {{"suspended_scale_mm",
+                      number(
+                          "render.suspended_mm", 20, 1e-6, 1e6, "mm",
+                          "End of the scale of the view of suspended solid: as high as it would stand on the "
+                          "ground.")}},
+         .title = "Suspended solid",
+         .unit = "mm",
+         .layer = &Terrain::suspended},
+        {.name = "regolith",
+         .numbers = {{"regolith_scale_m", number("render.regolith_m", 5, 1e-6, 1e5, "m",
+                                                 "End of the scale of the view of regolith.")}},
+         .title = "Regolith",
+         .unit = "m"},
+    };
+    return all;
+}
+
+const View& view_named(const std::string& name) {
+    const auto found =
+        std::find_if(views().begin(), views().end(), [&](const View& view) { return view.name == name; });
+    if (found == views().end()) throw Error("there is no view '" + name + "'");
+    return *found;
+}
+
+double ViewNumber::in(const ViewSettings& settings) const {
+    if (!parameter) return fixed;
+    const auto given = settings.numbers.find(parameter->name);
+    if (given != settings.numbers.end()) return given->second;
+    const auto* preset = std::get_if<double>(&parameter->preset);
+    return preset ? *preset : 0;
 }
 
 std::vector<Parameter> render_parameters() {
     std::vector<std::string> method_names;
     for (const MethodEntry& method : methods()) method_names.push_back(method.name);
-    return {
+    std::vector<std::string> view_names;
+    for (const View& view : views()) view_names.push_back(view.name);
+    std::vector<Parameter> declared = {
         choice("render.method", "hybrid", method_names, "How the surface is drawn."),
         number("render.tolerance", 0.5, 0, 16, "px",
                "Error that the hybrid method may make, in pixels; 0: none, rays everywhere."),
-        choice("render.view", "shaded", view_names(), "What the colours show."),
+        choice("render.view", "shaded", view_names, "What the colours show."),
         number("render.sun_azimuth_deg", 315, 0, 360, "°", "Where the sun stands, clockwise from north."),
         number("render.sun_elevation_deg", 38, 1, 90, "°", "How high the sun stands."),
         toggle("render.shadows", true, "The sun casts shadows."),
         whole("render.samples", 8, 1, 64, "",
               "Samples a pixel, as many as a picture at rest gathers: smoother silhouettes and detail."),
         toggle("render.occlusion", true, "Valleys get less of the sky's light than ridges."),
-        number("render.band_m", 100, 1e-3, 1e5, "m", "Interval of the views of height bands and contours."),
-        number("render.difference_m", 20, 1e-3, 1e5, "m", "End of the scale of the view of differences."),
-        number("render.depth_m", 10, 1e-3, 1e5, "m",
-               "End of the scale of the views of the water's depth, now and at its largest."),
-        number("render.speed", 5, 1e-3, 1e5, "m/s", "End of the scale of the view of its speed."),
-        number("render.level_m", 0, -1e6, 1e6, "m",
-               "Middle of the scale of the view of its level. Unless set, it is the sea's."),
-        number("render.level_range_m", 2, 1e-4, 1e5, "m", "From there to the ends of the scale."),
-        number("render.arrival_s", 600, 1e-3, 1e9, "s",
-               "End of the scale of the view of the time at which water arrived."),
-        number("render.rain", 200, 1e-3, 1e4, "mm/h", "End of the scale of the view of painted rain."),
-        number("render.suspended_mm", 20, 1e-6, 1e6, "mm",
-               "End of the scale of the view of suspended solid: as high as it would stand on the ground."),
-        number("render.regolith_m", 5, 1e-6, 1e5, "m", "End of the scale of the view of regolith."),
-        choice("render.hillshade", "sun", {"sun", "four sides"},
-               "Light of the hillshade: the sun's, or from four sides, each where slopes need it."),
     };
+    for (const View& view : views())
+        for (const ViewNumber& one : view.numbers) {
+            const bool known = one.parameter &&
+                               std::any_of(declared.begin(), declared.end(),
+                                           [&](const Parameter& p) { return p.name == one.parameter->name; });
+            if (one.parameter && !known) declared.push_back(*one.parameter);
+        }
+    return declared;
 }
 
-ViewSettings view_settings(const Parameters& parameters) {
+ViewSettings view_settings(const Parameters& drawing, const Parameters& simulation) {
     ViewSettings settings;
-    settings.method = parameters.choice("render.method");
-    settings.tolerance_px = parameters.number("render.tolerance");
-    const auto& names = view_names();
-    settings.view = static_cast<View>(
-        std::find(names.begin(), names.end(), parameters.choice("render.view")) - names.begin());
-    const double azimuth = parameters.number("render.sun_azimuth_deg") * std::numbers::pi / 180;
-    const double elevation = parameters.number("render.sun_elevation_deg") * std::numbers::pi / 180;
+    settings.method = drawing.choice("render.method");
+    settings.tolerance_px = drawing.number("render.tolerance");
+    settings.view = drawing.choice("render.view");
+    const double azimuth = drawing.number("render.sun_azimuth_deg") * std::numbers::pi / 180;
+    const double elevation = drawing.number("render.sun_elevation_deg") * std::numbers::pi / 180;
     settings.sun = {std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation),
                     std::sin(elevation)};
-    settings.shadows = parameters.toggle("render.shadows");
-    settings.occlusion = parameters.toggle("render.occlusion");
-    settings.band_m = parameters.number("render.band_m");
-    settings.difference_m = parameters.number("render.difference_m");
-    settings.depth_m = parameters.number("render.depth_m");
-    settings.speed_m_per_s = parameters.number("render.speed");
-    settings.level_m = parameters.number("render.level_m");
-    settings.level_range_m = parameters.number("render.level_range_m");
-    settings.arrival_s = parameters.number("render.arrival_s");
-    settings.rain_mm_per_h = parameters.number("render.rain");
-    settings.suspended_mm = parameters.number("render.suspended_mm");
-    settings.regolith_m = parameters.number("render.regolith_m");
-    settings.hillshade_lights = parameters.choice("render.hillshade") == "sun" ? 1 : 4;
+    settings.shadows = drawing.toggle("render.shadows");
+    settings.occlusion = drawing.toggle("render.occlusion");
+    settings.gravity_m_per_s2 = simulation.number("water.gravity");
+    for (const View& view : views())
+        for (const ViewNumber& one : view.numbers) {
+            if (!one.parameter) continue;
+            const std::string& name = one.parameter->name;
+            const bool is_choice = std::holds_alternative<std::string>(one.parameter->preset);
+            settings.numbers[name] = is_choice ? drawing.choice_as<int>(name) : drawing.number(name);
+        }
     return settings;
 }
 
 std::vector<Legend> legend_of(const ViewSettings& settings, double lowest_m, double highest_m) {
-    const auto band_of = [&](double height_m) {
-        return static_cast<int>(std::floor(height_m / settings.band_m));
-    };
-    using Scale = Legend::Scale;
-    switch (settings.view) {
-        case View::shaded:
-            return {};
-        case View::hillshade:
-            return {{"Hillshade", 0, 1, "of full light", Scale::grey, 0, {}}};
-        case View::slope:
-            return {{"Slope", 0, slope_scale_deg, "degrees", Scale::map, 0, {}}};
-        case View::bands:
-            return {{"Height",
-                     band_of(lowest_m) * settings.band_m,
-                     (band_of(highest_m) + 1) * settings.band_m,
-                     "m",
-                     Scale::map,
-                     band_of(highest_m) - band_of(lowest_m) + 1,
-                     {}}};
-        case View::steps:
-            return {{"Steps of the ray", 0, steps_scale, "cells", Scale::map, 0, {}}};
-        case View::cells:
-            return {{"Drawn by",
-                     0,
-                     0,
-                     "method",
-                     Scale::none,
-                     0,
-                     {{1, "mesh"},
-                      {2, "rays to the patch"},
-                      {4, "rays ended at level 2"},
-                      {8, "rays ended at level 6"}}}};
-        case View::aspect:
-            return {{"Slope faces", 0, 360, "degrees from north", Scale::direction, 0, {}}};
-        case View::contours:
-            return {{"Contours: " + number_text(settings.band_m) +
-                         " m, bold: " + number_text(5 * settings.band_m) + " m",
-                     0,
-                     0,
-                     "m",
-                     Scale::none,
-                     0,
-                     {}}};
-        case View::difference:
-            return {{"Ground since the start",
-                     -settings.difference_m,
-                     settings.difference_m,
-                     "m",
-                     Scale::difference,
-                     0,
-                     {}}};
-        case View::depth:
-            return {{"Depth of the water", 0, settings.depth_m, "m", Scale::map, 0, {}}};
-        case View::speed:
-            return {{"Speed of the water", 0, settings.speed_m_per_s, "m/s", Scale::map, 0, {}}};
-        case View::level:
-            return {{"Level of the water",
-                     settings.level_m - settings.level_range_m,
-                     settings.level_m + settings.level_range_m,
-                     "m",
-                     Scale::difference,
-                     0,
-                     {}}};
-        case View::froude:
-            return {{"Froude number", 0, froude_scale, "1: critical", Scale::map, 0, {}}};
-        case View::largest:
-            return {{"Largest depth so far", 0, settings.depth_m, "m", Scale::map, 0, {}}};
-        case View::arrival:
-            return {{"Water arrived at", 0, settings.arrival_s, "s", Scale::map, 0, {}}};
-        case View::hardness:
-            return {{"Hardness", 0, 1, "1: does not erode", Scale::map, 0, {}}};
-        case View::mask:
-            return {{"Mask", 0, 1, "share", Scale::map, 0, {}}};
-        case View::suspended:
-            return {{"Suspended solid", 0, settings.suspended_mm, "mm", Scale::map, 0, {}}};
-        case View::regolith:
-            return {{"Regolith", 0, settings.regolith_m, "m", Scale::map, 0, {}}};
-        case View::rain:
-            return {{"Painted rain", 0, settings.rain_mm_per_h, "mm/h", Scale::map, 0, {}}};
-    }
-    return {};
+    const View& view = view_named(settings.view);
+    if (view.legend) return view.legend(view, settings, {lowest_m, highest_m});
+    if (view.title.empty()) return {};
+    const double end = view.scale_end ? *view.scale_end : view.numbers.front().in(settings);
+    return {{view.title, 0, end, view.unit, view.scale}};
 }
 
 }  // namespace talus

@@ -1,8 +1,6 @@
 #pragma once
-#include "render/camera.h"
-#include "render/pyramid.h"
 #include "render/shade_list.h"
-#include "render/view.h"
+#include "render/shading.h"
 #include "render/water_surface.h"
 
 namespace talus {
@@ -13,10 +11,8 @@ class WaterShading {
   public:
     WaterShading();
 
-    /// hits and colours are the ground's; the water must have been cast for the same camera.
-    void draw(const Terrain& terrain, const Pyramid& ground, const WaterSurface& water, const Camera& camera,
-              const ViewSettings& settings, int width, int height, const gpu::Texture& hits,
-              const gpu::Texture& colours, const gpu::Framebuffer& target);
+    /// The frame's hits and the colours are the ground's; the water must have been cast for the same camera.
+    void draw(const ShadeFrame& frame, const WaterSurface& water, const gpu::Texture& colours);
 
   private:
     ShadeList list_;

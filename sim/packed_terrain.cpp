@@ -2,6 +2,8 @@
 
 #include <numeric>
 
+#include "sim/terrain/layers.h"
+
 namespace talus {
 namespace {
 
@@ -19,15 +21,17 @@ std::size_t PackedTerrain::bytes() const {
                            [](std::size_t sum, const PackedBytes& layer) { return sum + layer.bytes(); });
 }
 
-PackedTerrain pack(Terrain& terrain) {
+PackedTerrain pack(const Terrain& terrain) {
     PackedTerrain packed;
     packed.grid = terrain.grid();
     const gpu::Region all = terrain.ground.whole();
     packed.solid = packed_texels(terrain.solid.front, all);
     packed.start = packed_texels(terrain.start, all);
-    for (const OptionalLayer& layer : terrain.optional_layers())
-        packed.optional.push_back(layer.front ? packed_texels(*layer.front, layer.texels(all))
-                                              : PackedBytes());
+    for (const LayerDescription& layer : layers()) {
+        const DeviceLayer* image =
+            layer.is_optional() && terrain.*layer.image ? &*(terrain.*layer.image) : nullptr;
+        packed.optional.push_back(image ? packed_texels(image->front, image->texels(all)) : PackedBytes());
+    }
     return packed;
 }
 
@@ -37,13 +41,12 @@ Terrain unpack(const PackedTerrain& packed) {
     terrain.solid.front.write(all, packed.solid.unpack());
     terrain.start.write(all, packed.start.unpack());
     terrain.refresh(all);
-    const auto has = [&](std::size_t i) { return packed.optional[i].bytes() > 0; };
-    if (has(0) || has(1)) terrain.add_water();
-    if (has(2)) terrain.add_suspended();
-    if (has(3)) terrain.add_painted();
-    const auto layers = terrain.optional_layers();
-    for (std::size_t i = 0; i < layers.size(); ++i)
-        if (has(i)) layers[i].front->write(layers[i].texels(all), packed.optional[i].unpack());
+    for (std::size_t i = 0; i < layers().size(); ++i) {
+        if (packed.optional[i].bytes() == 0) continue;
+        terrain.add(layers()[i].image);
+        DeviceLayer& image = *(terrain.*layers()[i].image);
+        image.front.write(image.texels(all), packed.optional[i].unpack());
+    }
     return terrain;
 }
 

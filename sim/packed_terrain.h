@@ -11,12 +11,12 @@ struct PackedTerrain {
     Grid grid;
     PackedBytes solid;
     PackedBytes start;
-    std::vector<PackedBytes> optional;  ///< as Terrain::optional_layers; without bytes: not there
+    std::vector<PackedBytes> optional;  ///< as layers(); without bytes: not there, or of the solid
     std::size_t bytes() const;
 };
 
 /// Waits for the device.
-PackedTerrain pack(Terrain& terrain);
+PackedTerrain pack(const Terrain& terrain);
 /// The terrain again, to the bit, with all tiles marked.
 Terrain unpack(const PackedTerrain& packed);
 

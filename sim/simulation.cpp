@@ -60,7 +60,7 @@ bool Simulation::has_water() const {
 }
 
 void Simulation::add_water() {
-    terrain_.add_water();
+    terrain_.add(&Terrain::water);
     if (water_) return;
     water_ = std::make_unique<Water>(terrain_);
     water_brush_ = std::make_unique<WaterBrush>(terrain_);
@@ -85,7 +85,7 @@ void Simulation::fill_sea_now() {
     TerrainState state = terrain_.read();
     moment_.sea_m3 += fill_sea(state, moment_.parameters.number("water.sea_level"));
     add_water();
-    terrain_.write_water({0, 0, state.grid.nx, state.grid.ny}, state.water);
+    terrain_.write(&Terrain::water, state);
     inundation_->record(terrain_, moment_.clock.simulated_s);
 }
 
@@ -266,7 +266,7 @@ void Simulation::act(const Blur& blur) {
     record(blur, [&] {
         if (keeps_undo_) undo_.keep_all(terrain_);
         if (blur.of_mask)
-            terrain_.write_painted(blurred.painted);
+            terrain_.write(&Terrain::painted, blurred);
         else
             book([&] { terrain_.write_solid(blurred); });
     });
@@ -352,7 +352,7 @@ void Simulation::begin_tick() {
     const Parameters& parameters = moment_.parameters;
     const double tick_s = parameters.number("time.tick_s");
     if (has_water()) add_water();
-    if (has_water() && parameters.toggle("erosion.on")) terrain_.add_suspended();
+    if (has_water() && parameters.toggle("erosion.on")) terrain_.add(&Terrain::suspended);
     if (keeps_undo_) {
         if (!undo_.is_open()) undo_.open("run", terrain_, books(), journal_, moment_);
         undo_.keep_all(terrain_);

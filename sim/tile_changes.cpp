@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/gpu/error.h"
+#include "sim/terrain/layers.h"
 
 namespace talus {
 namespace {
@@ -20,11 +21,11 @@ void each_layer(Terrain& terrain, int tile, unsigned layers, Act&& act) {
     const gpu::Region region = terrain.tiles.region(tile);
     const auto samples = static_cast<std::size_t>(region.width) * region.height;
     act(terrain.solid.front, region, samples * gpu::texel_bytes(gpu::Format::rgba32f), 0U);
-    const auto optional = terrain.optional_layers();
-    for (std::size_t i = 0; i < optional.size(); ++i)
-        if ((layers >> i & 1U) != 0)
-            act(*optional[i].front, optional[i].texels(region),
-                samples * gpu::texel_bytes(optional[i].format), 1U << i);
+    for (std::size_t i = 0; i < talus::layers().size(); ++i) {
+        if ((layers >> i & 1U) == 0) continue;
+        DeviceLayer& layer = *(terrain.*talus::layers()[i].image);
+        act(layer.front, layer.texels(region), samples * gpu::texel_bytes(layer.front.format()), 1U << i);
+    }
 }
 
 // Bytes of a tile with these layers.
@@ -36,11 +37,10 @@ std::size_t tile_bytes(Terrain& terrain, int tile, unsigned layers) {
 }
 
 unsigned layers_of(Terrain& terrain) {
-    unsigned layers = 0;
-    const auto optional = terrain.optional_layers();
-    for (std::size_t i = 0; i < optional.size(); ++i)
-        if (optional[i].front) layers |= 1U << i;
-    return layers;
+    unsigned there = 0;
+    for (std::size_t i = 0; i < layers().size(); ++i)
+        if (layers()[i].is_optional() && terrain.*layers()[i].image) there |= 1U << i;
+    return there;
 }
 
 void copy_tile(Terrain& terrain, int tile, unsigned layers, const gpu::Buffer& target, std::size_t at) {

@@ -125,7 +125,7 @@ KeptFrames kept_frames(const Grid& grid, const std::string& method, int frames, 
             settings.sun =
                 glm::normalize(glm::dvec3(unit(random) - 0.5, unit(random) - 0.5, 0.1 + 0.5 * unit(random)));
         } else if (dice < 0.7) {
-            settings.view = static_cast<View>(random() % view_names().size());
+            settings.view = views()[random() % views().size()].name;
         } else if (dice < 0.73) {
             settings.tolerance_px = random() % 3;
         }

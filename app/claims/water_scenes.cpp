@@ -306,8 +306,8 @@ WaterScene radial_dam(int n, bool rough) {
 }
 
 WaterRun::WaterRun(const TerrainState& state, const WaterSettings& s)
-    : terrain(state), settings(s), water((terrain.add_water(), terrain)) {
-    if (settings.sediment.carried) terrain.add_suspended();
+    : terrain(state), settings(s), water((terrain.add(&Terrain::water), terrain)) {
+    if (settings.sediment.carried) terrain.add(&Terrain::suspended);
 }
 
 void WaterRun::tick(double tick_s) {

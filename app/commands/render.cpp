@@ -56,7 +56,7 @@ void render(const RenderOptions& options) {
     if (options.target) camera.target = *options.target;
     if (camera.eye == camera.target)
         throw Error("--eye and --target are the same point, so there is no direction to look in");
-    const ViewSettings settings = view_settings(scene.view);
+    const ViewSettings settings = view_settings(scene.view, scene.simulation);
     Terrain terrain(scene.document.state);
     Renderer renderer(terrain, patch_pixels(context.device()));
     drape(renderer, scene);

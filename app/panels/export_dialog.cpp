@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -6,6 +7,7 @@
 #include <filesystem>
 
 #include "app/panels/panels.h"
+#include "sim/io/heightmap_formats.h"
 
 namespace talus {
 namespace {
@@ -26,7 +28,16 @@ const char* usual_ending(ExportKind kind) {
     }
 }
 
-const char* what_it_is(ExportKind kind) {
+// "GeoTIFF (.tif, .tiff), EXR (.exr)" and so on.
+std::string formats_written() {
+    std::vector<std::string> texts;
+    for (const HeightmapFormat& format : heightmap_formats())
+        if (format.write)
+            texts.push_back(fmt::format("{} ({})", format.name, fmt::join(format.endings, ", ")));
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string what_it_is(ExportKind kind) {
     switch (kind) {
         case ExportKind::mesh:
             return "Wavefront OBJ, simplified within the error below.";
@@ -39,7 +50,7 @@ const char* what_it_is(ExportKind kind) {
         case ExportKind::godot:
             return "For Terrain3D: .r16 or .exr, and what to type there in a .txt beside it.";
         default:
-            return "GeoTIFF (.tif), EXR, PNG of 16 bits, raw .r16 and .r32.";
+            return "A heightmap: " + formats_written() + ".";
     }
 }
 
@@ -89,7 +100,7 @@ void draw_export_dialog(PanelContext& context) {
         }
         if (i % 3 != 2) ImGui::SameLine();
     }
-    ImGui::TextWrapped("%s", what_it_is(settings.kind));
+    ImGui::TextWrapped("%s", what_it_is(settings.kind).c_str());
     ImGui::Spacing();
     std::string path = settings.path.string();
     ImGui::SetNextItemWidth(-1);

@@ -6,6 +6,7 @@
 
 #include "app/panels/panels.h"
 #include "sim/gpu/error.h"
+#include "sim/io/heightmap_formats.h"
 
 namespace talus {
 namespace {
@@ -39,8 +40,8 @@ std::vector<std::uint8_t> hillshade(const Heightmap& heightmap, glm::ivec2 size)
 }
 
 bool is_raw(const std::string& path) {
-    const std::string ending = ending_of(path);
-    return ending == ".raw" || ending == ".r16" || ending == ".r32";
+    const HeightmapFormat* format = format_of(path);
+    return format && format->headerless;
 }
 
 // Whether they are others now.

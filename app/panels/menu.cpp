@@ -61,8 +61,9 @@ void draw_menu(PanelContext& context) {
             context.state.panels_shown = !context.state.panels_shown;
         ImGui::Separator();
         const std::string& shown = context.session.view().choice("render.view");
-        for (const std::string& name : view_names())
-            if (menu_item(name, nullptr, true, shown == name)) context.session.set("render.view", name);
+        for (const View& view : views())
+            if (menu_item(view.name.c_str(), nullptr, true, shown == view.name))
+                context.session.set("render.view", view.name);
         ImGui::EndMenu();
     }
     note_widget("View menu");

@@ -1,12 +1,11 @@
 // The water at a place of the picture, between its four samples. The including side has surface.glsl.
+#include "render/seen_depth.glsl"
 layout(binding = 9) uniform sampler2D water;  // depth, its low word, discharge east and north; two ghost samples around
 
 struct Flow {
     float depth_m;
     vec2 velocity;  // m/s, east and north; none in water too thin to see
 };
-
-const float seen_depth_m = 0.01;
 
 // place: columns and rows from the origin cell.
 Flow flow_at(vec2 place) {

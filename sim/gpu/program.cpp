@@ -57,8 +57,20 @@ std::string load_text(const std::string& path) {
     return std::string(found->second);
 }
 
+// The path that an #include names: in double quotes, or by a define whose value it is. Empty: none.
+std::string included_path(const std::string& line, const std::vector<std::string>& defines) {
+    const auto first = line.find('"');
+    const auto last = line.rfind('"');
+    if (first != std::string::npos && last > first) return line.substr(first + 1, last - first - 1);
+    const std::string name = line.substr(std::min(line.find_first_not_of(' ', 8), line.size())) + ' ';
+    const auto define = std::find_if(defines.begin(), defines.end(),
+                                     [&](const std::string& one) { return one.starts_with(name); });
+    return define == defines.end() ? "" : define->substr(name.size());
+}
+
 // Expands includes. #line directives carry a number per file, so that messages can be led back to it.
-void expand(const std::string& path, std::vector<std::string>& files, std::string& out) {
+void expand(const std::string& path, const std::vector<std::string>& defines, std::vector<std::string>& files,
+            std::string& out) {
     const auto number = files.size();
     files.push_back(path);
     out += fmt::format("#line 1 {}\n", number);
@@ -69,12 +81,11 @@ void expand(const std::string& path, std::vector<std::string>& files, std::strin
             out += line + '\n';
             continue;
         }
-        const auto first = line.find('"');
-        const auto last = line.rfind('"');
-        if (first == std::string::npos || last <= first)
+        const std::string included = included_path(line, defines);
+        if (included.empty())
             throw Error(fmt::format("{}:{}: #include needs a path in double quotes", path, at));
-        const std::string included = line.substr(first + 1, last - first - 1);
-        if (std::find(files.begin(), files.end(), included) == files.end()) expand(included, files, out);
+        if (std::find(files.begin(), files.end(), included) == files.end())
+            expand(included, defines, files, out);
         out += fmt::format("#line {} {}\n", at + 1, number);
     }
 }
@@ -145,7 +156,7 @@ Handle<delete_shader> compile(const std::string& path, const std::vector<std::st
                               std::string& assembled) {
     std::vector<std::string> files;
     std::string body;
-    expand(path, files, body);
+    expand(path, defines, files, body);
     std::string text = "#version 450 core\n";
     for (const std::string& define : defines) text += "#define " + define + "\n";
     text += body;

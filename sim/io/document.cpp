@@ -5,27 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "sim/gpu/error.h"
 #include "sim/io/picture.h"
-#include "sim/passes/paint.h"
 #include "sim/passes/water.h"
-#include "sim/terrain/gauge.h"
+#include "sim/terrain/layers.h"
 
 namespace talus {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Channels in the order they are written. No dots in their names: Blender takes a file with one for layers of
-// a render and shows nothing of it.
-const std::vector<std::string> channels = {"Y", "bedrock", "bedrock_low", "regolith", "regolith_low"};
-// Behind them where there is water.
-const std::vector<std::string> water_channels = {"water", "water_low", "discharge_x", "discharge_y"};
-// Where water ever was: the largest depth and when it came; and what brushes painted.
-const std::vector<std::string> inundation_channels = {"depth_max", "arrival_s"};
-const std::vector<std::string> suspended_channels = {"suspended", "suspended_low"};
-const std::vector<std::string> painted_channels = {"hardness", "mask", "rain"};
 
 // x, y and rate of each, as save_document writes them.
 std::vector<Spring> springs_from(const fs::path& path, const std::string& text) {
@@ -41,42 +31,60 @@ std::vector<Spring> springs_from(const fs::path& path, const std::string& text) 
     return springs;
 }
 
-// Throws talus::Error for water that no run could leave and none can go on from.
-void check_water(const fs::path& path, const glm::vec4& water) {
-    const double speed = glm::length(water_velocity(water.x, {water.z, water.w}));
-    // The second word is at most half an ulp of the first.
-    if (water.x >= 0 && water.x <= 1e7F && std::abs(water.y) <= 6e-8F * water.x + 1e-44F && speed <= 1e5)
-        return;
-    throw Error(fmt::format(
-        "'{}' holds water of depth {} (and {}) m that runs at {:.3g} m/s: depths must be 0 to 1e7 "
-        "m, their second words below their last digit, speeds at most 1e5 m/s",
-        path.string(), water.x, water.y, speed));
+// Channels of a number: its word, or its two. No dots in their names: Blender takes a file with one for
+// layers of a render and shows nothing of it.
+std::vector<std::string> channels_of(const LayerNumber& number) {
+    if (number.two_words) return {number.name, number.name + "_low"};
+    return {number.name};
 }
 
-void check_suspended(const fs::path& path, const glm::vec2& load) {
-    if (load.x >= 0 && load.x <= 1e6F && std::abs(load.y) <= 6e-8F * load.x + 1e-44F) return;
-    throw Error(
-        fmt::format("'{}' holds suspended solid of {} (and {}) m: it must be 0 to 1e6, its second word below "
-                    "its last digit",
-                    path.string(), load.x, load.y));
+std::vector<std::string> channels_of(const LayerDescription& layer) {
+    std::vector<std::string> channels;
+    for (const LayerNumber& number : layer.numbers)
+        for (const std::string& channel : channels_of(number)) channels.push_back(channel);
+    return channels;
 }
 
-// Throws talus::Error for what no brush could have painted and no run could have noted.
-void check_painted(const fs::path& path, const glm::vec4& painted) {
-    if (painted.x >= 0 && painted.x <= 1 && painted.y >= 0 && painted.y <= 1 && painted.z >= 0 &&
-        painted.z <= most_painted(PaintedLayer::rain))
-        return;
-    throw Error(
-        fmt::format("'{}' holds hardness {}, mask {} and rain {} mm/h in one sample: hardness and mask must "
-                    "be 0 to 1, rain 0 to {} mm/h",
-                    path.string(), painted.x, painted.y, painted.z, most_painted(PaintedLayer::rain)));
+// One channel's values; empty: the file has none of this name. Throws talus::Error.
+std::vector<float> read_channel(const fs::path& path, OIIO::ImageInput& input, const std::string& name) {
+    const OIIO::ImageSpec& spec = input.spec();
+    const int channel = spec.channelindex(name);
+    if (channel < 0) return {};
+    std::vector<float> values(static_cast<std::size_t>(spec.width) * spec.height);
+    if (!input.read_image(0, 0, channel, channel + 1, OIIO::TypeDesc::FLOAT, values.data()))
+        throw Error(fmt::format("'{}' cannot be read: {}", path.string(), input.geterror()));
+    if (!std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); }))
+        throw Error(fmt::format("'{}' holds samples in channel '{}' that are not finite numbers",
+                                path.string(), name));
+    return values;
 }
 
-void check_inundation(const fs::path& path, const glm::vec2& inundation) {
-    if (inundation.x >= 0 && inundation.y >= 0) return;
-    throw Error(
-        fmt::format("'{}' holds a largest depth of {} m that came after {} s: neither can be less than 0",
-                    path.string(), inundation.x, inundation.y));
+// A layer is there where the file has a channel of it. Throws talus::Error for samples that no run could
+// leave.
+void read_layer(const fs::path& path, OIIO::ImageInput& input, const LayerDescription& layer,
+                TerrainState& state) {
+    const auto words_a_texel = static_cast<std::size_t>(layer.words());
+    if (!layer.is_optional()) make_layer(state, layer, state.grid.count());
+    std::size_t word = 0;
+    const auto take = [&](const std::string& channel) {
+        const std::vector<float> values = read_channel(path, input, channel);
+        if (values.empty()) return;
+        if (words_of(state, layer).empty()) make_layer(state, layer, state.grid.count());
+        const std::span<float> words = words_of(state, layer);
+        for (std::size_t i = 0; i < values.size(); ++i) words[i * words_a_texel + word] = values[i];
+    };
+    for (const LayerNumber& number : layer.numbers) {
+        if (!number.other_name.empty()) take(number.other_name);
+        for (const std::string& channel : channels_of(number)) {
+            take(channel);
+            ++word;
+        }
+    }
+    const std::span<const float> words = words_of(std::as_const(state), layer);
+    for (std::size_t at = 0; layer.refusal && at < words.size(); at += words_a_texel) {
+        const std::string refusal = layer.refusal(words.subspan(at, words_a_texel));
+        if (!refusal.empty()) throw Error(fmt::format("'{}' holds {}", path.string(), refusal));
+    }
 }
 
 Document read_document(const fs::path& path, const ImportSettings& settings) {
@@ -104,58 +112,7 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
                         &t[5]) == 6)
             document.state.georeference = georeference;
     }
-    std::vector<float> values(state.grid.count());
-    const auto read_channel = [&](const std::string& name, auto& layer, int word) {
-        const int channel = spec.channelindex(name);
-        if (channel < 0) return;
-        if (!input->read_image(0, 0, channel, channel + 1, OIIO::TypeDesc::FLOAT, values.data()))
-            throw Error(fmt::format("'{}' cannot be read: {}", path.string(), input->geterror()));
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            if (!std::isfinite(values[i]))
-                throw Error(fmt::format("'{}' holds samples in channel '{}' that are not finite numbers",
-                                        path.string(), name));
-            layer[i][word] = values[i];
-        }
-    };
-    const auto has_any = [&](const std::vector<std::string>& names) {
-        return std::any_of(names.begin(), names.end(),
-                           [&](const std::string& name) { return spec.channelindex(name) >= 0; });
-    };
-    state.bedrock.assign(state.grid.count(), glm::vec2(0));
-    state.regolith.assign(state.grid.count(), glm::vec2(0));
-    read_channel("bedrock", state.bedrock, 0);
-    read_channel("bedrock_low", state.bedrock, 1);
-    read_channel("regolith", state.regolith, 0);
-    read_channel("regolith_low", state.regolith, 1);
-    if (spec.channelindex("water") >= 0) {
-        state.water.assign(state.grid.count(), glm::vec4(0));
-        read_channel("water", state.water, 0);
-        read_channel("water_low", state.water, 1);
-        // Other programs' names, with dots, and our own.
-        for (const char* separator : {".", "_"}) {
-            read_channel(std::string("discharge") + separator + "x", state.water, 2);
-            read_channel(std::string("discharge") + separator + "y", state.water, 3);
-        }
-        for (const glm::vec4& water : state.water) check_water(path, water);
-    }
-    if (has_any(inundation_channels)) {
-        state.inundation.assign(state.grid.count(), glm::vec2(0));
-        for (int i = 0; i < 2; ++i)
-            read_channel(inundation_channels[static_cast<std::size_t>(i)], state.inundation, i);
-        for (const glm::vec2& inundation : state.inundation) check_inundation(path, inundation);
-    }
-    if (has_any(suspended_channels)) {
-        state.suspended.assign(state.grid.count(), glm::vec2(0));
-        for (int i = 0; i < 2; ++i)
-            read_channel(suspended_channels[static_cast<std::size_t>(i)], state.suspended, i);
-        for (const glm::vec2& load : state.suspended) check_suspended(path, load);
-    }
-    if (has_any(painted_channels)) {
-        state.painted.assign(state.grid.count(), glm::vec4(0));
-        for (int i = 0; i < 3; ++i)
-            read_channel(painted_channels[static_cast<std::size_t>(i)], state.painted, i);
-        for (const glm::vec4& painted : state.painted) check_painted(path, painted);
-    }
+    for (const LayerDescription& layer : layers()) read_layer(path, *input, layer, state);
     state.springs = springs_from(path, spec.get_string_attribute("talus:springs"));
     for (const Spring& spring : state.springs) check_spring(state.grid, spring);
     return document;
@@ -183,14 +140,11 @@ Document open_document(const fs::path& path, const ImportSettings& settings) {
 
 void save_document(const fs::path& path, const Document& document) {
     const TerrainState& state = document.state;
-    std::vector<std::string> names = channels;
-    const auto add_names = [&](bool there, const std::vector<std::string>& more) {
-        if (there) names.insert(names.end(), more.begin(), more.end());
-    };
-    add_names(!state.water.empty(), water_channels);
-    add_names(!state.inundation.empty(), inundation_channels);
-    add_names(!state.suspended.empty(), suspended_channels);
-    add_names(!state.painted.empty(), painted_channels);
+    // The ground first: it is what picture programs show.
+    std::vector<std::string> names = {"Y"};
+    for (const LayerDescription& layer : layers())
+        if (!words_of(state, layer).empty())
+            for (const std::string& channel : channels_of(layer)) names.push_back(channel);
     OIIO::ImageSpec spec(state.grid.nx, state.grid.ny, static_cast<int>(names.size()), OIIO::TypeDesc::FLOAT);
     spec.channelnames = names;
     spec.attribute("compression", "zip");
@@ -217,46 +171,16 @@ void save_document(const fs::path& path, const Document& document) {
     std::vector<float> pixels;
     pixels.reserve(ground.size() * names.size());
     for (std::size_t i = 0; i < ground.size(); ++i) {
-        pixels.insert(pixels.end(), {ground[i], state.bedrock[i].x, state.bedrock[i].y, state.regolith[i].x,
-                                     state.regolith[i].y});
-        const auto add = [&](const auto& layer, int components) {
-            for (int c = 0; c < components && !layer.empty(); ++c) pixels.push_back(layer[i][c]);
-        };
-        add(state.water, 4);
-        add(state.inundation, 2);
-        add(state.suspended, 2);
-        add(state.painted, 3);
+        pixels.push_back(ground[i]);
+        for (const LayerDescription& layer : layers()) {
+            const std::span<const float> words = words_of(state, layer);
+            if (words.empty()) continue;
+            const std::span<const float> texel = words.subspan(i * static_cast<std::size_t>(layer.words()));
+            pixels.insert(pixels.end(), texel.begin(),
+                          texel.begin() + static_cast<std::ptrdiff_t>(channels_of(layer).size()));
+        }
     }
     write_encoded(path, spec, pixels.data());
-}
-
-std::vector<float> layer_of(const TerrainState& state, const std::string& name) {
-    if (name == "ground") return state.ground();
-    if (name == "water" || name == "level") {
-        std::vector<float> values =
-            name == "level" ? state.ground() : std::vector<float>(state.bedrock.size());
-        for (std::size_t i = 0; i < state.water.size(); ++i) values[i] += state.water[i].x;
-        return values;
-    }
-    const auto component = [&](const auto& layer, int c) {
-        std::vector<float> values(state.bedrock.size());
-        for (std::size_t i = 0; i < layer.size(); ++i) values[i] = layer[i][c];
-        return values;
-    };
-    for (int c = 0; c < 2; ++c)
-        if (name == inundation_channels[static_cast<std::size_t>(c)]) return component(state.inundation, c);
-    if (name == suspended_channels[0]) return component(state.suspended, 0);
-    for (int c = 0; c < 3; ++c)
-        if (name == painted_channels[static_cast<std::size_t>(c)]) return component(state.painted, c);
-    if (name != "bedrock" && name != "regolith")
-        throw Error(
-            fmt::format("--layer '{}' is not a layer, it must be one of: ground, bedrock, regolith, "
-                        "water, level, depth_max, arrival_s, suspended, hardness, mask, rain",
-                        name));
-    const std::vector<glm::vec2>& words = name == "bedrock" ? state.bedrock : state.regolith;
-    std::vector<float> values(words.size());
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = words[i].x + words[i].y;
-    return values;
 }
 
 }  // namespace talus

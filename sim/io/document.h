@@ -4,7 +4,7 @@
 #include <string>
 
 #include "sim/io/heightmap.h"
-#include "sim/terrain/terrain.h"
+#include "sim/terrain/terrain_state.h"
 
 namespace talus {
 
@@ -22,14 +22,9 @@ bool is_document(const std::filesystem::path& path);
 /// Opens a Talus document (multi-channel EXR with a channel `bedrock`) or, as bedrock, any heightmap.
 Document open_document(const std::filesystem::path& path, const ImportSettings& settings);
 
-/// Writes everything a run continues from, to the bit: float channels bedrock and regolith, their low words
-/// as bedrock_low and regolith_low, where there is water its depth as water and water_low and its discharge
-/// as discharge_x and discharge_y (m²/s east and north), the ground as Y for picture programs; clock,
-/// spacing, coordinate system, springs and parameters as attributes.
+/// Writes everything a run continues from, to the bit: a float channel for every word of every layer that is
+/// there (sim/terrain/layers.h), the ground as Y for picture programs; clock, spacing, coordinate system,
+/// springs and parameters as attributes.
 void save_document(const std::filesystem::path& path, const Document& document);
-
-/// Names that a layer output can have: ground, bedrock, regolith, water (its depth), level (ground and
-/// water).
-std::vector<float> layer_of(const TerrainState& state, const std::string& name);
 
 }  // namespace talus

@@ -8,6 +8,8 @@
 
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
+#include "sim/io/heightmap_formats.h"
+#include "sim/terrain/layers.h"
 #include "sim/terrain/reshape.h"
 
 namespace talus {
@@ -33,7 +35,7 @@ std::vector<std::string> endings_of(ExportKind kind) {
         case ExportKind::godot:
             return {".r16", ".exr"};
         default:
-            return {".tif", ".tiff", ".exr", ".png", ".r16", ".r32"};
+            return writable_endings();
     }
 }
 
@@ -110,7 +112,7 @@ glm::ivec2 samples_for_engine(const Grid& grid, const ExportSettings& settings) 
 Heightmap for_engine(const Document& document, const ExportSettings& settings) {
     const Grid& grid = document.state.grid;
     const glm::ivec2 samples = samples_for_engine(grid, settings);
-    TerrainState ground = bedrock_terrain(grid, layer_of(document.state, settings.layer));
+    TerrainState ground = bedrock_terrain(grid, output_of(document.state, settings.layer));
     ground = resampled(ground, samples.x, samples.y);
     Heightmap heightmap;
     heightmap.grid = ground.grid;
@@ -193,7 +195,7 @@ Exported export_terrain(const Document& document, const ExportSettings& settings
         whole = for_engine(document, settings);
     } else {
         whole.grid = document.state.grid;
-        whole.heights = layer_of(document.state, settings.layer);
+        whole.heights = output_of(document.state, settings.layer);
         whole.georeference = document.state.georeference;
     }
     Exported exported;
@@ -250,19 +252,20 @@ std::vector<std::string> losses(const TerrainState& state, const ExportSettings&
     };
     layer(std::any_of(state.regolith.begin(), state.regolith.end(), [](glm::vec2 r) { return r.x > 0; }),
           "which part of the ground is regolith");
-    layer(!state.water.empty(), "water");
-    layer(!state.suspended.empty(), "load");
-    layer(!state.painted.empty(), "hardness, mask and rain");
+    for (const LayerDescription& one : talus::layers())
+        if (one.is_optional()) layer(!words_of(state, one).empty(), one.name.c_str());
     if (!layers.empty())
         lost.push_back(fmt::format("not written: {}; a Talus document (Save as) keeps all", layers));
-    const std::vector<float> heights = layer_of(state, settings.layer);
+    const std::vector<float> heights = output_of(state, settings.layer);
     if (is_engine(settings.kind)) {
         const glm::ivec2 samples = samples_for_engine(state.grid, settings);
         if (samples != glm::ivec2(state.grid.nx, state.grid.ny))
             lost.push_back(fmt::format("{} x {} samples are resampled to sizes that it takes: {} x {}",
                                        state.grid.nx, state.grid.ny, samples.x, samples.y));
     }
-    const bool integers = ending == ".png" || ending == ".r16" || ending == ".raw";
+    const HeightmapFormat* format = format_of(settings.path);
+    // Unity's .raw holds integers too.
+    const bool integers = (format && format->rounds) || ending == ".raw";
     if (settings.kind == ExportKind::mesh || settings.kind == ExportKind::normal_map || !integers)
         return lost;
     Heightmap heightmap;

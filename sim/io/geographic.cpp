@@ -14,7 +14,7 @@
 
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
-#include "sim/io/heightmap.h"
+#include "sim/io/heightmap_formats.h"
 
 namespace talus {
 namespace {
@@ -200,7 +200,8 @@ Heightmap read_geographic(const fs::path& path, const ImportSettings& settings) 
     return heightmap;
 }
 
-void write_geotiff(const fs::path& path, const Heightmap& heightmap) {
+// Of floats, so that no range is needed.
+void write_geotiff(const fs::path& path, const Heightmap& heightmap, std::optional<Range>) {
     start_gdal();
     const std::string memory_path = "/vsimem/talus_out.tif";
     const int nx = heightmap.grid.nx;

@@ -1,12 +1,14 @@
 #include "sim/io/heightmap.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 
 #include "sim/gpu/error.h"
+#include "sim/io/heightmap_formats.h"
 
 namespace talus {
 
@@ -14,8 +16,6 @@ namespace fs = std::filesystem;
 
 const char* const range_unused =
     "the heights are metres already, so --range did not change how they were read";
-
-const char* const heightmap_endings = ".tif, .tiff, .exr, .png, .r16, .r32";
 
 std::string ending_of(const fs::path& path) {
     std::string ending = path.extension().string();
@@ -92,36 +92,22 @@ Heightmap read_heightmap(const fs::path& path, const ImportSettings& settings) {
         throw Error(fmt::format("'{}' is a folder, give the path of a heightmap", path.string()));
     if (fs::file_size(path, ignored) == 0)
         throw Error(fmt::format("'{}' is empty, a heightmap was expected", path.string()));
-    const std::string ending = ending_of(path);
-    Heightmap heightmap;
-    if (ending == ".tif" || ending == ".tiff" || ending == ".hgt" || ending == ".asc")
-        heightmap = read_geographic(path, settings);
-    else if (ending == ".png" || ending == ".exr")
-        heightmap = read_picture(path, settings);
-    else if (ending == ".r16" || ending == ".r32" || ending == ".raw")
-        heightmap = read_raw(path, settings);
-    else
-        throw Error(fmt::format("'{}' ends in none of .tif, .tiff, .hgt, .asc, .png, .exr, .r16, .r32, .raw",
-                                path.string()));
+    const HeightmapFormat* format = format_of(path);
+    if (!format)
+        throw Error(
+            fmt::format("'{}' ends in none of {}", path.string(), fmt::join(readable_endings(), ", ")));
+    Heightmap heightmap = format->read(path, settings);
     if (settings.spacing_m) heightmap.grid.dx = heightmap.grid.dy = *settings.spacing_m;
     check_finite(path, heightmap);
     check_grid(heightmap.grid);
     return heightmap;
 }
 
-bool can_write_heightmap(const fs::path& path) {
-    const std::string ending = ending_of(path);
-    return ending == ".tif" || ending == ".tiff" || ending == ".exr" || ending == ".png" ||
-           ending == ".r16" || ending == ".r32";
-}
-
 void write_heightmap(const fs::path& path, const Heightmap& heightmap, std::optional<Range> range) {
-    const std::string ending = ending_of(path);
-    if (ending == ".tif" || ending == ".tiff") return write_geotiff(path, heightmap);
-    if (ending == ".exr" || ending == ".png") return write_picture(path, heightmap, range);
-    if (ending == ".r16" || ending == ".r32") return write_raw(path, heightmap, range);
-    throw Error(
-        fmt::format("cannot write '{}': its ending must be one of {}", path.string(), heightmap_endings));
+    if (!can_write_heightmap(path))
+        throw Error(fmt::format("cannot write '{}': its ending must be one of {}", path.string(),
+                                fmt::join(writable_endings(), ", ")));
+    format_of(path)->write(path, heightmap, range);
 }
 
 }  // namespace talus

@@ -47,33 +47,22 @@ struct Heightmap {
 /// clamped.
 using Range = glm::dvec2;
 
-/// Reads any single-layer format, by the file's ending: tif, tiff, hgt, asc (GDAL); png, exr (OpenImageIO);
-/// r16, r32, raw. Throws talus::Error naming the file and what is wrong with it. Declared nodata is filled by
-/// interpolation and noted; other values that are not finite are refused.
+/// Reads any single-layer format, by the file's ending (sim/io/heightmap_formats.h). Throws talus::Error
+/// naming the file and what is wrong with it. Declared nodata is filled by interpolation and noted; other
+/// values that are not finite are refused.
 Heightmap read_heightmap(const std::filesystem::path& path, const ImportSettings& settings);
 
-/// Writes by the ending: tif, tiff (GeoTIFF float), exr (float), png (16 bit), r16, r32; png, r16 and r32 get
-/// a JSON sidecar. `range` sets the heights of 0 and 65535; without it, lowest and highest. Throws
-/// talus::Error; what was there is still there then.
+/// Writes by the ending; files that cannot hold spacing and range get a JSON sidecar. `range` sets the
+/// heights of the integers 0 and 65535; without it, lowest and highest. Throws talus::Error; what was there
+/// is still there then.
 void write_heightmap(const std::filesystem::path& path, const Heightmap& heightmap,
                      std::optional<Range> range);
 
-/// True for the endings that write_heightmap takes; the text lists them.
-bool can_write_heightmap(const std::filesystem::path& path);
-extern const char* const heightmap_endings;
 /// What is noted where --range was given for heights that are metres already.
 extern const char* const range_unused;
 
 /// The path's ending in lower case, with its dot.
 std::string ending_of(const std::filesystem::path& path);
-
-// The formats, one file each.
-Heightmap read_geographic(const std::filesystem::path& path, const ImportSettings& settings);
-Heightmap read_picture(const std::filesystem::path& path, const ImportSettings& settings);
-Heightmap read_raw(const std::filesystem::path& path, const ImportSettings& settings);
-void write_geotiff(const std::filesystem::path& path, const Heightmap& heightmap);
-void write_picture(const std::filesystem::path& path, const Heightmap& heightmap, std::optional<Range> range);
-void write_raw(const std::filesystem::path& path, const Heightmap& heightmap, std::optional<Range> range);
 
 // What the formats share.
 /// Refuses a size outside of a terrain's limits before anything of it is allocated.

@@ -12,7 +12,7 @@
 
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
-#include "sim/io/heightmap.h"
+#include "sim/io/heightmap_formats.h"
 
 namespace talus {
 namespace {

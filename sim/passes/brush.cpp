@@ -154,7 +154,7 @@ void set_dab(gpu::Program& program, const Terrain& terrain, const Dab& dab, unsi
     program.set("dab_curve", step.curve);
     program.set("dab_length_m", step.length_m);
     program.set("dab_masked", dab.masked ? 1 : 0);
-    if (dab.masked && terrain.painted) terrain.painted->bind_image(mask_unit, gpu::Access::read);
+    if (dab.masked && terrain.painted) terrain.painted->front.bind_image(mask_unit, gpu::Access::read);
 }
 
 Brush::Brush(const Terrain& terrain)

@@ -55,7 +55,7 @@ double erode_longest_s(const Grid& grid, const Dab& dab) {
 
 ErodeBrush::Patch::Patch(const Grid& grid)
     : terrain((flat(grid))),
-      water((terrain.add_suspended(), terrain.add_painted(), terrain)),
+      water((terrain.add(&Terrain::suspended), terrain.add(&Terrain::painted), terrain)),
       thermal(terrain),
       moved("erode brush water", grid.count() * sizeof(glm::vec4)) {}
 
@@ -66,14 +66,14 @@ void ErodeBrush::shift_water(glm::ivec2 by) {
     const glm::ivec2 from = glm::max(by, 0);
     const glm::ivec2 to = glm::max(-by, 0);
     const glm::ivec2 both = size - glm::abs(by);
-    const auto shift = [&](gpu::Texture& layer) {
+    const auto shift = [&](DeviceLayer& layer) {
         const bool meet = both.x > 0 && both.y > 0;
-        if (meet) layer.copy_to(patch_->moved, 0, WaterLayer::texels({from.x, from.y, both.x, both.y}));
-        layer.fill(0);
-        if (meet) layer.copy_from(patch_->moved, 0, WaterLayer::texels({to.x, to.y, both.x, both.y}));
+        if (meet) layer.front.copy_to(patch_->moved, 0, layer.texels({from.x, from.y, both.x, both.y}));
+        layer.front.fill(0);
+        if (meet) layer.front.copy_from(patch_->moved, 0, layer.texels({to.x, to.y, both.x, both.y}));
     };
-    shift(patch_->terrain.water->front);
-    shift(patch_->terrain.suspended->front);
+    shift(*patch_->terrain.water);
+    shift(*patch_->terrain.suspended);
 }
 
 void ErodeBrush::place(const Terrain& terrain, const Dab& dab) {
@@ -94,8 +94,8 @@ void ErodeBrush::place(const Terrain& terrain, const Dab& dab) {
     patch.solid.front.bind_image(1, gpu::Access::write);
     patch.ground.bind_image(2, gpu::Access::write);
     // Where nothing was painted another image stands in for it, unread.
-    (terrain.painted ? *terrain.painted : terrain.solid.front).bind_image(3, gpu::Access::read);
-    patch.painted->bind_image(4, gpu::Access::write);
+    (terrain.painted ? terrain.painted->front : terrain.solid.front).bind_image(3, gpu::Access::read);
+    patch.painted->front.bind_image(4, gpu::Access::write);
     set_dab(program_, terrain, dab, 3);
     program_.set("window_corner", corner_);
     program_.set("window_samples", glm::ivec2(grid.nx, grid.ny));

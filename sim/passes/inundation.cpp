@@ -8,7 +8,7 @@ Inundation::Inundation(const Terrain& terrain)
 void Inundation::record(Terrain& terrain, double simulated_s) {
     terrain.tiles.take(Tiles::inundation, 0, 0, 4, changed_);
     terrain.water->front.bind_image(0, gpu::Access::read);
-    terrain.inundation->bind_image(1, gpu::Access::read_write);
+    terrain.inundation->front.bind_image(1, gpu::Access::read_write);
     terrain.tiles.bind_for_marking();
     changed_.buffer.bind_storage(1);
     program_.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));

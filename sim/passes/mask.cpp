@@ -34,8 +34,8 @@ void check_mask(const MaskSettings& settings) {
 
 void Mask::make(Terrain& terrain, const MaskSettings& settings) {
     const Grid& grid = terrain.grid();
-    terrain.add_painted();
-    terrain.painted->bind_image(0, gpu::Access::read_write);
+    terrain.add(&Terrain::painted);
+    terrain.painted->front.bind_image(0, gpu::Access::read_write);
     terrain.ground.bind_image(1, gpu::Access::read);
     if (terrain.water) terrain.water->front.bind_image(2, gpu::Access::read);
     terrain.tiles.bind_for_marking();

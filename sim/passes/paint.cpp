@@ -2,15 +2,11 @@
 
 namespace talus {
 
-double most_painted(PaintedLayer layer) {
-    return layer == PaintedLayer::rain ? 1e4 : 1;
-}
-
 void Paint::dab(Terrain& terrain, const Dab& dab) {
     const std::vector<int> reached = terrain.tiles.touched_by(dab_region(terrain.grid(), dab));
     if (reached.empty()) return;
-    terrain.add_painted();
-    terrain.painted->bind_image(0, gpu::Access::read_write);
+    terrain.add(&Terrain::painted);
+    terrain.painted->front.bind_image(0, gpu::Access::read_write);
     terrain.tiles.bind_for_marking();
     set_dab(program_, terrain, dab, 1);
     program_.set("painted_layer", static_cast<int>(painted_layer(dab.material)));

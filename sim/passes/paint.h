@@ -5,9 +5,6 @@
 
 namespace talus {
 
-/// The largest value of a painted layer; the smallest is 0.
-double most_painted(PaintedLayer layer);
-
 /// Applies dabs of paint: they bring a painted layer nearer to the dab's target.
 class Paint {
   public:

@@ -37,8 +37,8 @@ void Sediment::exchange(Terrain& terrain, const SedimentStep& step, double gravi
     gpu::Program& program = terrain.painted ? painted_program_ : program_;
     terrain.water->front.bind_image(0, gpu::Access::read);
     terrain.suspended->front.bind_image(1, gpu::Access::read_write);
-    terrain.water->bed.bind_image(2, gpu::Access::read);
-    if (terrain.painted) terrain.painted->bind_image(3, gpu::Access::read);
+    terrain.water_bed.bind_image(2, gpu::Access::read);
+    if (terrain.painted) terrain.painted->front.bind_image(3, gpu::Access::read);
     terrain.solid.front.bind_image(4, gpu::Access::read_write);
     terrain.ground.bind_image(5, gpu::Access::write);
     terrain.tiles.bind_for_marking();
@@ -63,7 +63,7 @@ void Sediment::exchange(Terrain& terrain, const SedimentStep& step, double gravi
                   gpu::Use::buffer_transfer});
 
     terrain.ground.bind_image(0, gpu::Access::read);
-    terrain.water->bed.bind_image(1, gpu::Access::write);
+    terrain.water_bed.bind_image(1, gpu::Access::write);
     bed_program_.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
     bed_program_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
     bed_program_.dispatch_indirect(list);

@@ -72,7 +72,7 @@ void Thermal::substep(Terrain& terrain, const ThermalStep& step) {
     const bool wet = terrain.water && step.wet_slope != step.repose_slope;
     gpu::Program& program = program_of(wet, step.masked);
     if (wet) terrain.water->front.bind_image(3, gpu::Access::read);
-    if (step.masked) terrain.painted->bind_image(4, gpu::Access::read);
+    if (step.masked) terrain.painted->front.bind_image(4, gpu::Access::read);
     terrain.bind(program);
     active_.buffer.bind_storage(1);
     program.set("cell_m", step.cell_m);

@@ -204,10 +204,10 @@ void Water::begin_tick(Terrain& terrain, const WaterSettings& settings, const st
     }
 
     terrain.tiles.take(Tiles::bed, 0, 0, 1, active_);
-    WaterLayer& water = *terrain.water;
+    DeviceLayer& water = *terrain.water;
     water.front.bind_image(0, gpu::Access::read);
     water.back.bind_image(1, gpu::Access::write);
-    water.bed.bind_image(2, gpu::Access::write);
+    terrain.water_bed.bind_image(2, gpu::Access::write);
     terrain.ground.bind_image(3, gpu::Access::read);
     terrain.tiles.bind_for_marking();
     active_.buffer.bind_storage(1);
@@ -278,7 +278,7 @@ void Water::substep(Terrain& terrain) {
         ghosts.set("sediment_speedup", sediment.speedup);
     }
     const double loss = settings_.infiltration_m_per_s + settings_.evaporation_m_per_s;
-    WaterLayer& water = *terrain.water;
+    DeviceLayer& water = *terrain.water;
     for (int stage = 1; stage <= 2; ++stage) {
         const gpu::Texture& from = stage == 1 ? water.front : water.back;
         const gpu::Texture& to = stage == 1 ? water.back : water.front;
@@ -290,7 +290,7 @@ void Water::substep(Terrain& terrain) {
             load_from->bind_image(3, gpu::Access::read_write);
         }
         from.bind_image(0, gpu::Access::read_write);
-        water.bed.bind_image(2, gpu::Access::read_write);
+        terrain.water_bed.bind_image(2, gpu::Access::read_write);
         ghosts.set("samples", samples);
         ghosts.set("tiles", tiles);
         ghosts.set("stage", stage - 1);
@@ -313,13 +313,13 @@ void Water::substep(Terrain& terrain) {
         gpu::Program& program = stage_program(stage);
         from.bind_image(0, gpu::Access::read);
         to.bind_image(1, gpu::Access::read_write);
-        water.bed.bind_image(2, gpu::Access::read);
+        terrain.water_bed.bind_image(2, gpu::Access::read);
         program.set("samples", samples);
         program.set("tiles", tiles);
         program.set("gravity", gravity);
         program.set("rain_m_per_s", rain);
         program.set("rain_masked", settings_.rain_masked ? 1 : 0);
-        if (rain_map) terrain.painted->bind_image(3, gpu::Access::read);
+        if (rain_map) terrain.painted->front.bind_image(3, gpu::Access::read);
         if (carried) {
             load_from->bind_image(4, gpu::Access::read);
             load_to->bind_image(5, gpu::Access::read_write);

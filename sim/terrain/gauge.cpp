@@ -30,7 +30,7 @@ GaugeReading read_gauge(const Terrain& terrain, double x_m, double y_m) {
     reading.ground_m = ground;
     if (!terrain.water) return reading;
     glm::vec4 water(0);
-    terrain.water->front.read(WaterLayer::texels(sample), std::as_writable_bytes(std::span(&water, 1)));
+    terrain.water->front.read(terrain.water->texels(sample), std::as_writable_bytes(std::span(&water, 1)));
     set_water(reading, water);
     return reading;
 }

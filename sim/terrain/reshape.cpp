@@ -7,6 +7,7 @@
 
 #include "sim/gpu/error.h"
 #include "sim/terrain/filter.h"
+#include "sim/terrain/layers.h"
 
 namespace talus {
 namespace {
@@ -30,45 +31,79 @@ Taps resampling(int count, int new_count, double kernel_reach, double (*kernel)(
         [widened, kernel](double x) { return kernel(x / widened); });
 }
 
-glm::vec2 words_of(double height) {
-    const auto high = static_cast<float>(height);
-    return {high, static_cast<float>(height - high)};
-}
-
 double sum_of(glm::vec2 words) {
     return static_cast<double>(words.x) + words.y;
 }
 
-// Resamples one number of each texel of a layer: `get` takes it out, `set` puts it in.
-template <typename Texel, typename Get, typename Set>
-void resample_part(const std::vector<Texel>& from, int nx, const Taps& columns, const Taps& rows,
-                   std::vector<Texel>& to, Get get, Set set) {
-    std::vector<double> plane(from.size());
-    std::transform(from.begin(), from.end(), plane.begin(), get);
-    const std::vector<double> resampled_plane = filtered(plane, nx, columns, rows);
-    to.resize(resampled_plane.size());
-    for (std::size_t i = 0; i < to.size(); ++i) set(to[i], resampled_plane[i]);
+// One number of each texel of a layer, at the float that it begins with, from one state into another.
+struct NumberAt {
+    const LayerDescription& layer;
+    const LayerNumber& number;
+    std::size_t word;
+
+    std::size_t place(std::size_t texel) const {
+        return texel * static_cast<std::size_t>(layer.words()) + word;
+    }
+    double get(std::span<const float> words, std::size_t texel) const {
+        const float* at = &words[place(texel)];
+        return number.two_words ? sum_of({at[0], at[1]}) : at[0];
+    }
+    void set(std::span<float> words, std::size_t texel, double value) const {
+        float* at = &words[place(texel)];
+        at[0] = static_cast<float>(value);
+        if (number.two_words) at[1] = static_cast<float>(value - at[0]);
+    }
+};
+
+// By how many taps each way of resampling finds a sample, along columns and rows.
+struct Filter {
+    Taps columns;
+    Taps rows;
+};
+
+void resample_number(const NumberAt& number, const TerrainState& from, TerrainState& to,
+                     const Filter& filter) {
+    const std::span<const float> old_words = words_of(from, number.layer);
+    const std::span<float> words = words_of(to, number.layer);
+    std::vector<double> plane(from.grid.count());
+    for (std::size_t i = 0; i < plane.size(); ++i) plane[i] = number.get(old_words, i);
+    const std::vector<double> resampled_plane = filtered(plane, from.grid.nx, filter.columns, filter.rows);
+    for (std::size_t i = 0; i < resampled_plane.size(); ++i) number.set(words, i, resampled_plane[i]);
+}
+
+// A time of arrival beside a place where none arrived is no mean of both.
+void take_nearest(const NumberAt& number, const TerrainState& from, TerrainState& to) {
+    const std::span<const float> old_words = words_of(from, number.layer);
+    const std::span<float> words = words_of(to, number.layer);
+    const auto nearest = [](int at, int count, int old_count) {
+        return static_cast<std::size_t>(std::lround(at * (old_count - 1.0) / (count - 1)));
+    };
+    std::size_t i = 0;
+    for (int y = 0; y < to.grid.ny; ++y)
+        for (int x = 0; x < to.grid.nx; ++x, ++i) {
+            const std::size_t old =
+                nearest(y, to.grid.ny, from.grid.ny) * from.grid.nx + nearest(x, to.grid.nx, from.grid.nx);
+            number.set(words, i, number.get(old_words, old));
+        }
 }
 
 // Every layer, texel by texel: `at` says which old sample a new one is.
 template <typename At>
 void move_samples(const TerrainState& from, TerrainState& to, At at) {
-    const auto move = [&](const auto& old_layer, auto& new_layer) {
-        if (old_layer.empty()) return;
-        new_layer.resize(to.grid.count());
+    for (const LayerDescription& layer : layers()) {
+        const std::span<const float> old_words = words_of(from, layer);
+        if (old_words.empty()) continue;
+        make_layer(to, layer, to.grid.count());
+        const auto size = static_cast<std::ptrdiff_t>(layer.words());
+        auto texel = words_of(to, layer).begin();
         for (int y = 0; y < to.grid.ny; ++y)
             for (int x = 0; x < to.grid.nx; ++x) {
                 const glm::ivec2 old = at(x, y);
-                new_layer[static_cast<std::size_t>(y) * to.grid.nx + x] =
-                    old_layer[static_cast<std::size_t>(old.y) * from.grid.nx + old.x];
+                const auto old_texel =
+                    old_words.begin() + (static_cast<std::ptrdiff_t>(old.y) * from.grid.nx + old.x) * size;
+                texel = std::copy(old_texel, old_texel + size, texel);
             }
-    };
-    move(from.bedrock, to.bedrock);
-    move(from.regolith, to.regolith);
-    move(from.water, to.water);
-    move(from.inundation, to.inundation);
-    move(from.suspended, to.suspended);
-    move(from.painted, to.painted);
+    }
 }
 
 // Everything but grid and layers.
@@ -86,7 +121,12 @@ TerrainState turned_once(const TerrainState& state) {
     TerrainState next = same_moment(state);
     next.grid = {old.ny, old.nx, old.dy, old.dx};
     move_samples(state, next, [&](int x, int y) { return glm::ivec2(old.nx - 1 - y, x); });
-    for (glm::vec4& water : next.water) water = {water.x, water.y, -water.w, water.z};
+    for (const LayerDescription& layer : layers()) {
+        if (!layer.turn) continue;
+        const std::span<float> words = words_of(next, layer);
+        const auto size = static_cast<std::size_t>(layer.words());
+        for (std::size_t at = 0; at < words.size(); at += size) layer.turn(words.subspan(at, size));
+    }
     for (Spring& spring : next.springs)
         spring = {old.height_m() - spring.y_m, spring.x_m, spring.rate_m3_per_s};
     // What was turned lies there no more.
@@ -102,40 +142,21 @@ TerrainState resampled(const TerrainState& state, int nx, int ny) {
     next.grid = {nx, ny, nx > 1 ? old.width_m() / (nx - 1) : 0, ny > 1 ? old.height_m() / (ny - 1) : 0};
     check_grid(next.grid);
     if (nx == old.nx && ny == old.ny) return state;
-    const Taps smooth_columns = resampling(old.nx, nx, 2, cubic);
-    const Taps smooth_rows = resampling(old.ny, ny, 2, cubic);
-    const Taps columns = resampling(old.nx, nx, 1, straight);
-    const Taps rows = resampling(old.ny, ny, 1, straight);
-    const auto pair = [](glm::vec2& texel, double value) { texel = words_of(value); };
-    resample_part(state.bedrock, old.nx, smooth_columns, smooth_rows, next.bedrock, sum_of, pair);
-    resample_part(state.regolith, old.nx, columns, rows, next.regolith, sum_of, pair);
-    if (!state.suspended.empty())
-        resample_part(state.suspended, old.nx, columns, rows, next.suspended, sum_of, pair);
-    if (!state.water.empty())
-        resample_part(
-            state.water, old.nx, columns, rows, next.water,
-            [](const glm::vec4& water) {
-                return sum_of({water.x, water.y});
-            },
-            [](glm::vec4& water, double depth) { water = glm::vec4(words_of(depth), 0, 0); });
-    const auto each_component = [&](const auto& from, auto& to, int begin, int end) {
-        if (from.empty()) return;
-        for (int k = begin; k < end; ++k)
-            resample_part(
-                from, old.nx, columns, rows, to,
-                [k](const auto& texel) { return static_cast<double>(texel[k]); },
-                [k](auto& texel, double value) { texel[k] = static_cast<float>(value); });
-    };
-    each_component(state.water, next.water, 2, 4);
-    each_component(state.painted, next.painted, 0, 4);
-    each_component(state.inundation, next.inundation, 0, 1);
-    // A time of arrival beside a place where none arrived is no mean of both.
-    for (std::size_t i = 0; i < next.inundation.size(); ++i) {
-        const auto x = static_cast<int>(i % static_cast<std::size_t>(nx));
-        const auto y = static_cast<int>(i / static_cast<std::size_t>(nx));
-        const auto old_x = static_cast<int>(std::lround(x * (old.nx - 1.0) / (nx - 1)));
-        const auto old_y = static_cast<int>(std::lround(y * (old.ny - 1.0) / (ny - 1)));
-        next.inundation[i].y = state.inundation[static_cast<std::size_t>(old_y) * old.nx + old_x].y;
+    const Filter smooth = {resampling(old.nx, nx, 2, cubic), resampling(old.ny, ny, 2, cubic)};
+    const Filter linear = {resampling(old.nx, nx, 1, straight), resampling(old.ny, ny, 1, straight)};
+    for (const LayerDescription& layer : layers()) {
+        if (words_of(state, layer).empty()) continue;
+        make_layer(next, layer, next.grid.count());
+        std::size_t word = 0;
+        for (const LayerNumber& number : layer.numbers) {
+            const NumberAt place{layer, number, word};
+            if (number.resampling == Resampling::nearest)
+                take_nearest(place, state, next);
+            else
+                resample_number(place, state, next,
+                                number.resampling == Resampling::height ? smooth : linear);
+            word += number.two_words ? 2 : 1;
+        }
     }
     if (next.georeference) {
         std::array<double, 6>& t = next.georeference->transform;

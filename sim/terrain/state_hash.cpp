@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "sim/terrain/layers.h"
+
 namespace talus {
 
 std::uint64_t state_hash(const TerrainState& state) {
@@ -13,12 +15,10 @@ std::uint64_t state_hash(const TerrainState& state) {
     const std::array<double, 3> real = {state.grid.dx, state.grid.dy, state.clock.simulated_s};
     XXH3_64bits_update(hash, whole.data(), sizeof(whole));
     XXH3_64bits_update(hash, real.data(), sizeof(real));
-    XXH3_64bits_update(hash, state.bedrock.data(), state.bedrock.size() * sizeof(glm::vec2));
-    XXH3_64bits_update(hash, state.regolith.data(), state.regolith.size() * sizeof(glm::vec2));
-    XXH3_64bits_update(hash, state.water.data(), state.water.size() * sizeof(glm::vec4));
-    XXH3_64bits_update(hash, state.inundation.data(), state.inundation.size() * sizeof(glm::vec2));
-    XXH3_64bits_update(hash, state.suspended.data(), state.suspended.size() * sizeof(glm::vec2));
-    XXH3_64bits_update(hash, state.painted.data(), state.painted.size() * sizeof(glm::vec4));
+    for (const LayerDescription& layer : layers()) {
+        const std::span<const float> words = words_of(state, layer);
+        XXH3_64bits_update(hash, words.data(), words.size_bytes());
+    }
     XXH3_64bits_update(hash, state.springs.data(), state.springs.size() * sizeof(Spring));
     if (state.edges_since_s != 0) XXH3_64bits_update(hash, &state.edges_since_s, sizeof(state.edges_since_s));
     const std::uint64_t value = XXH3_64bits_digest(hash);

@@ -1,49 +1,42 @@
 #include "sim/terrain/state_readback.h"
 
-#include <cstring>
+#include <algorithm>
 #include <utility>
 
+#include "sim/terrain/layers.h"
+
 namespace talus {
-namespace {
-
-template <typename Texel>
-void take(const std::vector<float>& words, std::vector<Texel>& layer) {
-    layer.resize(words.size() * sizeof(float) / sizeof(Texel));
-    std::memcpy(layer.data(), words.data(), words.size() * sizeof(float));
-}
-
-}  // namespace
-
 void StateReadback::start(const Terrain& terrain) {
     state_.emplace();
     state_->grid = terrain.grid();
     const gpu::Region all = terrain.ground.whole();
-    layers_[0].start(terrain.solid.front, all);
-    if (terrain.water) layers_[1].start(terrain.water->front, WaterLayer::texels(all));
-    if (terrain.inundation) layers_[2].start(*terrain.inundation, all);
-    if (terrain.suspended) layers_[3].start(terrain.suspended->front, WaterLayer::texels(all));
-    if (terrain.painted) layers_[4].start(*terrain.painted, all);
+    solid_.start(terrain.solid.front, all);
+    layers_.resize(layers().size());
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+        const LayerDescription& layer = layers()[i];
+        if (!layer.is_optional() || !(terrain.*layer.image)) continue;
+        const DeviceLayer& image = *(terrain.*layer.image);
+        layers_[i].start(image.front, image.texels(all));
+    }
 }
 
 std::optional<TerrainState> StateReadback::poll() {
     if (!state_) return std::nullopt;
+    // One layer a frame.
+    if (solid_.pending()) {
+        const auto words = solid_.poll();
+        for (std::size_t k = 0; words && k < words->size(); k += 4) {
+            state_->bedrock.emplace_back((*words)[k], (*words)[k + 1]);
+            state_->regolith.emplace_back((*words)[k + 2], (*words)[k + 3]);
+        }
+        return std::nullopt;
+    }
     for (std::size_t i = 0; i < layers_.size(); ++i) {
         if (!layers_[i].pending()) continue;
-        const auto words = layers_[i].poll();
-        if (!words) return std::nullopt;
-        if (i == 0) {
-            state_->bedrock.reserve(words->size() / 4);
-            state_->regolith.reserve(words->size() / 4);
-            for (std::size_t k = 0; k < words->size(); k += 4) {
-                state_->bedrock.emplace_back((*words)[k], (*words)[k + 1]);
-                state_->regolith.emplace_back((*words)[k + 2], (*words)[k + 3]);
-            }
+        if (const auto words = layers_[i].poll()) {
+            make_layer(*state_, layers()[i], state_->grid.count());
+            std::copy(words->begin(), words->end(), words_of(*state_, layers()[i]).begin());
         }
-        if (i == 1) take(*words, state_->water);
-        if (i == 2) take(*words, state_->inundation);
-        if (i == 3) take(*words, state_->suspended);
-        if (i == 4) take(*words, state_->painted);
-        // The others in the next frames.
         return std::nullopt;
     }
     std::optional<TerrainState> read = std::move(state_);
@@ -53,6 +46,7 @@ std::optional<TerrainState> StateReadback::poll() {
 }
 
 void StateReadback::cancel() {
+    solid_.cancel();
     for (gpu::Readback& layer : layers_) layer.cancel();
     state_.reset();
 }

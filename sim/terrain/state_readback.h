@@ -1,6 +1,6 @@
 #pragma once
-#include <array>
 #include <optional>
+#include <vector>
 
 #include "sim/gpu/readback.h"
 #include "sim/terrain/terrain.h"
@@ -23,7 +23,8 @@ class StateReadback {
 
   private:
     std::optional<TerrainState> state_;
-    std::array<gpu::Readback, 5> layers_;  // solid, and the optional ones
+    gpu::Readback solid_;
+    std::vector<gpu::Readback> layers_;  // as layers() has them; those of the solid stay unused
 };
 
 }  // namespace talus

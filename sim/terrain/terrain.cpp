@@ -3,36 +3,18 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/terrain/layers.h"
+
 namespace talus {
 
-std::vector<float> TerrainState::ground() const {
-    std::vector<float> heights(bedrock.size());
-    for (std::size_t i = 0; i < heights.size(); ++i)
-        heights[i] = (bedrock[i].x + regolith[i].x) + (bedrock[i].y + regolith[i].y);
-    return heights;
+namespace {
+
+const LayerDescription& description_of(std::optional<DeviceLayer> Terrain::*image) {
+    return *std::find_if(layers().begin(), layers().end(),
+                         [&](const LayerDescription& layer) { return layer.image == image; });
 }
 
-void drop_zero_layers(TerrainState& state) {
-    const auto drop = [](auto& layer) {
-        using Texel = typename std::remove_reference_t<decltype(layer)>::value_type;
-        if (std::all_of(layer.begin(), layer.end(), [](const Texel& texel) { return texel == Texel(0); }))
-            layer.clear();
-    };
-    drop(state.water);
-    drop(state.inundation);
-    drop(state.suspended);
-    drop(state.painted);
-}
-
-TerrainState bedrock_terrain(const Grid& grid, const std::vector<float>& heights_m) {
-    check_grid(grid);
-    TerrainState state;
-    state.grid = grid;
-    state.bedrock.reserve(heights_m.size());
-    for (const float height : heights_m) state.bedrock.emplace_back(height, 0.0F);
-    state.regolith.assign(heights_m.size(), glm::vec2(0));
-    return state;
-}
+}  // namespace
 
 Terrain::Terrain(const TerrainState& state)
     : tiles((check_grid(state.grid), state.grid)), grid_(state.grid), ground_program_("sim/ground.comp") {
@@ -52,52 +34,26 @@ Terrain::Terrain(const TerrainState& state)
     }
     start.write(all, std::as_bytes(std::span(words)));
     write_solid(state);
-    if (!state.water.empty()) {
-        add_water();
-        write_water(all, state.water);
-    }
-    if (!state.inundation.empty()) {
-        add_water();
-        inundation->write(all, std::as_bytes(std::span(state.inundation)));
-    }
-    if (!state.suspended.empty()) {
-        add_suspended();
-        suspended->front.write(WaterLayer::texels(all), std::as_bytes(std::span(state.suspended)));
-    }
-    write_painted(state.painted);
+    for (const LayerDescription& layer : layers())
+        if (layer.is_optional()) write(layer.image, state);
 }
 
-void Terrain::add_water() {
-    if (water) return;
-    water.emplace(grid_);
-    inundation.emplace("inundation", gpu::Format::rg32f, grid_.nx, grid_.ny);
-    inundation->fill(0);
-    tiles.mark_all();
-}
-
-void Terrain::add_suspended() {
-    if (suspended) return;
-    add_water();
-    const auto image = [&](const char* label) {
-        gpu::Texture texture(label, gpu::Format::rg32f, grid_.nx + 2 * WaterLayer::ghosts,
-                             grid_.ny + 2 * WaterLayer::ghosts);
-        texture.fill(0);
-        return texture;
+void Terrain::add(std::optional<DeviceLayer> Terrain::*image) {
+    if (this->*image) return;
+    const LayerDescription& layer = description_of(image);
+    const auto texture = [&](const std::string& label, gpu::Format format) {
+        gpu::Texture made(label, format, grid_.nx + 2 * layer.ghosts, grid_.ny + 2 * layer.ghosts);
+        made.fill(0);
+        return made;
     };
-    suspended = Layer{image("suspended front"), image("suspended back")};
-}
-
-void Terrain::add_painted() {
-    if (painted) return;
-    painted.emplace("painted", gpu::Format::rgba32f, grid_.nx, grid_.ny);
-    painted->fill(0);
-}
-
-std::array<OptionalLayer, 4> Terrain::optional_layers() {
-    return {OptionalLayer{water ? &water->front : nullptr, gpu::Format::rgba32f, WaterLayer::ghosts},
-            OptionalLayer{inundation ? &*inundation : nullptr, gpu::Format::rg32f, 0},
-            OptionalLayer{suspended ? &suspended->front : nullptr, gpu::Format::rg32f, WaterLayer::ghosts},
-            OptionalLayer{painted ? &*painted : nullptr, gpu::Format::rgba32f, 0}};
+    const gpu::Format format = layer.words() == 2 ? gpu::Format::rg32f : gpu::Format::rgba32f;
+    DeviceLayer& added = (this->*image).emplace();
+    added.ghosts = layer.ghosts;
+    added.front = texture(layer.name + " front", format);
+    if (layer.has_back) added.back = texture(layer.name + " back", format);
+    if (image == &Terrain::water) water_bed = texture("water bed", gpu::Format::r32f);
+    for (const std::string& needed : layer.needs) add(layer_named(needed).image);
+    tiles.mark_all();
 }
 
 void Terrain::write_solid(const TerrainState& state) {
@@ -109,15 +65,12 @@ void Terrain::write_solid(const TerrainState& state) {
     refresh(solid.front.whole());
 }
 
-void Terrain::write_painted(std::span<const glm::vec4> values) {
-    if (values.empty()) return;
-    add_painted();
-    painted->write(painted->whole(), std::as_bytes(values));
-    tiles.mark_all();
-}
-
-void Terrain::write_water(const gpu::Region& samples, std::span<const glm::vec4> values) {
-    water->front.write(WaterLayer::texels(samples), std::as_bytes(values));
+void Terrain::write(std::optional<DeviceLayer> Terrain::*image, const TerrainState& state) {
+    const std::span<const float> words = words_of(state, description_of(image));
+    if (words.empty()) return;
+    add(image);
+    DeviceLayer& layer = *(this->*image);
+    layer.front.write(layer.texels(ground.whole()), std::as_bytes(words));
     tiles.mark_all();
 }
 
@@ -154,18 +107,12 @@ TerrainState Terrain::read() const {
         state.bedrock.emplace_back(texel.x, texel.y);
         state.regolith.emplace_back(texel.z, texel.w);
     }
-    if (water) {
-        state.water.resize(grid_.count());
-        water->front.read(WaterLayer::texels({0, 0, grid_.nx, grid_.ny}),
-                          std::as_writable_bytes(std::span(state.water)));
+    for (const LayerDescription& layer : layers()) {
+        if (!layer.is_optional() || !(this->*layer.image)) continue;
+        const DeviceLayer& image = *(this->*layer.image);
+        make_layer(state, layer, grid_.count());
+        image.front.read(image.texels(ground.whole()), std::as_writable_bytes(words_of(state, layer)));
     }
-    if (inundation) state.inundation = inundation->read_all<glm::vec2>();
-    if (suspended) {
-        state.suspended.resize(grid_.count());
-        suspended->front.read(WaterLayer::texels({0, 0, grid_.nx, grid_.ny}),
-                              std::as_writable_bytes(std::span(state.suspended)));
-    }
-    if (painted) state.painted = painted->read_all<glm::vec4>();
     drop_zero_layers(state);
     return state;
 }

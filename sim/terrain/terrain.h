@@ -1,67 +1,12 @@
 #pragma once
-#include <array>
-#include <cstdint>
-#include <glm/glm.hpp>
 #include <optional>
-#include <span>
-#include <vector>
 
 #include "sim/gpu/program.h"
 #include "sim/gpu/texture.h"
-#include "sim/terrain/georeference.h"
-#include "sim/terrain/grid.h"
+#include "sim/terrain/terrain_state.h"
 #include "sim/terrain/tiles.h"
-#include "sim/terrain/water_layer.h"
 
 namespace talus {
-
-/// Simulated time since the start.
-struct Clock {
-    std::int64_t ticks = 0;
-    double simulated_s = 0;
-    bool operator==(const Clock&) const = default;
-};
-
-/// Water that comes out of the ground at a place.
-struct Spring {
-    double x_m = 0;
-    double y_m = 0;
-    double rate_m3_per_s = 0;
-    bool operator==(const Spring&) const = default;
-};
-
-/// Everything that a run continues from, in main memory: rows of samples, row 0 north, heights in metres as
-/// two words (high, low). What the document stores.
-struct TerrainState {
-    Grid grid;
-    std::vector<glm::vec2> bedrock;
-    std::vector<glm::vec2> regolith;
-    /// Depth, m, two words, and discharge east and north, m²/s; empty: no water was ever here.
-    std::vector<glm::vec4> water;
-    /// Largest depth so far, m, and the simulated time at which water arrived, s; empty: none ever did.
-    std::vector<glm::vec2> inundation;
-    /// Solid in the water above a sample, m, two words; empty: none.
-    std::vector<glm::vec2> suspended;
-    /// What brushes painted, as PaintedLayer says; empty: nothing.
-    std::vector<glm::vec4> painted;
-    std::vector<Spring> springs;
-    /// The simulated time from which inflow and wave maker count: when they were last set.
-    double edges_since_s = 0;
-    Clock clock;
-    std::optional<Georeference> georeference;
-
-    /// Ground = bedrock + regolith, rounded to one float a sample.
-    std::vector<float> ground() const;
-};
-
-/// An optional layer that is zero throughout is none.
-void drop_zero_layers(TerrainState& state);
-
-/// A terrain of one layer of bedrock. Throws talus::Error when the grid cannot be used.
-TerrainState bedrock_terrain(const Grid& grid, const std::vector<float>& heights_m);
-
-/// Components of the painted layer: hardness and mask, 0 to 1, and rain, mm/h.
-enum class PaintedLayer { hardness = 0, mask = 1, rain = 2 };
 
 /// A layer on the device: passes read `front` and write `back`. Both hold the same bits in tiles at rest.
 struct Layer {
@@ -69,13 +14,17 @@ struct Layer {
     gpu::Texture back;
 };
 
-/// A layer that is there once something needs it, and zero before: its image, if it is there, and the ghost
-/// samples around it.
-struct OptionalLayer {
-    gpu::Texture* front = nullptr;
-    gpu::Format format = gpu::Format::rgba32f;
+/// Samples around the water, its bed and its load, beyond the map's edges.
+constexpr int water_ghosts = 2;
+
+/// A layer that is there once something needs it; it is 0 before. As LayerDescription says, it has a back
+/// image, and ghost samples around.
+struct DeviceLayer {
+    gpu::Texture front;
+    gpu::Texture back;
     int ghosts = 0;
 
+    /// The texels of these samples.
     gpu::Region texels(const gpu::Region& samples) const {
         return {samples.x + ghosts, samples.y + ghosts, samples.width, samples.height};
     }
@@ -91,11 +40,14 @@ class Terrain {
     gpu::Texture ground;  ///< m, one float: what the eye sees; every pass that writes layers writes it too
     gpu::Texture start;   ///< m, two words: the ground when the terrain was made, for the ledger
     Tiles tiles;
-    std::optional<WaterLayer> water;         ///< none: no water was ever here
-    std::optional<gpu::Texture> inundation;  ///< largest depth so far, m, arrival time, s; none: no water was
-    /// Solid in the water, m, two words, texels as the water's; none: nothing was ever eroded by water.
-    std::optional<Layer> suspended;
-    std::optional<gpu::Texture> painted;  ///< as PaintedLayer says; none: nothing was painted
+    // Front images hold what TerrainState says.
+    /// Back: of a sub-step's first stage; front's water wherever tiles rest. None: no water was ever here.
+    std::optional<DeviceLayer> water;
+    std::optional<DeviceLayer> inundation;  ///< with the water
+    std::optional<DeviceLayer> suspended;   ///< none: nothing was ever eroded by water
+    std::optional<DeviceLayer> painted;     ///< none: nothing was painted
+    /// m: the ground under the water, as the last tick found it; texels as the water's, and there with it.
+    gpu::Texture water_bed;
 
     /// Binds layers, ground and flags as shaders/sim/samples.glsl expects them, and sets its uniforms.
     void bind(gpu::Program& program);
@@ -106,20 +58,12 @@ class Terrain {
     /// After layers were written from outside in these samples: front and back hold them, ground follows.
     void refresh(const gpu::Region& samples);
 
-    /// From now on there is a water layer and its inundation map, dry where it was none.
-    void add_water();
-    /// From now on there is a suspended layer, and water; zero where it was none.
-    void add_suspended();
-    /// From now on there is a painted layer, zero where it was none.
-    void add_painted();
-    /// All layers beside the solid, in an order that stays: what undo keeps.
-    std::array<OptionalLayer, 4> optional_layers();
-    /// Puts bedrock and regolith of a state of this size in place of those that are there.
+    /// From now on there is this layer, and what it needs; 0 where it was none.
+    void add(std::optional<DeviceLayer> Terrain::*layer);
+    /// Puts a state's bedrock and regolith, or another layer, in place of what is there. The state must have
+    /// this terrain's size. A layer that the state has not stays as it is.
     void write_solid(const TerrainState& state);
-    /// Puts what was painted in place of what is there; empty: nothing is painted, and nothing changes.
-    void write_painted(std::span<const glm::vec4> painted);
-    /// Puts these samples, rows of depth (two words) and discharge, in place of the water there.
-    void write_water(const gpu::Region& samples, std::span<const glm::vec4> water);
+    void write(std::optional<DeviceLayer> Terrain::*layer, const TerrainState& state);
 
     /// Reads the layers back. Waits for the device. The clock is left at 0.
     TerrainState read() const;

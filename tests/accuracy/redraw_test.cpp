@@ -63,7 +63,7 @@ TEST_P(Redraw, LongShadowsAndPlainsAreRedrawn) {
     for (int frame = 0; frame < 120; ++frame) {
         const Camera& camera = cameras[static_cast<std::size_t>(frame / 30 % 2)];
         // The view of cells tells mesh from rays, and the level where a ray ended.
-        if (frame == 60) settings.view = View::cells;
+        if (frame == 60) settings.view = "cells";
         Dab dab;
         dab.mode = frame % 3 == 2 ? BrushMode::flatten : BrushMode::raise;
         dab.target_m = 10;

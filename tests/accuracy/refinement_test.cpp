@@ -79,7 +79,7 @@ TEST(Refinement, ComesCloserToTheMeanOverAPixel) {
     ViewSettings settings;
     settings.method = "exact";
     // A view whose colours don't depend on the size of a pixel.
-    settings.view = View::hillshade;
+    settings.view = "hillshade";
     Renderer renderer(terrain, 16);
     constexpr int finer = 8;
     renderer.draw(terrain, over_crests(), settings, finer * width, finer * height);

@@ -25,11 +25,11 @@ void bench_frame(double patch_pixels) {
     for (const auto& named : cameras) {
         const Camera& camera = named.second;
         std::vector<Contestant> contestants;
-        for (const std::string& view : view_names()) {
+        for (const View& view : views()) {
             ViewSettings settings;
-            settings.view = static_cast<View>(contestants.size());
+            settings.view = view.name;
             settings.shadows = false;
-            contestants.push_back({view, [&, settings] {
+            contestants.push_back({view.name, [&, settings] {
                                        renderer.forget();
                                        renderer.draw(terrain, camera, settings, width, height);
                                        const std::vector<std::uint8_t> wait = renderer.read_rgb(1, 1);

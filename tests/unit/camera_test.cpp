@@ -159,7 +159,7 @@ TEST(Still, IsTheSameInTiles) {
     for (const char* method : {"exact", "mesh", "hybrid"}) {
         ViewSettings settings;
         settings.method = method;
-        settings.view = View::slope;
+        settings.view = "slope";
         renderer.forget();
         renderer.draw(terrain, camera, settings, size.x, size.y);
         const std::vector<std::uint8_t> whole = renderer.read_rgb(size.x, size.y);

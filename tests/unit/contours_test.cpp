@@ -21,7 +21,7 @@ TEST(Contours, AreLinesOnSlopesAndNothingOnTheSea) {
     Terrain terrain(bedrock_terrain(grid, heights));
     Renderer renderer(terrain, 32);
     ViewSettings settings;
-    settings.view = View::contours;
+    settings.view = "contours";
     constexpr int width = 400;
     constexpr int height = 400;
     const glm::dvec2 middle(grid.width_m() / 2, grid.height_m() / 2);

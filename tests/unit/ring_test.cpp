@@ -22,11 +22,9 @@ struct Plane {
     }
     // Where the ring changed the picture, by metres east and north.
     std::vector<bool> changed(const Ring& ring) {
-        settings.ring = {};
         renderer.draw(terrain, camera, settings, side_px, side_px);
         const std::vector<std::uint8_t> plain = renderer.read_rgb(side_px, side_px);
-        settings.ring = ring;
-        renderer.draw(terrain, camera, settings, side_px, side_px);
+        renderer.draw(terrain, camera, settings, side_px, side_px, ring);
         const std::vector<std::uint8_t> ringed = renderer.read_rgb(side_px, side_px);
         std::vector<bool> differs;
         for (std::size_t i = 0; i < plain.size(); i += 3)

@@ -63,23 +63,22 @@ void draw_everything(Terrain& terrain) {
     const Camera camera = overview(grid, 0, 300);
     const std::vector<std::uint8_t> picture(4 * 4 * 4, 200);
     for (const MethodEntry& method : methods())
-        for (const View view : {View::shaded, View::steps, View::cells}) {
+        for (const char* view : {"shaded", "steps", "cells"}) {
             ViewSettings settings;
             settings.method = method.name;
             settings.view = view;
             renderer.draw(terrain, camera, settings, 64, 48);
             renderer.refine(terrain, 2);
         }
-    for (std::size_t view = 0; view < view_names().size(); ++view)
-        for (int choice = 0; choice < (view == 0 ? 16 : 1); ++choice) {
+    for (const View& view : views())
+        for (int choice = 0; choice < (view.natural ? 16 : 1); ++choice) {
             ViewSettings settings;
-            settings.view = static_cast<View>(view);
+            settings.view = view.name;
             settings.shadows = (choice & 1) == 0;
             settings.occlusion = (choice & 2) == 0;
             settings.quick = (choice & 4) != 0;
-            settings.ring = {glm::dvec2(300), 50};
             if ((choice & 8) != 0) renderer.drape(4, 4, std::as_bytes(std::span(picture)));
-            renderer.draw(terrain, camera, settings, 64, 48);
+            renderer.draw(terrain, camera, settings, 64, 48, {glm::dvec2(300), 50});
         }
 }
 
@@ -97,11 +96,11 @@ TEST(Shaders, AreGlslForTheReferenceCompiler) {
         Simulation simulation(dry, Parameters(simulation_parameters()));
         simulate_everything(simulation);
         Renderer renderer(simulation.terrain(), 8);
-        ViewSettings stamped;
+        Ring stamped;
         const gpu::Texture& stamp = simulation.stamp_texture();
-        stamped.ring.radius_m = 80;
-        stamped.ring.stamp = &stamp;
-        renderer.draw(simulation.terrain(), overview(grid, 0, 300), stamped, 64, 48);
+        stamped.radius_m = 80;
+        stamped.stamp = &stamp;
+        renderer.draw(simulation.terrain(), overview(grid, 0, 300), {}, 64, 48, stamped);
         draw_everything(simulation.terrain());
         gpu::keep_assembled_shaders({});
     }

@@ -458,7 +458,7 @@ TEST(WaterSimulation, PresetsAreSeenToMoveWithinFiveSeconds) {
         Renderer renderer(simulation.terrain(), 8);
         const Camera camera =
             overview(scene.document.state.grid, 0, scene.simulation.number("terrain.relief_m"));
-        const ViewSettings settings = view_settings(scene.view);
+        const ViewSettings settings = view_settings(scene.view, scene.simulation);
         const auto look = [&] {
             renderer.draw(simulation.terrain(), camera, settings, 640, 360);
             return renderer.read_rgb(640, 360);

@@ -1,0 +1,7 @@
+// Painted hardness.
+layout(binding = 9) uniform sampler2D layer;  // hardness, mask, rain
+
+vec3 view_colour(ViewPoint point) {
+    float share = layer_at(layer, point.place, 0).x;
+    return (share > 0.0 ? colour_map(share) : bare) * point.lit;
+}

@@ -1,0 +1,33 @@
+// As in nature: materials or an image, sun, shadow, the sky's share, haze.
+// What of the sun's light comes here, past what stands between; 0 or 1.
+float sunlight_at(vec2 place, vec3 ray, float above_eye, float distance_m) {
+#ifdef SHADOWS
+    // From a little above the ground, towards the eye, so that a hill does not shade its own patch by rounding.
+    float lift = 1e-3 * min(cell_m.x, cell_m.y) + 2e-5 * distance_m;
+    vec2 from = place - ray.xy * lift;
+    ivec2 from_cell = ivec2(floor(from));
+    vec3 to_sun = vec3(sun.x / cell_m.x, -sun.y / cell_m.y, sun.z);
+    CastHit shade = cast_ray(origin_cell + from_cell, from - vec2(from_cell), to_sun, 0.0, 2, above_eye + 2.0 * lift);
+    return shade.distance_m > lift ? 0.0 : 1.0;
+#else
+    return 1.0;
+#endif
+}
+
+vec3 view_colour(ViewPoint point) {
+    Footprint footprint = footprint_of(ray_forward + point.at.x * ray_right + point.at.y * ray_up, point.normal, point.distance_m);
+#ifdef DRAPED
+    vec3 albedo = draped(point.absolute, footprint);
+#else
+    vec3 albedo = material(point.absolute, footprint, point.share, point.height_m, point.relief);
+#endif
+    float light = max(dot(point.normal, sun), 0.0);
+    light *= light > 0.0 && !point.missed ? sunlight_at(point.place, point.ray, point.above_eye_m, point.distance_m) : 1.0;
+    vec3 ambient = mix(vec3(0.16, 0.15, 0.13), vec3(0.36, 0.46, 0.62), 0.5 + 0.5 * point.normal.z) * sky_share_at(point.absolute);
+    vec3 colour = albedo * (light * vec3(3.5, 3.2, 2.75) + 0.9 * ambient);
+    float haze = 1.0 - exp(-0.16 * point.distance_m / extent_m);
+    colour = mix(colour, sky(normalize(vec3(point.world_ray.xy, 0.06))), 0.85 * haze);
+    // Bright snow keeps its shades: what exceeds the screen's range is drawn together towards white.
+    colour *= (1.0 + colour / 6.25) / (1.0 + 0.45 * colour);
+    return sqrt(clamp(colour, 0.0, 1.0));
+}

@@ -1,0 +1,178 @@
+#include "sim/terrain/layers.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/gpu/error.h"
+#include "sim/terrain/gauge.h"
+#include "sim/terrain/terrain.h"
+
+namespace talus {
+namespace {
+
+// The second word is at most half an ulp of the first.
+bool are_words(float high, float low, float most) {
+    return high >= 0 && high <= most && std::abs(low) <= 6e-8F * high + 1e-44F;
+}
+
+// What no run could leave and none can go on from.
+std::string refuse_water(std::span<const float> water) {
+    const double speed = glm::length(water_velocity(water[0], {water[2], water[3]}));
+    if (are_words(water[0], water[1], 1e7F) && speed <= 1e5) return "";
+    return fmt::format(
+        "water of depth {} (and {}) m that runs at {:.3g} m/s: depths must be 0 to 1e7 m, their second words "
+        "below their last digit, speeds at most 1e5 m/s",
+        water[0], water[1], speed);
+}
+
+std::string refuse_inundation(std::span<const float> inundation) {
+    if (inundation[0] >= 0 && inundation[1] >= 0) return "";
+    return fmt::format("a largest depth of {} m that came after {} s: neither can be less than 0",
+                       inundation[0], inundation[1]);
+}
+
+std::string refuse_suspended(std::span<const float> load) {
+    if (are_words(load[0], load[1], 1e6F)) return "";
+    return fmt::format(
+        "suspended solid of {} (and {}) m: it must be 0 to 1e6, its second word below its last digit",
+        load[0], load[1]);
+}
+
+// What no brush could have painted.
+std::string refuse_painted(std::span<const float> painted) {
+    const double most_rain = most_painted(PaintedLayer::rain);
+    if (painted[0] >= 0 && painted[0] <= 1 && painted[1] >= 0 && painted[1] <= 1 && painted[2] >= 0 &&
+        painted[2] <= most_rain)
+        return "";
+    return fmt::format(
+        "hardness {}, mask {} and rain {} mm/h in one sample: hardness and mask must be 0 to 1, rain 0 to {} "
+        "mm/h",
+        painted[0], painted[1], painted[2], most_rain);
+}
+
+// A current that ran east runs north.
+void turn_discharge(std::span<float> water) {
+    const float east = water[2];
+    water[2] = -water[3];
+    water[3] = east;
+}
+
+template <typename Word, typename State>
+std::span<Word> words_in(State& state, const LayerDescription& layer) {
+    return std::visit(
+        [&](auto member) -> std::span<Word> {
+            auto& texels = state.*member;
+            if (texels.empty()) return {};
+            return {&texels.front().x, texels.size() * static_cast<std::size_t>(layer.words())};
+        },
+        layer.samples);
+}
+
+}  // namespace
+
+const std::vector<LayerDescription>& layers() {
+    using enum Resampling;
+    static const std::vector<LayerDescription> all = {
+        {.name = "bedrock", .numbers = {{"bedrock", "m", true, height}}, .samples = &TerrainState::bedrock},
+        {.name = "regolith",
+         .numbers = {{"regolith", "m", true, amount}},
+         .samples = &TerrainState::regolith},
+        {.name = "water",
+         .numbers = {{"water", "m", true, amount},
+                     {"discharge_x", "m²/s", false, amount, "discharge.x"},
+                     {"discharge_y", "m²/s", false, amount, "discharge.y"}},
+         .samples = &TerrainState::water,
+         .image = &Terrain::water,
+         .ghosts = water_ghosts,
+         .has_back = true,
+         .needs = {"inundation"},
+         .turn = turn_discharge,
+         .refusal = refuse_water},
+        {.name = "inundation",
+         .numbers = {{"depth_max", "m", false, amount}, {"arrival_s", "s", false, nearest}},
+         .samples = &TerrainState::inundation,
+         .image = &Terrain::inundation,
+         .needs = {"water"},
+         .refusal = refuse_inundation},
+        {.name = "load",
+         .numbers = {{"suspended", "m", true, amount}},
+         .samples = &TerrainState::suspended,
+         .image = &Terrain::suspended,
+         .ghosts = water_ghosts,
+         .has_back = true,
+         .needs = {"water"},
+         .refusal = refuse_suspended},
+        {.name = "hardness, mask and rain",
+         .numbers = {{"hardness", "", false, amount},
+                     {"mask", "", false, amount},
+                     {"rain", "mm/h", false, amount}},
+         .samples = &TerrainState::painted,
+         .image = &Terrain::painted,
+         .refusal = refuse_painted},
+    };
+    return all;
+}
+
+const LayerDescription& layer_named(const std::string& name) {
+    return *std::find_if(layers().begin(), layers().end(),
+                         [&](const LayerDescription& layer) { return layer.name == name; });
+}
+
+int LayerDescription::words() const {
+    return std::holds_alternative<std::vector<glm::vec2> TerrainState::*>(samples) ? 2 : 4;
+}
+
+std::span<float> words_of(TerrainState& state, const LayerDescription& layer) {
+    return words_in<float>(state, layer);
+}
+
+std::span<const float> words_of(const TerrainState& state, const LayerDescription& layer) {
+    return words_in<const float>(state, layer);
+}
+
+void make_layer(TerrainState& state, const LayerDescription& layer, std::size_t texels) {
+    std::visit(
+        [&](auto member) {
+            auto& samples = state.*member;
+            samples.assign(texels, typename std::decay_t<decltype(samples)>::value_type(0));
+        },
+        layer.samples);
+}
+
+std::vector<std::string> output_names() {
+    std::vector<std::string> names = {"ground", "level"};
+    for (const LayerDescription& layer : layers())
+        for (const LayerNumber& number : layer.numbers) names.push_back(number.name);
+    return names;
+}
+
+std::vector<float> output_of(const TerrainState& state, const std::string& name) {
+    if (name == "ground") return state.ground();
+    if (name == "level") {
+        std::vector<float> values = state.ground();
+        for (std::size_t i = 0; i < state.water.size(); ++i) values[i] += state.water[i].x;
+        return values;
+    }
+    for (const LayerDescription& layer : layers()) {
+        std::size_t word = 0;
+        for (const LayerNumber& number : layer.numbers) {
+            if (number.name == name) {
+                const std::span<const float> words = words_of(state, layer);
+                std::vector<float> values(state.bedrock.size());
+                for (std::size_t i = 0; i < values.size() && !words.empty(); ++i) {
+                    const std::size_t at = i * static_cast<std::size_t>(layer.words()) + word;
+                    values[i] = number.two_words ? words[at] + words[at + 1] : words[at];
+                }
+                return values;
+            }
+            word += number.two_words ? 2 : 1;
+        }
+    }
+    throw Error(fmt::format("--layer '{}' is not a layer, it must be one of: {}", name,
+                            fmt::join(output_names(), ", ")));
+}
+
+}  // namespace talus

@@ -1,0 +1,40 @@
+#include "sim/terrain/terrain_state.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "sim/terrain/layers.h"
+
+namespace talus {
+
+double most_painted(PaintedLayer layer) {
+    return layer == PaintedLayer::rain ? 1e4 : 1;
+}
+
+std::vector<float> TerrainState::ground() const {
+    std::vector<float> heights(bedrock.size());
+    for (std::size_t i = 0; i < heights.size(); ++i)
+        heights[i] = (bedrock[i].x + regolith[i].x) + (bedrock[i].y + regolith[i].y);
+    return heights;
+}
+
+TerrainState bedrock_terrain(const Grid& grid, const std::vector<float>& heights_m) {
+    check_grid(grid);
+    TerrainState state;
+    state.grid = grid;
+    state.bedrock.reserve(heights_m.size());
+    for (const float height : heights_m) state.bedrock.emplace_back(height, 0.0F);
+    state.regolith.assign(heights_m.size(), glm::vec2(0));
+    return state;
+}
+
+void drop_zero_layers(TerrainState& state) {
+    for (const LayerDescription& layer : layers()) {
+        const std::span<const float> words = words_of(std::as_const(state), layer);
+        if (layer.is_optional() &&
+            std::all_of(words.begin(), words.end(), [](float word) { return word == 0; }))
+            make_layer(state, layer, 0);
+    }
+}
+
+}  // namespace talus

@@ -1,0 +1,63 @@
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "sim/terrain/georeference.h"
+#include "sim/terrain/grid.h"
+
+namespace talus {
+
+/// Simulated time since the start.
+struct Clock {
+    std::int64_t ticks = 0;
+    double simulated_s = 0;
+    bool operator==(const Clock&) const = default;
+};
+
+/// Water that comes out of the ground at a place.
+struct Spring {
+    double x_m = 0;
+    double y_m = 0;
+    double rate_m3_per_s = 0;
+    bool operator==(const Spring&) const = default;
+};
+
+/// Components of the painted layer: hardness and mask, 0 to 1, and rain, mm/h.
+enum class PaintedLayer { hardness = 0, mask = 1, rain = 2 };
+
+/// The largest value of a painted layer; the smallest is 0.
+double most_painted(PaintedLayer layer);
+
+/// Everything that a run continues from, in main memory: rows of samples, row 0 north, heights in metres as
+/// two words (high, low). What the document stores. `layers()` (sim/terrain/layers.h) describes its layers.
+struct TerrainState {
+    Grid grid;
+    std::vector<glm::vec2> bedrock;
+    std::vector<glm::vec2> regolith;
+    /// Depth, m, two words, and discharge east and north, m²/s; empty: no water was ever here.
+    std::vector<glm::vec4> water;
+    /// Largest depth so far, m, and the simulated time at which water arrived, s; empty: none ever did.
+    std::vector<glm::vec2> inundation;
+    /// Solid in the water above a sample, m, two words; empty: none.
+    std::vector<glm::vec2> suspended;
+    /// What brushes painted, as PaintedLayer says; empty: nothing.
+    std::vector<glm::vec4> painted;
+    std::vector<Spring> springs;
+    /// The simulated time from which inflow and wave maker count: when they were last set.
+    double edges_since_s = 0;
+    Clock clock;
+    std::optional<Georeference> georeference;
+
+    /// Ground = bedrock + regolith, rounded to one float a sample.
+    std::vector<float> ground() const;
+};
+
+/// A terrain of one layer of bedrock. Throws talus::Error when the grid cannot be used.
+TerrainState bedrock_terrain(const Grid& grid, const std::vector<float>& heights_m);
+
+/// An optional layer that is zero throughout is none.
+void drop_zero_layers(TerrainState& state);
+
+}  // namespace talus
