@@ -1,6 +1,6 @@
 #include "app/app_parameters.h"
 
-#include "app/tools/brush_stroke.h"
+#include "app/tools/tools.h"
 #include "render/view.h"
 #include "sim/passes/brush.h"
 #include "sim/passes/mask.h"
@@ -9,7 +9,7 @@
 namespace talus {
 
 std::vector<Parameter> app_parameters() {
-    return {
+    std::vector<Parameter> all = {
         choice(
             "brush.tool", "raise", tool_names(),
             "What a stroke does. Flatten: to the height where it began; height: to brush.height_m; ramp: a "
@@ -39,37 +39,11 @@ std::vector<Parameter> app_parameters() {
         choice("brush.material", "bedrock", {"bedrock", "regolith"}, "What raising adds."),
         number("brush.height_m", 0, -1e6, 1e6, "m",
                "Tool height: the height that it brings the ground to; Ctrl and a click pick it."),
-        number("brush.rain", 100, 0, 1e4, "mm/h", "Rain that the tool rain paints."),
-        number("brush.value", 1, 0, 1, "", "Hardness or mask that the tools of this name paint."),
-        choice("noise.kind", "fbm", noise_kind_names(),
-               "Noise brush and noise over the whole map: fbm, rolling; ridged, crests; billow, hollows."),
-        number("noise.wavelength_m", 500, 1e-2, 1e6, "m",
-               "Size of its largest features; unless set, it follows the terrain's size."),
-        whole("noise.octaves", 6, 1, 16, "", "How many times finer detail is added."),
-        number("noise.gain", 0.5, 0, 1, "", "Height of finer detail against the coarser one."),
-        number("noise.warp", 0, 0, 2, "", "How much the plane is bent first, in wavelengths: ridges wind."),
-        whole("noise.seed", 1, 0, 1000000, "", "Another seed gives other noise."),
-        number("terrace.step_m", 50, 1e-2, 1e5, "m",
-               "Terrace: height of a step; unless set, it follows the terrain's height."),
-        number("terrace.flat", 0.5, 0, 0.99, "", "Terrace: share of a step that is level."),
-        choice(
-            "stamp.mode", "add", stamp_mode_names(),
-            "Stamp: added to the ground; higher and lower: the ground gives way only where it is in the way; "
-            "replace: the ground becomes the stamp."),
-        number("stamp.relief_m", 100, 0, 1e5, "m", "Height of the stamp; unless set, as it came."),
-        choice("stamp.zero", "border", stamp_zero_names(),
-               "Stamp: which of its heights leaves the ground as it is, so that what is lower digs: that of "
-               "its border, its lowest sample, or 0 m of the file."),
-        number("stamp.turn_deg", 0, -360, 360, "°", "The stamp turned, counterclockwise."),
-        toggle("stamp.mirrored", false, "The stamp mirrored, west for east."),
-        number("erode.rain", 5000, 0, 1e4, "mm/h", "Erode: rain in the middle of the brush."),
-        number("erode.speed", 60, 1e-3, 1e6, "s/s",
-               "Erode: simulated seconds a second; unless set, it follows the spacing. A wide brush takes "
-               "its time."),
-        number("erode.acceleration", 3000, 1, 1e5, "",
-               "Erode: how often what water takes and leaves counts for the ground. How easily rock gives "
-               "way is "
-               "erosion.erodibility and erosion.bedrock_erodibility."),
+        number("brush.rain_mm_per_h", 100, 0, 1e4, "mm/h", "Rain that the tool rain paints.")
+            .once("brush.rain"),
+        number("brush.value", 1, 0, 1, "", "Hardness or mask that the tools of this name paint.")};
+    for (const Tool& tool : tools()) all.insert(all.end(), tool.parameters.begin(), tool.parameters.end());
+    const std::vector<Parameter> others = {
         whole("map.nx", 513, min_samples, max_samples, "samples",
               "Resample: columns; unless set, as many as there are."),
         whole("map.ny", 513, min_samples, max_samples, "samples",
@@ -112,6 +86,8 @@ std::vector<Parameter> app_parameters() {
         whole("undo.memory_mib", 1024, 1, 1 << 20, "MiB",
               "Memory that the history may take, packed; the oldest acts go first."),
     };
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
 }
 
 std::vector<Parameter> all_parameters() {

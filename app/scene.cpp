@@ -7,7 +7,6 @@
 #include "app/app_parameters.h"
 #include "render/view.h"
 #include "sim/gpu/error.h"
-#include "sim/pass_settings.h"
 #include "sim/preset.h"
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"
@@ -36,8 +35,8 @@ TerrainState generated(const Parameters& p, const Grid& grid) {
         grid, {p.choice("terrain.kind"), static_cast<std::uint32_t>(p.whole("terrain.seed")), relief_m});
     TerrainState state = bedrock_terrain(grid, heights);
     state.water = generate_water(grid, heights,
-                                 {p.choice("terrain.water"), relief_m, p.number("water.sea_level"),
-                                  p.number("water.wave_height"), p.number("water.gravity")});
+                                 {p.choice("terrain.water"), relief_m, p.number("water.sea_level_m"),
+                                  p.number("water.wave_height_m"), p.number("water.gravity_m_per_s2")});
     return state;
 }
 
@@ -48,7 +47,7 @@ Scene assemble(const Parameters& all, Document document) {
     Scene scene{
         std::move(document), part_of(all, simulation_parameters()), part_of(all, view), {}, {}, {}, {}};
     scene.start.parameters = to_toml(scene.simulation);
-    scene.view.suggest("render.level_m", scene.simulation.number("water.sea_level"));
+    scene.view.suggest("render.level_m", scene.simulation.number("water.sea_level_m"));
     return scene;
 }
 
@@ -86,7 +85,7 @@ Scene make_scene(const SceneRequest& request) {
         Parameters before(all_parameters());
         from_toml(scene.document.parameters, request.input, before);
         for (const Parameter& p : scene.simulation.declared())
-            if (drives_edges(p.name) && scene.simulation.value(p.name) != before.value(p.name))
+            if (p.sets_off == SetsOff::edge_clock && scene.simulation.value(p.name) != before.value(p.name))
                 scene.document.state.edges_since_s = scene.document.state.clock.simulated_s;
     }
     if (!request.texture.empty()) scene.texture = read_colour_image(request.texture);

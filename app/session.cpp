@@ -84,7 +84,7 @@ void Session::suggest_for_terrain() {
     scene_.view.suggest("terrace.step_m", std::max(0.01, (bounds_.y - bounds_.x) / 20));
     scene_.view.suggest("brush.height_m", bounds_.x);
     scene_.view.suggest("map.base_m", bounds_.x);
-    scene_.view.suggest("render.level_m", simulation_->parameters().number("water.sea_level"));
+    scene_.view.suggest("render.level_m", simulation_->parameters().number("water.sea_level_m"));
     if (const Stamp* stamp = simulation_->stamp()) scene_.view.suggest("stamp.relief_m", stamp->relief_m);
 }
 
@@ -300,7 +300,7 @@ Ring Session::ring(glm::dvec2 at_m) {
     ring.at_m = at_m;
     ring.radius_m = scene_.view.number("brush.radius_m");
     const Stamp* stamp = simulation_->stamp();
-    if (!stamp || scene_.view.choice("brush.tool") != "stamp") return ring;
+    if (!stamp || tool_named(scene_.view.choice("brush.tool")).course != StrokeCourse::stamps) return ring;
     const Dab dab = tool_dab(scene_.view, {}, 0, 0, stamp);
     const DabStep step = dab_step(grid(), dab, {stamp->grid.nx, stamp->grid.ny});
     ring.radius_m = dab.radius_m;

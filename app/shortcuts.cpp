@@ -5,22 +5,23 @@
 
 #include <algorithm>
 
-#include "app/tools/brush_stroke.h"
+#include "app/tools/tools.h"
 
 namespace talus {
 namespace {
 
-void scale(Session& session, const char* name, double factor) {
+void scale(Session& session, const std::string& name, double factor) {
     const Parameter& p = session.declaration(name);
     session.set(name, std::clamp(session.view().number(name) * factor, p.low, p.high));
 }
 
 void scale_strength(Session& session, double factor) {
-    if (const char* name = strength_of(session.view().choice("brush.tool"))) scale(session, name, factor);
+    const std::string& name = tool_named(session.view().choice("brush.tool")).strength;
+    if (!name.empty()) scale(session, name, factor);
 }
 
 void pick_tool(Session& session, std::size_t number) {
-    if (number < tool_names().size()) session.set("brush.tool", tool_names()[number]);
+    if (number < tools().size()) session.set("brush.tool", tools()[number].name);
 }
 
 void press_with_control(int key, bool shift, Session& session, PanelState& state, PanelRequests& requests) {

@@ -11,7 +11,7 @@ namespace {
 double depth_at_waves(const TerrainState& state, const Parameters& parameters) {
     const std::vector<float> ground = state.ground();
     const Grid& grid = state.grid;
-    const double level = parameters.number("water.sea_level");
+    const double level = parameters.number("water.sea_level_m");
     double sum = 0;
     int wet = 0;
     const auto add = [&](int column, int row) {
@@ -40,12 +40,13 @@ std::string wave_note(const TerrainState& state, const Parameters& parameters) {
     if (!parameters.toggle("water.on") || parameters.choice("water.wave") != "sine") return "";
     const double depth_m = depth_at_waves(state, parameters);
     if (depth_m <= 0) return "";
-    const double period_s = parameters.number("water.wave_period");
-    const double excess = shallow_speed_excess(depth_m, period_s, parameters.number("water.gravity"));
+    const double period_s = parameters.number("water.wave_period_s");
+    const double excess =
+        shallow_speed_excess(depth_m, period_s, parameters.number("water.gravity_m_per_s2"));
     return fmt::format(
         "{}waves of {:.3g} s over {:.3g} m of water run at √(gd), {:.1f} % faster than in nature{}",
         excess > 0.05 ? "warning: " : "", period_s, depth_m, 100 * excess,
-        excess > 0.05 ? ": a longer water.wave_period or shallower water is truer" : "");
+        excess > 0.05 ? ": a longer water.wave_period_s or shallower water is truer" : "");
 }
 
 }  // namespace talus

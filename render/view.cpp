@@ -104,8 +104,9 @@ const std::vector<View>& views() {
          .unit = "m",
          .layer = &Terrain::water},
         {.name = "speed",
-         .numbers = {{"speed_scale", number("render.speed", 5, 1e-3, 1e5, "m/s",
-                                            "End of the scale of the view of its speed.")}},
+         .numbers = {{"speed_scale", number("render.speed_m_per_s", 5, 1e-3, 1e5, "m/s",
+                                            "End of the scale of the view of its speed.")
+                                         .once("render.speed")}},
          .title = "Speed of the water",
          .unit = "m/s",
          .layer = &Terrain::water},
@@ -141,8 +142,9 @@ const std::vector<View>& views() {
          .layer = &Terrain::painted},
         {.name = "mask", .title = "Mask", .unit = "share", .scale_end = 1, .layer = &Terrain::painted},
         {.name = "rain",
-         .numbers = {{"rain_scale", number("render.rain", 200, 1e-3, 1e4, "mm/h",
-                                           "End of the scale of the view of painted rain.")}},
+         .numbers = {{"rain_scale", number("render.rain_mm_per_h", 200, 1e-3, 1e4, "mm/h",
+                                           "End of the scale of the view of painted rain.")
+                                        .once("render.rain")}},
          .title = "Painted rain",
          .unit = "mm/h",
          .layer = &Terrain::painted},
@@ -186,8 +188,9 @@ std::vector<Parameter> render_parameters() {
     for (const View& view : views()) view_names.push_back(view.name);
     std::vector<Parameter> declared = {
         choice("render.method", "hybrid", method_names, "How the surface is drawn."),
-        number("render.tolerance", 0.5, 0, 16, "px",
-               "Error that the hybrid method may make, in pixels; 0: none, rays everywhere."),
+        number("render.tolerance_px", 0.5, 0, 16, "px",
+               "Error that the hybrid method may make, in pixels; 0: none, rays everywhere.")
+            .once("render.tolerance"),
         choice("render.view", "shaded", view_names, "What the colours show."),
         number("render.sun_azimuth_deg", 315, 0, 360, "°", "Where the sun stands, clockwise from north."),
         number("render.sun_elevation_deg", 38, 1, 90, "°", "How high the sun stands."),
@@ -209,7 +212,7 @@ std::vector<Parameter> render_parameters() {
 ViewSettings view_settings(const Parameters& drawing, const Parameters& simulation) {
     ViewSettings settings;
     settings.method = drawing.choice("render.method");
-    settings.tolerance_px = drawing.number("render.tolerance");
+    settings.tolerance_px = drawing.number("render.tolerance_px");
     settings.view = drawing.choice("render.view");
     const double azimuth = drawing.number("render.sun_azimuth_deg") * std::numbers::pi / 180;
     const double elevation = drawing.number("render.sun_elevation_deg") * std::numbers::pi / 180;
@@ -217,7 +220,7 @@ ViewSettings view_settings(const Parameters& drawing, const Parameters& simulati
                     std::sin(elevation)};
     settings.shadows = drawing.toggle("render.shadows");
     settings.occlusion = drawing.toggle("render.occlusion");
-    settings.gravity_m_per_s2 = simulation.number("water.gravity");
+    settings.gravity_m_per_s2 = simulation.number("water.gravity_m_per_s2");
     for (const View& view : views())
         for (const ViewNumber& one : view.numbers) {
             if (!one.parameter) continue;

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "sim/gpu/error.h"
+#include "sim/passes/dab_fields.h"
 
 namespace talus {
 namespace {
@@ -43,91 +44,68 @@ Rectangle to_rectangle(const json& line) {
     return {line.at("west_m"), line.at("south_m"), line.at("east_m"), line.at("north_m")};
 }
 
-// What every dab has, and what its mode needs besides.
+// Noise, stamp and erode have an object of their own; a ramp's and a terrace's fields stand beside the
+// others.
+bool has_object(BrushMode mode) {
+    return mode == BrushMode::noise || mode == BrushMode::stamp || mode == BrushMode::erode;
+}
+
+struct WriteField {
+    json& line;
+    template <typename Number>
+    void operator()(const char* name, Number value, double, double) const {
+        line[name] = value;
+    }
+    void operator()(const char* name, glm::dvec2 pair, double, double) const {
+        line[name] = {pair.x, pair.y};
+    }
+    template <typename Choice>
+    void operator()(const char* name, Choice choice, const std::vector<std::string>& names) const {
+        line[name] = name_in(names, choice);
+    }
+    void operator()(const char* name, bool on) const { line[name] = on; }
+};
+
 json to_json(const Dab& dab) {
-    json line = {{"op", "dab"},
-                 {"mode", name_in(brush_mode_names(), dab.mode)},
-                 {"x_m", dab.x_m},
-                 {"y_m", dab.y_m},
-                 {"radius_m", dab.radius_m},
-                 {"falloff", dab.falloff},
-                 {"amount_m", dab.amount_m},
-                 {"blend", dab.blend},
-                 {"target_m", dab.target_m},
-                 {"material", name_in(material_names(), dab.material)}};
-    if (dab.curve != FalloffCurve::smooth) line["curve"] = name_in(falloff_curve_names(), dab.curve);
-    if (dab.masked) line["masked"] = true;
-    if (dab.mode == BrushMode::ramp) {
-        line["way_m"] = {dab.way_m.x, dab.way_m.y};
-        line["rise_m"] = dab.rise_m;
-    }
-    if (dab.mode == BrushMode::terrace) {
-        line["step_m"] = dab.step_m;
-        line["flat"] = dab.flat;
-    }
-    if (dab.mode == BrushMode::noise)
-        line["noise"] = {{"kind", name_in(noise_kind_names(), dab.noise.kind)},
-                         {"wavelength_m", dab.noise.wavelength_m},
-                         {"octaves", dab.noise.octaves},
-                         {"gain", dab.noise.gain},
-                         {"warp", dab.noise.warp},
-                         {"seed", dab.noise.seed}};
-    if (dab.mode == BrushMode::stamp)
-        line["stamp"] = {{"mode", name_in(stamp_mode_names(), dab.stamp.mode)},
-                         {"half_m", {dab.stamp.half_m.x, dab.stamp.half_m.y}},
-                         {"turn_deg", dab.stamp.turn_deg},
-                         {"mirrored", dab.stamp.mirrored},
-                         {"zero", dab.stamp.zero}};
-    if (dab.mode == BrushMode::erode)
-        line["erode"] = {{"rain_mm_per_h", dab.erode.rain_mm_per_h},
-                         {"time_s", dab.erode.time_s},
-                         {"acceleration", dab.erode.acceleration},
-                         {"begins", dab.erode.begins},
-                         {"ends", dab.erode.ends}};
+    const std::string& mode = name_in(brush_mode_names(), dab.mode);
+    json line = {{"op", "dab"}, {"mode", mode}};
+    visit_footprint(dab, WriteField{line});
+    visit_own(dab, dab.mode, WriteField{has_object(dab.mode) ? line[mode] : line});
     return line;
 }
 
+// Leaves what is missing as it is: choices and switches came later than the numbers.
+struct ReadField {
+    const json& line;
+    bool all_numbers;  // must be there
+    template <typename Number>
+    void operator()(const char* name, Number& value, double, double) const {
+        if (all_numbers || line.contains(name)) value = line.at(name).get<Number>();
+    }
+    void operator()(const char* name, glm::dvec2& pair, double, double) const {
+        if (all_numbers || line.contains(name)) pair = {line.at(name).at(0), line.at(name).at(1)};
+    }
+    template <typename Choice>
+    void operator()(const char* name, Choice& choice, const std::vector<std::string>& names) const {
+        if (line.contains(name)) choice = value_in<Choice>(names, line.at(name), name);
+    }
+    void operator()(const char* name, bool& on) const { on = line.value(name, on); }
+};
+
 Dab to_dab(const json& line) {
     Dab dab;
-    dab.mode = value_in<BrushMode>(brush_mode_names(), line.at("mode"), "brush mode");
-    dab.x_m = line.at("x_m");
-    dab.y_m = line.at("y_m");
-    dab.radius_m = line.at("radius_m");
-    dab.falloff = line.at("falloff");
-    dab.amount_m = line.at("amount_m");
-    dab.blend = line.at("blend");
-    dab.target_m = line.at("target_m");
+    const std::string mode = line.at("mode");
+    dab.mode = value_in<BrushMode>(brush_mode_names(), mode, "brush mode");
     // Journals of 0.1.0 say on_regolith.
-    const char* otherwise = line.value("on_regolith", false) ? "regolith" : "bedrock";
-    dab.material = value_in<Material>(material_names(), line.value("material", otherwise), "material");
-    dab.curve = value_in<FalloffCurve>(falloff_curve_names(), line.value("curve", "smooth"), "falloff curve");
-    dab.masked = line.value("masked", false);
-    if (line.contains("way_m")) dab.way_m = {line["way_m"].at(0), line["way_m"].at(1)};
-    dab.rise_m = line.value("rise_m", 0.0);
-    dab.step_m = line.value("step_m", 1.0);
-    dab.flat = line.value("flat", 0.5);
-    if (line.contains("noise")) {
-        const json& noise = line["noise"];
-        dab.noise = {value_in<int>(noise_kind_names(), noise.at("kind"), "noise"),
-                     noise.at("wavelength_m"),
-                     noise.at("octaves"),
-                     noise.at("gain"),
-                     noise.at("warp"),
-                     noise.at("seed")};
-    }
-    if (line.contains("stamp")) {
-        const json& stamp = line["stamp"];
-        dab.stamp.mode = value_in<StampMode>(stamp_mode_names(), stamp.at("mode"), "stamp mode");
-        dab.stamp.half_m = {stamp.at("half_m").at(0), stamp.at("half_m").at(1)};
-        dab.stamp.turn_deg = stamp.at("turn_deg");
-        dab.stamp.mirrored = stamp.at("mirrored");
+    if (line.value("on_regolith", false)) dab.material = Material::regolith;
+    visit_footprint(dab, ReadField{line, true});
+    if (!has_object(dab.mode)) {
+        visit_own(dab, dab.mode, ReadField{line, false});
+    } else if (line.contains(mode)) {
+        json own = line[mode];
         // Older journals stand stamps on their lowest sample.
-        dab.stamp.zero = stamp.value("zero", 0.0);
-    }
-    if (line.contains("erode")) {
-        const json& erode = line["erode"];
-        dab.erode = {erode.at("rain_mm_per_h"), erode.at("time_s"), erode.at("acceleration"),
-                     erode.at("begins"), erode.at("ends")};
+        if (dab.mode == BrushMode::stamp && !own.contains("zero")) own["zero"] = 0.0;
+        visit_own(dab, dab.mode, ReadField{own, true});
     }
     check_dab(dab);
     return dab;

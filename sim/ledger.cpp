@@ -36,6 +36,11 @@ Sums sums_of(const std::vector<glm::dvec4>& tiles, double area_m2) {
 
 }  // namespace
 
+SolidWeights weights_of(const SedimentSettings& settings) {
+    return {1 / static_cast<double>(bulking_of(settings.porosity)),
+            static_cast<double>(static_cast<float>(settings.acceleration))};
+}
+
 double LedgerReading::closing_error_of_moved() const {
     return error_of(closing_error_m3(), moved_m3());
 }

@@ -11,6 +11,10 @@ struct SolidWeights {
     double suspended = 1;
 };
 
+/// What the ledger counts with these settings, as the shaders count it, so that their roundings are not taken
+/// for solid.
+SolidWeights weights_of(const SedimentSettings& settings);
+
 /// Where rock and water are, in m³, summed in double (law 3).
 struct LedgerReading {
     double bedrock = 0;  ///< as solid, each

@@ -26,6 +26,30 @@ Parameter choice(std::string name, std::string preset, std::vector<std::string> 
     return {std::move(name), std::move(preset), 0, 0, "", std::move(help), std::move(choices)};
 }
 
+Parameter Parameter::once(std::string before) && {
+    old_name = std::move(before);
+    return std::move(*this);
+}
+Parameter Parameter::following(std::string other) && {
+    follows = std::move(other);
+    return std::move(*this);
+}
+Parameter Parameter::setting_off(SetsOff what) && {
+    sets_off = what;
+    return std::move(*this);
+}
+
+std::string unit_in_name(const std::string& unit) {
+    static const std::map<std::string, std::string> names = {
+        {"m", "_m"},           {"mm", "_mm"},         {"s", "_s"},       {"m/s", "_m_per_s"},
+        {"mm/s", "_mm_per_s"}, {"mm/h", "_mm_per_h"}, {"1/s", "_per_s"}, {"m/s²", "_m_per_s2"},
+        {"m²/s", "_m2_per_s"}, {"m³/s", "_m3_per_s"}, {"Pa", "_pa"},     {"°", "_deg"},
+        {"px", "_px"},         {"MiB", "_mib"},
+    };
+    const auto found = names.find(unit);
+    return found == names.end() ? "" : found->second;
+}
+
 std::string to_text(const Value& value) {
     if (const auto* on = std::get_if<bool>(&value)) return *on ? "true" : "false";
     if (const auto* count = std::get_if<int>(&value)) return std::to_string(*count);
@@ -40,7 +64,7 @@ Parameters::Parameters(std::vector<Parameter> declared)
 
 const Parameter& Parameters::declaration(std::string_view name) const {
     const auto found = std::find_if(declared_->begin(), declared_->end(),
-                                    [&](const Parameter& p) { return p.name == name; });
+                                    [&](const Parameter& p) { return p.name == name || p.old_name == name; });
     if (found == declared_->end())
         throw Error(fmt::format("there is no parameter '{}', 'talus parameters' lists them", name));
     return *found;
@@ -48,9 +72,7 @@ const Parameter& Parameters::declaration(std::string_view name) const {
 
 const Value& Parameters::value(std::string_view name) const {
     const auto found = values_.find(name);
-    if (found == values_.end())
-        throw Error(fmt::format("there is no parameter '{}', 'talus parameters' lists them", name));
-    return found->second;
+    return found != values_.end() ? found->second : values_.find(declaration(name).name)->second;
 }
 
 int Parameters::place_of_choice(std::string_view name) const {
@@ -59,7 +81,7 @@ int Parameters::place_of_choice(std::string_view name) const {
 }
 
 bool Parameters::is_given(std::string_view name) const {
-    return given_.contains(name);
+    return given_.contains(declaration(name).name);
 }
 
 Value Parameters::checked(const Parameter& p, const Value& value) const {
@@ -92,9 +114,16 @@ Value Parameters::checked(const Parameter& p, const Value& value) const {
 }
 
 void Parameters::set(std::string_view name, const Value& value) {
-    const Value v = checked(declaration(name), value);
-    values_.find(name)->second = v;
-    given_[std::string(name)] = true;
+    const Parameter& p = declaration(name);
+    const Value v = checked(p, value);
+    values_.find(p.name)->second = v;
+    given_[p.name] = true;
+    pass_on(p);
+}
+
+void Parameters::pass_on(const Parameter& followed) {
+    for (const Parameter& p : *declared_)
+        if (p.follows == followed.name) suggest(p.name, value(followed.name));
 }
 
 void Parameters::set_text(std::string_view name, const std::string& text) {
@@ -115,16 +144,18 @@ void Parameters::set_assignment(const std::string& assignment) {
 }
 
 void Parameters::suggest(std::string_view name, const Value& value) {
-    if (is_given(name)) return;
     const Parameter& p = declaration(name);
+    if (is_given(p.name)) return;
     Value v = value;
     if (auto* real = std::get_if<double>(&v)) *real = std::clamp(*real, p.low, p.high);
-    values_.find(name)->second = checked(p, v);
+    values_.find(p.name)->second = checked(p, v);
+    pass_on(p);
 }
 
 void Parameters::reset(std::string_view name) {
-    values_.find(name)->second = declaration(name).preset;
-    given_.erase(std::string(name));
+    const Parameter& p = declaration(name);
+    given_.erase(p.name);
+    suggest(p.name, p.follows.empty() ? p.preset : value(p.follows));
 }
 
 }  // namespace talus

@@ -11,6 +11,15 @@ namespace talus {
 /// A parameter's value: a switch, a whole number, a number, or one of the declared choices by name.
 using Value = std::variant<bool, int, double, std::string>;
 
+/// What else a change of a parameter sets off in a simulation, beside its new value.
+enum class SetsOff {
+    nothing,
+    slope_rate,     ///< thermal erosion's rate follows, unless somebody set it
+    solid_weights,  ///< regolith or load count otherwise as solid: the ledger books the difference
+    sea,        ///< when set, the sea fills what lies lower; set again at once, it takes the place of that
+    edge_clock  ///< inflow and wave maker begin anew
+};
+
 /// One declared parameter (law 8): panels, preset keys, --set, help and the docs come from it.
 struct Parameter {
     std::string name;  ///< section.name
@@ -20,6 +29,13 @@ struct Parameter {
     std::string unit;
     std::string help;
     std::vector<std::string> choices;  ///< names, for text parameters
+    std::string old_name = "";         ///< as files of earlier versions have it; it is still read
+    std::string follows = "";          ///< unless set, its value is that of the number parameter of this name
+    SetsOff sets_off = SetsOff::nothing;
+
+    Parameter once(std::string name) &&;
+    Parameter following(std::string name) &&;
+    Parameter setting_off(SetsOff what) &&;
 };
 
 Parameter number(std::string name, double preset, double low, double high, std::string unit,
@@ -27,6 +43,10 @@ Parameter number(std::string name, double preset, double low, double high, std::
 Parameter whole(std::string name, int preset, int low, int high, std::string unit, std::string help);
 Parameter toggle(std::string name, bool preset, std::string help);
 Parameter choice(std::string name, std::string preset, std::vector<std::string> choices, std::string help);
+
+/// How a name says that its number has this unit: "_m_per_s" of m/s, "_mm_per_h" of mm/h, "_deg" of °. Empty
+/// for units that names leave out: counts, ratios (s/s), and those that no name could say in short.
+std::string unit_in_name(const std::string& unit);
 
 /// The value as presets, journals and --set write it; numbers keep every bit.
 std::string to_text(const Value& value);
@@ -52,6 +72,7 @@ class Parameters {
         return static_cast<Enum>(place_of_choice(name));
     }
 
+    // Old names of parameters do everywhere as their names do.
     /// Throws talus::Error for an unknown name, a wrong type or a value out of range, and changes nothing
     /// then.
     void set(std::string_view name, const Value& value);
@@ -63,12 +84,14 @@ class Parameters {
     /// given.
     void suggest(std::string_view name, const Value& value);
 
-    /// Back to the default, as if nobody had given a value. Throws talus::Error for an unknown name.
+    /// Back to the default, or to what it follows, as if nobody had given a value. Throws talus::Error for an
+    /// unknown name.
     void reset(std::string_view name);
 
     bool operator==(const Parameters& other) const { return values_ == other.values_; }
 
   private:
+    void pass_on(const Parameter& followed);
     int place_of_choice(std::string_view name) const;
     Value checked(const Parameter& parameter, const Value& value) const;
 

@@ -9,10 +9,19 @@
 #include <utility>
 
 #include "sim/gpu/error.h"
-#include "sim/pass_settings.h"
 #include "sim/terrain/sea.h"
 
 namespace talus {
+namespace {
+
+// Unless somebody set it, thermal erosion's rate makes a tick one sub-step.
+void suggest_slope_rate(const Grid& grid, Parameters& parameters) {
+    parameters.suggest("thermal.rate_m2_per_s", natural_thermal_rate(grid, parameters.number("time.tick_s"),
+                                                                     parameters.number("erosion.porosity")));
+}
+
+}  // namespace
+
 Simulation::Simulation(const TerrainState& state, const Parameters& parameters, std::size_t undo_bytes)
     : terrain_(state),
       brush_(terrain_),
@@ -21,10 +30,7 @@ Simulation::Simulation(const TerrainState& state, const Parameters& parameters, 
               {},          state.georeference, nullptr},
       undo_(undo_bytes),
       keeps_undo_(undo_bytes > 0) {
-    moment_.parameters.suggest("thermal.rate_m2_per_s",
-                               natural_thermal_rate(state.grid, parameters.number("time.tick_s"),
-                                                    parameters.number("erosion.porosity")));
-    follow_repose(moment_.parameters);
+    suggest_slope_rate(state.grid, moment_.parameters);
     check_tick(state.grid, moment_.parameters);
     if (terrain_.water) {
         add_water();
@@ -33,10 +39,10 @@ Simulation::Simulation(const TerrainState& state, const Parameters& parameters, 
     rain_painted_ = std::any_of(state.painted.begin(), state.painted.end(),
                                 [](const glm::vec4& painted) { return painted.z > 0; });
     // What was saved midway holds what is left of its sea.
-    if (state.clock.ticks == 0 && moment_.parameters.is_given("water.sea_level")) fill_sea_now();
+    if (state.clock.ticks == 0 && moment_.parameters.is_given("water.sea_level_m")) fill_sea_now();
     moment_.sea_m3 = 0;
     ledger_ = std::make_unique<Ledger>(terrain_);
-    moment_.ledger = ledger_->begin(terrain_, weights_of(moment_.parameters));
+    moment_.ledger = ledger_->begin(terrain_, weights_of(sediment_settings(moment_.parameters)));
 }
 
 Books Simulation::books() {
@@ -51,7 +57,7 @@ Books Simulation::books() {
 bool Simulation::has_water() const {
     const Parameters& parameters = moment_.parameters;
     if (!parameters.toggle("water.on")) return false;
-    if (water_ || !moment_.springs.empty() || parameters.number("water.rain") > 0) return true;
+    if (water_ || !moment_.springs.empty() || parameters.number("water.rain_mm_per_h") > 0) return true;
     if (rain_painted_) return true;
     const WaterSettings settings = water_settings_of(parameters);
     return std::any_of(settings.edges.begin(), settings.edges.end(), [&](EdgeKind kind) {
@@ -83,7 +89,7 @@ WaterSettings Simulation::water_settings() const {
 
 void Simulation::fill_sea_now() {
     TerrainState state = terrain_.read();
-    moment_.sea_m3 += fill_sea(state, moment_.parameters.number("water.sea_level"));
+    moment_.sea_m3 += fill_sea(state, moment_.parameters.number("water.sea_level_m"));
     add_water();
     terrain_.write(&Terrain::water, state);
     inundation_->record(terrain_, moment_.clock.simulated_s);
@@ -118,26 +124,24 @@ void Simulation::record(const Operation& operation, Change&& change) {
     if (entry) undo_.close(terrain_, journal_);
 }
 
-void Simulation::act(const SetParameter& set) {
+void Simulation::act(const SetParameter& wanted) {
+    SetParameter set = wanted;
+    set.name = moment_.parameters.declaration(wanted.name).name;
     Parameters changed = moment_.parameters;
     if (set.value)
         changed.set(set.name, *set.value);
     else
         changed.reset(set.name);
-    // Unless somebody set it, it follows the tick.
-    if (set.name == "time.tick_s" || set.name == "thermal.rate_m2_per_s")
-        changed.suggest("thermal.rate_m2_per_s",
-                        natural_thermal_rate(terrain_.grid(), changed.number("time.tick_s"),
-                                             changed.number("erosion.porosity")));
-    follow_repose(changed);
+    const SetsOff sets_off = changed.declaration(set.name).sets_off;
+    if (sets_off == SetsOff::slope_rate) suggest_slope_rate(terrain_.grid(), changed);
     check_tick(terrain_.grid(), changed);
-    const bool fills = set.name == "water.sea_level" && set.value;
-    if (set.name == "water.sea_level") withdraw_sea();
+    const bool fills = sets_off == SetsOff::sea && set.value;
+    if (sets_off == SetsOff::sea) withdraw_sea(set.name);
     const auto change = [&] {
         if (keeps_undo_ && fills) undo_.keep_all(terrain_);
-        if (set.name == "erosion.porosity" || set.name == "erosion.acceleration") reweigh(changed);
+        if (sets_off == SetsOff::solid_weights) reweigh(changed);
         moment_.parameters = changed;
-        if (drives_edges(set.name)) moment_.edges_since_s = moment_.clock.simulated_s;
+        if (sets_off == SetsOff::edge_clock) moment_.edges_since_s = moment_.clock.simulated_s;
         if (fills) fill_sea_now();
     };
     // A slider that is dragged is one entry; a sea that rises keeps what it covers.
@@ -216,13 +220,12 @@ void Simulation::act(const Crop& crop) {
 
 void Simulation::act(const Turn& turn) {
     // What was east is north after a quarter.
-    constexpr std::array<const char*, 4> around = {"east", "north", "west", "south"};
+    constexpr std::array around = {Edge::east, Edge::north, Edge::west, Edge::south};
     Parameters parameters = moment_.parameters;
     const int quarters = (turn.quarters % 4 + 4) % 4;
     for (std::size_t i = 0; i < 4; ++i) {
-        const std::string from = std::string("water.boundary.") + around[i];
-        const std::string to =
-            std::string("water.boundary.") + around[(i + static_cast<std::size_t>(quarters)) % 4];
+        const std::string& from = boundary_parameter(around[i]);
+        const std::string& to = boundary_parameter(around[(i + static_cast<std::size_t>(quarters)) % 4]);
         if (moment_.parameters.value(from) != moment_.parameters.value(to))
             parameters.set(to, moment_.parameters.value(from));
     }
@@ -235,8 +238,8 @@ void Simulation::act(const Import& import) {
     TerrainState next = *import.state;
     next.clock = moment_.clock;
     next.edges_since_s = moment_.edges_since_s;
-    if (moment_.parameters.is_given("water.sea_level") && next.water.empty())
-        fill_sea(next, moment_.parameters.number("water.sea_level"));
+    if (moment_.parameters.is_given("water.sea_level_m") && next.water.empty())
+        fill_sea(next, moment_.parameters.number("water.sea_level_m"));
     replace_terrain(import, next, moment_.parameters);
 }
 
@@ -276,14 +279,12 @@ void Simulation::replace_terrain(const Operation& operation, const TerrainState&
                                  Parameters parameters) {
     if (undo_.is_open())
         throw Error(fmt::format("a stroke or run is not ended: {} needs that", name_of(operation)));
-    parameters.suggest("thermal.rate_m2_per_s",
-                       natural_thermal_rate(next.grid, parameters.number("time.tick_s"),
-                                            parameters.number("erosion.porosity")));
+    suggest_slope_rate(next.grid, parameters);
     check_tick(next.grid, parameters);
     Terrain terrain(next);
     // Water that came with it has arrived.
     if (terrain.water) Inundation(terrain).record(terrain, moment_.clock.simulated_s);
-    const LedgerStart start = Ledger(terrain).begin(terrain, weights_of(parameters));
+    const LedgerStart start = Ledger(terrain).begin(terrain, weights_of(sediment_settings(parameters)));
     std::vector<Spring> springs = next.springs;
     std::optional<Georeference> georeference = next.georeference;
     record(operation, [&] {
@@ -324,11 +325,11 @@ void Simulation::stand_on(Terrain next) {
     ++terrain_number_;
 }
 
-void Simulation::withdraw_sea() {
+void Simulation::withdraw_sea(const std::string& level) {
     const std::vector<Operation>& done = journal_.operations();
     const auto* last = done.empty() ? nullptr : std::get_if<SetParameter>(&done.back());
-    if (undo_.is_open() || !can_undo() || undo_.undo_name() != "water.sea_level") return;
-    if (last && last->name == "water.sea_level" && last->value) exchange(&Undo::undo);
+    if (undo_.is_open() || !can_undo() || undo_.undo_name() != level) return;
+    if (last && last->name == level && last->value) exchange(&Undo::undo);
 }
 
 void Simulation::place(const Spring& spring) {
@@ -430,7 +431,7 @@ void Simulation::copy_books(AskedLedger& asked) {
         asked.books.emplace_back("ledger books", book->bytes());
         asked.books.back().copy_from(*book);
     }
-    asked.weights = weights_of(moment_.parameters);
+    asked.weights = weights_of(sediment_settings(moment_.parameters));
     asked.sea_m3 = moment_.sea_m3;
     asked.booked_m3 = moment_.booked_m3;
     asked.start = moment_.ledger;

@@ -125,7 +125,7 @@ class Simulation {
     void add_water();
     void fill_sea_now();
     /// A sea level that is set again at once takes the place of the one before, and its water with it.
-    void withdraw_sea();
+    void withdraw_sea(const std::string& level);
     void begin_tick();
 
     Terrain terrain_;

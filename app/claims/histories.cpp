@@ -28,7 +28,7 @@ TerrainState mountains() {
 
 Parameters rainy() {
     Parameters parameters((simulation_parameters()));
-    for (const char* assignment : {"water.rain=300", "erosion.on=true", "time.tick_s=0.5",
+    for (const char* assignment : {"water.rain_mm_per_h=300", "erosion.on=true", "time.tick_s=0.5",
                                    "erosion.acceleration=20", "erosion.porosity=0.3"})
         parameters.set_assignment(assignment);
     return parameters;

@@ -12,11 +12,8 @@ namespace {
 std::string label_of(const Parameter& p) {
     std::string label = p.name.substr(p.name.find('.') + 1);
     // The unit stands behind the value, so it need not stand in the label too.
-    for (const char* suffix : {"_m2_per_s", "_m_per_s", "_per_s", "_deg", "_mib", "_m", "_s"})
-        if (label.ends_with(suffix)) {
-            label.resize(label.size() - std::string(suffix).size());
-            break;
-        }
+    const std::string unit = unit_in_name(p.unit);
+    if (!unit.empty() && label.ends_with(unit)) label.resize(label.size() - unit.size());
     for (char& c : label)
         if (c == '_' || c == '.') c = ' ';
     return label;

@@ -2,38 +2,10 @@
 #include <imgui.h>
 
 #include "app/panels/panels.h"
-#include "app/tools/brush_stroke.h"
+#include "app/tools/tools.h"
 
 namespace talus {
 namespace {
-
-// The parameters that a tool listens to, beside size and how it fades.
-std::vector<std::string> settings_of(const std::string& tool) {
-    if (tool == "raise") return {"brush.rate_m_per_s", "brush.material"};
-    if (tool == "lower" || tool == "water") return {"brush.rate_m_per_s"};
-    if (tool == "height") return {"brush.height_m", "brush.blend_per_s"};
-    if (tool == "ramp") return {};
-    if (tool == "noise")
-        return {"brush.rate_m_per_s", "noise.kind", "noise.wavelength_m", "noise.octaves",
-                "noise.gain",         "noise.warp", "noise.seed"};
-    if (tool == "terrace") return {"terrace.step_m", "terrace.flat", "brush.blend_per_s"};
-    if (tool == "stamp")
-        return {"stamp.mode", "stamp.relief_m", "stamp.zero", "stamp.turn_deg", "stamp.mirrored"};
-    if (tool == "erode") return {"erode.acceleration", "erode.rain", "erode.speed"};
-    if (tool == "rain") return {"brush.rain", "brush.blend_per_s"};
-    if (tool == "hardness" || tool == "mask") return {"brush.value", "brush.blend_per_s"};
-    return {"brush.blend_per_s"};
-}
-
-const char* how_to(const std::string& tool) {
-    if (tool == "height") return "Ctrl and a click pick the height under the mouse.";
-    if (tool == "ramp") return "Press where the slope begins, let go where it ends.";
-    if (tool == "erode") return "Hold: rain gathers, carves and settles, under the brush alone.";
-    if (tool == "water") return "Ctrl takes water away.";
-    if (tool == "rain" || tool == "hardness" || tool == "mask") return "Ctrl wipes what was painted.";
-    if (tool == "flatten") return "To the height where the stroke begins.";
-    return "Ctrl turns it around, Shift smooths.";
-}
 
 std::string key_of(std::size_t tool) {
     if (tool < 9) return fmt::format("key {}", tool + 1);
@@ -83,22 +55,22 @@ void draw_tools_panel(PanelContext& context) {
     if (choice_button("Reset", false, "the scene from its start; the file or generator is read anew", third))
         requests.reset = true;
     heading("Brush");
-    const std::string tool = session.view().choice("brush.tool");
-    const std::vector<std::string>& tools = tool_names();
-    for (std::size_t i = 0; i < tools.size(); ++i) {
-        if (choice_button(tools[i], tool == tools[i], key_of(i), third)) session.set("brush.tool", tools[i]);
-        if (i % 3 != 2 && i + 1 < tools.size()) ImGui::SameLine();
+    const Tool& tool = tool_named(session.view().choice("brush.tool"));
+    for (std::size_t i = 0; i < tools().size(); ++i) {
+        const std::string& name = tools()[i].name;
+        if (choice_button(name, tool.name == name, key_of(i), third)) session.set("brush.tool", name);
+        if (i % 3 != 2 && i + 1 < tools().size()) ImGui::SameLine();
     }
     ImGui::PushTextWrapPos(0);
-    ImGui::TextDisabled("%s", how_to(tool));
+    ImGui::TextDisabled("%s", tool.how_to.c_str());
     ImGui::PopTextWrapPos();
     ImGui::Spacing();
     draw_parameters(session, requests, {"brush.radius_m"});
-    draw_parameters(session, requests, settings_of(tool));
-    if (tool == "stamp") draw_stamp(context);
+    draw_parameters(session, requests, tool.settings);
+    if (tool.course == StrokeCourse::stamps) draw_stamp(context);
     draw_parameters(session, requests, {"brush.falloff", "brush.curve", "brush.spacing", "brush.jitter"});
     if (session.view().number("brush.jitter") > 0) draw_parameters(session, requests, {"brush.seed"});
-    if (tool != "mask") draw_parameters(session, requests, {"brush.over"});
+    if (tool.limited_by_mask) draw_parameters(session, requests, {"brush.over"});
 }
 
 }  // namespace talus

@@ -7,116 +7,41 @@
 #include "sim/operation.h"
 
 namespace talus {
-const std::vector<std::string>& tool_names() {
-    static const std::vector<std::string> names = {"raise", "lower", "smooth",   "flatten", "height",
-                                                   "ramp",  "noise", "terrace",  "stamp",   "erode",
-                                                   "water", "rain",  "hardness", "mask"};
-    return names;
-}
-
-const char* strength_of(const std::string& tool) {
-    if (tool == "raise" || tool == "lower" || tool == "noise" || tool == "water") return "brush.rate_m_per_s";
-    if (tool == "erode") return "erode.acceleration";
-    if (tool == "stamp") return "stamp.relief_m";
-    return tool == "ramp" ? nullptr : "brush.blend_per_s";
-}
 
 Dab tool_dab(const Parameters& view, const Modifiers& modifiers, double ground_m, double wall_s,
              const Stamp* stamp) {
-    const std::string& tool = modifiers.smooth ? "smooth" : view.choice("brush.tool");
+    const Tool& tool = tool_named(modifiers.smooth ? "smooth" : view.choice("brush.tool"));
     Dab dab;
     dab.radius_m = view.number("brush.radius_m");
     dab.falloff = view.number("brush.falloff");
     dab.curve = view.choice_as<FalloffCurve>("brush.curve");
-    dab.masked = view.choice("brush.over") == "mask" && tool != "mask";
+    dab.masked = tool.limited_by_mask && view.choice("brush.over") == "mask";
     dab.amount_m = view.number("brush.rate_m_per_s") * wall_s;
     dab.blend = -std::expm1(-view.number("brush.blend_per_s") * wall_s);
-    dab.material = view.choice("brush.material") == "regolith" ? Material::regolith : Material::bedrock;
+    dab.material = view.choice_as<Material>("brush.material");
     dab.target_m = ground_m;
-    const auto paint = [&](Material material, double value) {
-        dab.material = material;
-        dab.mode = modifiers.inverted ? BrushMode::lower : BrushMode::raise;
-        dab.target_m = modifiers.inverted ? 0 : value;
-    };
-    if (tool == "raise" || tool == "lower") {
-        dab.mode = (tool == "lower") != modifiers.inverted ? BrushMode::lower : BrushMode::raise;
-    } else if (tool == "smooth") {
-        dab.mode = BrushMode::smooth;
-    } else if (tool == "flatten") {
-        dab.mode = BrushMode::flatten;
-    } else if (tool == "height") {
-        dab.mode = BrushMode::flatten;
-        dab.target_m = view.number("brush.height_m");
-    } else if (tool == "ramp") {
-        dab.mode = BrushMode::ramp;
-        dab.blend = 1;
-    } else if (tool == "noise") {
-        dab.mode = BrushMode::noise;
-        if (modifiers.inverted) dab.amount_m = -dab.amount_m;
-        dab.noise = {view.choice_as<int>("noise.kind"), view.number("noise.wavelength_m"),
-                     view.whole("noise.octaves"),       view.number("noise.gain"),
-                     view.number("noise.warp"),         static_cast<std::uint32_t>(view.whole("noise.seed"))};
-    } else if (tool == "terrace") {
-        dab.mode = BrushMode::terrace;
-        dab.target_m = 0;
-        dab.step_m = view.number("terrace.step_m");
-        dab.flat = view.number("terrace.flat");
-    } else if (tool == "stamp") {
-        dab.mode = BrushMode::stamp;
-        dab.blend = 1;
-        dab.amount_m =
-            view.is_given("stamp.relief_m") || !stamp ? view.number("stamp.relief_m") : stamp->relief_m;
-        if (modifiers.inverted) dab.amount_m = -dab.amount_m;
-        dab.stamp.mode = view.choice_as<StampMode>("stamp.mode");
-        dab.stamp.turn_deg = view.number("stamp.turn_deg");
-        dab.stamp.mirrored = view.toggle("stamp.mirrored");
-        // The longer side is as wide as the brush; the corners lie within its reach.
-        dab.stamp.half_m = glm::dvec2(dab.radius_m);
-        if (stamp) {
-            dab.stamp.zero = zero_of(*stamp, view.choice_as<StampZero>("stamp.zero"));
-            const glm::dvec2 size(stamp->grid.width_m(), stamp->grid.height_m());
-            dab.stamp.half_m = dab.radius_m * size / std::max(size.x, size.y);
-        }
-        dab.radius_m = 1.001 * glm::length(dab.stamp.half_m);
-    } else if (tool == "erode") {
-        dab.mode = BrushMode::erode;
-        dab.erode.rain_mm_per_h = view.number("erode.rain");
-        dab.erode.acceleration = view.number("erode.acceleration");
-        // That of a click ends when its load has settled.
-        constexpr double shortest_s = 1e-3;
-        dab.erode.time_s = std::max(view.number("erode.speed") * wall_s, shortest_s);
-    } else if (tool == "water") {
-        dab.material = Material::water;
-        dab.mode = modifiers.inverted ? BrushMode::lower : BrushMode::raise;
-    } else if (tool == "rain") {
-        paint(Material::rain, view.number("brush.rain"));
-    } else if (tool == "hardness") {
-        paint(Material::hardness, view.number("brush.value"));
-    } else {
-        paint(Material::mask, view.number("brush.value"));
-    }
+    tool.shape({view, modifiers.inverted, ground_m, wall_s, stamp}, dab);
     return dab;
 }
 
 BrushStroke::BrushStroke(const Parameters& view, const Modifiers& modifiers, glm::dvec3 at, unsigned number)
     : modifiers_(modifiers),
-      tool_(modifiers.smooth ? "smooth" : view.choice("brush.tool")),
+      tool_(&tool_named(modifiers.smooth ? "smooth" : view.choice("brush.tool"))),
       begin_(at),
       at_(at),
       random_(static_cast<unsigned>(view.whole("brush.seed")) * 7919U + number) {
-    // As an operation of its own would be called, but for the tools that share a mode.
-    const Dab dab = tool_dab(view, modifiers, at.z, 0, nullptr);
-    name_ = tool_ == "height" ? tool_ : name_of(dab);
+    name_ = tool_->history_name.empty() ? name_of(tool_dab(view, modifiers, at.z, 0, nullptr))
+                                        : tool_->history_name;
 }
 
 const Parameters& BrushStroke::settings(const Parameters& view) {
-    if (tool_ == "erode") {
+    if (tool_->course == StrokeCourse::flows) {
         if (!held_) held_ = view;
         return *held_;
     }
-    if (modifiers_.smooth || view.choice("brush.tool") == tool_) return view;
+    if (modifiers_.smooth || view.choice("brush.tool") == tool_->name) return view;
     held_ = view;
-    held_->set("brush.tool", tool_);
+    held_->set("brush.tool", tool_->name);
     return *held_;
 }
 
@@ -126,7 +51,7 @@ double BrushStroke::unit() {
 
 Dab BrushStroke::jittered(const Parameters& view, Dab dab, glm::dvec2 place) {
     // Water that jumps about would be cut off on the way.
-    const double jitter = tool_ == "erode" ? 0 : view.number("brush.jitter");
+    const double jitter = tool_->course == StrokeCourse::flows ? 0 : view.number("brush.jitter");
     const double reach_m = jitter * view.number("brush.radius_m");
     if (reach_m > 0) {
         // A point of the disc, by rejection: without sine or cosine.
@@ -148,12 +73,12 @@ std::vector<Dab> BrushStroke::move(const Parameters& present, glm::dvec3 at, dou
     const double spacing_m = view.number("brush.spacing") * view.number("brush.radius_m");
     std::vector<Dab> dabs;
     // Each dab of erosion runs solvers: a few of them follow the hand.
-    const int most = tool_ == "erode" ? 3 : 64;
-    if (tool_ == "ramp") {
+    const int most = tool_->course == StrokeCourse::flows ? 3 : 64;
+    if (tool_->course == StrokeCourse::at_end) {
         at_ = at;
         return dabs;
     }
-    if (tool_ == "stamp") {
+    if (tool_->course == StrokeCourse::stamps) {
         // One where the stroke begins, then one a spacing further each.
         const Dab dab = tool_dab(view, modifiers_, begin_.z, 0, stamp);
         if (!stamped_) {
@@ -182,10 +107,10 @@ std::vector<Dab> BrushStroke::move(const Parameters& present, glm::dvec3 at, dou
 }
 
 std::optional<Dab> BrushStroke::end(const Parameters& present) {
-    if (tool_ != "ramp" && tool_ != "erode") return std::nullopt;
+    if (tool_->course != StrokeCourse::at_end && tool_->course != StrokeCourse::flows) return std::nullopt;
     const Parameters& view = settings(present);
     Dab dab = tool_dab(view, modifiers_, begin_.z, 0, nullptr);
-    if (tool_ == "erode") {
+    if (tool_->course == StrokeCourse::flows) {
         if (!begun_) return std::nullopt;
         dab.x_m = at_.x;
         dab.y_m = at_.y;

@@ -5,17 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "app/tools/tools.h"
 #include "sim/parameters.h"
 #include "sim/passes/brush.h"
 #include "sim/terrain/stamp.h"
 
 namespace talus {
-
-/// Names of the tools, in the order of their keys.
-const std::vector<std::string>& tool_names();
-
-/// The parameter that says how strongly a tool acts; none: nothing does.
-const char* strength_of(const std::string& tool);
 
 /// What keys that are held make of a tool.
 struct Modifiers {
@@ -54,7 +49,7 @@ class BrushStroke {
     double unit();
 
     Modifiers modifiers_;
-    std::string tool_;
+    const Tool* tool_;
     std::optional<Parameters> held_;
     std::string name_;
     glm::dvec3 begin_;

@@ -142,7 +142,7 @@ void Hand::sculpt(Session& session, double passed_s, const HandMay& may, bool& p
     // The click that placed a gauge, or picked a height, is no stroke.
     placed_ = placed_ && held;
     if (presses && !session.stroking() && cursor_ && modifiers.inverted && !modifiers.smooth &&
-        session.view().choice("brush.tool") == "height") {
+        tool_named(session.view().choice("brush.tool")).picks_height) {
         session.set("brush.height_m", cursor_->z);
         placed_ = true;
     }

@@ -6,9 +6,9 @@
 //   dab_blend       real, smooth, flatten, ramp, terrace, stamp: share of the way at full weight
 //   dab_target_m    real2, flatten: the height to reach, two words; ramp: at its beginning; terrace: of a step; stamp:
 //                   that its 0 stands on
-//   dab_rise_m      real, ramp: how much higher its end is
+//   ramp_rise_m      real, ramp: how much higher its end is
 //   dab_on_regolith int, 1: raise adds regolith rather than bedrock
-//   noise_wave_m    real, noise: the wavelength
+//   noise_wavelength_m    real, noise: the wavelength
 //   terrace_step_m  real, terrace: height of a step; terrace_flat real, 0 to 1: share of it that is level
 //   stamp_samples   int2, columns and rows of the stamp; stamp_columns, stamp_rows real2: of them, a metre along the
 //                   terrain's columns and rows; stamp_mode int: 0 add, 1 higher, 2 lower, 3 replace; stamp_zero
@@ -21,8 +21,8 @@ real rise_to_target(real4 c) { return rise(c, real4(dab_target_m.x, dab_target_m
 
 real noise_at(int2 at) {
     // From the south-west sample: the same at every number of samples.
-    precise real x = real(at.x) * cell_m.x / noise_wave_m;
-    precise real y = real(samples.y - 1 - at.y) * cell_m.y / noise_wave_m;
+    precise real x = real(at.x) * cell_m.x / noise_wavelength_m;
+    precise real y = real(samples.y - 1 - at.y) * cell_m.y / noise_wavelength_m;
     return brush_noise(real2(x, y));
 }
 
@@ -89,7 +89,7 @@ real brush_change(int2 at, real4 c) {
     }
     if (dab_mode == 3) change = (weight * dab_blend) * rise_to_target(c);
     if (dab_mode == 4) {
-        precise real to_ramp = rise_to_target(c) + dab_along(dab_offset_m(at)) * dab_rise_m;
+        precise real to_ramp = rise_to_target(c) + dab_along(dab_offset_m(at)) * ramp_rise_m;
         change = (weight * dab_blend) * to_ramp;
     }
     if (dab_mode == 5) change = change * noise_at(at);

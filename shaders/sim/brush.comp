@@ -42,14 +42,14 @@ real painted_mask(int2 at) { return imageLoad(painted, at).y; }
 uniform real dab_amount_m;
 uniform real dab_blend;
 uniform real2 dab_target_m;
-uniform real dab_rise_m;
+uniform real ramp_rise_m;
 uniform int dab_on_regolith;
 uniform int noise_kind;
 uniform int noise_octaves;
 uniform real noise_gain;
 uniform real noise_warp;
 uniform uint noise_seed;
-uniform real noise_wave_m;
+uniform real noise_wavelength_m;
 uniform real terrace_step_m;
 uniform real terrace_flat;
 uniform int2 stamp_samples;

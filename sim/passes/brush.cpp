@@ -6,95 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/gpu/error.h"
+#include "sim/passes/dab_fields.h"
 #include "sim/passes/erode_brush.h"
 #include "sim/passes/paint.h"
 
 namespace talus {
-
-const std::vector<std::string>& brush_mode_names() {
-    static const std::vector<std::string> names = {"raise", "lower",   "smooth", "flatten", "ramp",
-                                                   "noise", "terrace", "stamp",  "erode"};
-    return names;
-}
-
-const std::vector<std::string>& material_names() {
-    static const std::vector<std::string> names = {"bedrock",  "regolith", "water",
-                                                   "hardness", "mask",     "rain"};
-    return names;
-}
-
-const std::vector<std::string>& falloff_curve_names() {
-    static const std::vector<std::string> names = {"smooth", "linear", "round", "sharp"};
-    return names;
-}
-
-const std::vector<std::string>& noise_kind_names() {
-    static const std::vector<std::string> names = {"fbm", "ridged", "billow"};
-    return names;
-}
-
-const std::vector<std::string>& stamp_mode_names() {
-    static const std::vector<std::string> names = {"add", "higher", "lower", "replace"};
-    return names;
-}
-
-void check_dab(const Dab& dab) {
-    // Flatten away from its target exaggerates the relief.
-    const double least_blend = dab.mode == BrushMode::flatten ? -1000 : 0;
-    const double least_amount_m = dab.mode == BrushMode::noise || dab.mode == BrushMode::stamp ? -1e6 : 0;
-    const struct {
-        const char* name;
-        double value;
-        double low;
-        double high;
-    } fields[] = {{"x_m", dab.x_m, -1e9, 1e9},
-                  {"y_m", dab.y_m, -1e9, 1e9},
-                  {"radius_m", dab.radius_m, 1e-6, 1e9},
-                  {"falloff", dab.falloff, 0, 1},
-                  {"blend", dab.blend, least_blend, 1},
-                  {"amount_m", dab.amount_m, least_amount_m, 1e6},
-                  {"target_m", dab.target_m, -1e6, 1e6},
-                  {"way_x_m", dab.way_m.x, -1e9, 1e9},
-                  {"way_y_m", dab.way_m.y, -1e9, 1e9},
-                  {"rise_m", dab.rise_m, -1e6, 1e6},
-                  {"step_m", dab.step_m, 1e-3, 1e6},
-                  {"flat", dab.flat, 0, 0.99},
-                  {"wavelength_m", dab.noise.wavelength_m, 1e-3, 1e9},
-                  {"octaves", static_cast<double>(dab.noise.octaves), 1, 16},
-                  {"gain", dab.noise.gain, 0, 1},
-                  {"warp", dab.noise.warp, 0, 10},
-                  {"half_x_m", dab.stamp.half_m.x, 1e-6, 1e9},
-                  {"half_y_m", dab.stamp.half_m.y, 1e-6, 1e9},
-                  {"turn_deg", dab.stamp.turn_deg, -3600, 3600},
-                  {"zero", dab.stamp.zero, -1e6, 1e6},
-                  {"rain_mm_per_h", dab.erode.rain_mm_per_h, 0, 1e4},
-                  {"time_s", dab.erode.time_s, 1e-6, 1e6},
-                  {"acceleration", dab.erode.acceleration, 1, 1e5}};
-    for (const auto& field : fields)
-        if (!(field.value >= field.low && field.value <= field.high))
-            throw Error(fmt::format("a dab's {} cannot be {}, it must be {} to {}", field.name, field.value,
-                                    field.low, field.high));
-    if (dab.is_paint() && !(dab.target_m >= 0 && dab.target_m <= most_painted(painted_layer(dab.material))))
-        throw Error(fmt::format("a dab of {} cannot paint {}, it must be 0 to {}",
-                                material_names()[static_cast<std::size_t>(dab.material)], dab.target_m,
-                                most_painted(painted_layer(dab.material))));
-    if (dab.masked && dab.is_paint() && dab.material == Material::mask)
-        throw Error("a dab that paints the mask cannot be limited by it");
-}
-
-Dab everywhere(const Grid& grid, Dab dab) {
-    dab.x_m = grid.width_m() / 2;
-    dab.y_m = grid.height_m() / 2;
-    dab.radius_m = grid.width_m() + grid.height_m() + grid.dx + grid.dy;
-    dab.falloff = 0;
-    dab.way_m = {0, 0};
-    return dab;
-}
-
-PaintedLayer painted_layer(Material material) {
-    return static_cast<PaintedLayer>(static_cast<int>(material) - static_cast<int>(Material::hardness));
-}
 
 DabStep dab_step(const Grid& grid, const Dab& dab, glm::ivec2 stamp_samples) {
     const double column = grid.column_of(dab.x_m);
@@ -157,6 +73,31 @@ void set_dab(gpu::Program& program, const Terrain& terrain, const Dab& dab, unsi
     if (dab.masked && terrain.painted) terrain.painted->front.bind_image(mask_unit, gpu::Access::read);
 }
 
+namespace {
+
+// A field as the shader knows it, in single precision.
+struct SetUniform {
+    gpu::Program& program;
+    std::string prefix;
+    void operator()(const char* name, double value, double, double) const {
+        program.set(prefix + name, static_cast<float>(value));
+    }
+    void operator()(const char* name, int value, double, double) const { program.set(prefix + name, value); }
+    void operator()(const char* name, std::uint32_t value, double, double) const {
+        program.set(prefix + name, value);
+    }
+    void operator()(const char* name, glm::dvec2 pair, double, double) const {
+        program.set(prefix + name, glm::vec2(pair));
+    }
+    template <typename Choice>
+    void operator()(const char* name, Choice choice, const std::vector<std::string>&) const {
+        program.set(prefix + name, static_cast<int>(choice));
+    }
+    void operator()(const char* name, bool on) const { program.set(prefix + name, on ? 1 : 0); }
+};
+
+}  // namespace
+
 Brush::Brush(const Terrain& terrain)
     : books("brush books", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(glm::dvec4)) {
     books.fill(0);
@@ -203,26 +144,13 @@ void Brush::dab(Terrain& terrain, const Dab& dab, const gpu::Texture* stamp) {
         program.set("dab_blend", step.blend);
         program.set("dab_target_m", step.target_m);
         program.set("dab_on_regolith", step.on_regolith);
-        if (dab.mode == BrushMode::ramp) program.set("dab_rise_m", step.rise_m);
-        if (dab.mode == BrushMode::noise) {
-            program.set("noise_kind", dab.noise.kind);
-            program.set("noise_octaves", dab.noise.octaves);
-            program.set("noise_gain", static_cast<float>(dab.noise.gain));
-            program.set("noise_warp", static_cast<float>(dab.noise.warp));
-            program.set("noise_seed", dab.noise.seed);
-            program.set("noise_wave_m", static_cast<float>(dab.noise.wavelength_m));
-        }
-        if (dab.mode == BrushMode::terrace) {
-            program.set("terrace_step_m", static_cast<float>(dab.step_m));
-            program.set("terrace_flat", static_cast<float>(dab.flat));
-        }
+        visit_own(dab, dab.mode,
+                  SetUniform{program, brush_mode_names()[static_cast<std::size_t>(dab.mode)] + "_"});
         if (dab.mode == BrushMode::stamp && stamp) {
             stamp->bind_image(4, gpu::Access::read);
             program.set("stamp_samples", stamp_samples);
             program.set("stamp_columns", step.stamp_columns);
             program.set("stamp_rows", step.stamp_rows);
-            program.set("stamp_zero", step.stamp_zero);
-            program.set("stamp_mode", static_cast<int>(dab.stamp.mode));
         }
     });
 }

@@ -3,25 +3,10 @@
 
 #include "sim/gpu/buffer.h"
 #include "sim/gpu/program.h"
+#include "sim/passes/sediment_settings.h"
 #include "sim/terrain/terrain.h"
 
 namespace talus {
-
-/// Settings of erosion by water, with units (docs/numerics.md, "Sediment").
-struct SedimentSettings {
-    bool carried = false;            ///< the water has a load: the terrain has a suspended layer
-    double regolith_m_per_s_pa = 0;  ///< erodibility: metres a second for a pascal above the critical stress
-    double bedrock_m_per_s_pa = 0;
-    double critical_pa = 0;
-    double settling_m_per_s = 0.01;
-    double porosity = 0;              ///< of what settled
-    double acceleration = 1;          ///< how often an exchange counts for the bed
-    double inflow_concentration = 0;  ///< by volume, of what enters by edges of kind inflow
-    bool masked = false;              ///< water takes as much as the mask says
-    bool below_neighbours = false;    ///< what settles raises no sample above its highest neighbour
-    double strata_m = 0;              ///< thickness of a pair of bedrock layers; 0: none
-    double strata_hardness = 0;       ///< of the harder one
-};
 
 /// Settings in the units of shaders/maths/sediment_exchange.glsl, for a gravity (m/s²) and Manning's n. The
 /// twin takes the same numbers.

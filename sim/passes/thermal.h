@@ -2,6 +2,7 @@
 #include <map>
 
 #include "sim/gpu/program.h"
+#include "sim/passes/thermal_settings.h"
 #include "sim/terrain/terrain.h"
 
 namespace talus {
@@ -17,17 +18,6 @@ struct ThermalStep {
     float weathering_m = 0;  ///< of bare bedrock in a sub-step
     glm::vec2 cell_m{1};
     glm::vec2 face_share{0};  ///< rate (m²/s) * sub-step (s) / spacing (m)
-};
-
-/// Thermal erosion settings with units.
-struct ThermalSettings {
-    double repose_deg = 33;
-    double rate_m2_per_s = 0;
-    double wet_deg = repose_deg;      ///< angle of repose of regolith under water
-    double bedrock_deg = repose_deg;  ///< angle that bedrock fails at
-    double porosity = 0;              ///< of regolith
-    double weathering_m_per_s = 0;    ///< bare bedrock that turns into regolith
-    bool masked = false;              ///< as far as the mask says
 };
 
 /// Sub-steps that a span of time needs: rate * dt * (1/dx² + 1/dy²) <= (1 - porosity)/2 in each

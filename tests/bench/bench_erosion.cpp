@@ -36,7 +36,7 @@ std::unique_ptr<Simulation> hills(bool erodes, double share) {
          {"time.tick_s=0.5", "water.manning=0.04", "water.boundary.north=wall", "water.boundary.south=wall",
           "water.boundary.west=wall", "water.boundary.east=wall", "thermal.repose_deg=20",
           "thermal.bedrock_deg=89", "thermal.rate_m2_per_s=20", "erosion.erodibility=5",
-          "erosion.bedrock_erodibility=1", "erosion.critical_shear=5", "erosion.porosity=0.3",
+          "erosion.bedrock_erodibility=1", "erosion.critical_shear_pa=5", "erosion.porosity=0.3",
           "erosion.acceleration=10"})
         all.set_assignment(assignment);
     all.set("erosion.on", erodes);

@@ -73,7 +73,7 @@ Simulation simulation_of(const Stress& stress) {
     Parameters all(simulation_parameters());
     for (const char* assignment :
          {"erosion.on=true", "erosion.erodibility=5", "erosion.bedrock_erodibility=1", "erosion.porosity=0.3",
-          "erosion.acceleration=20", "water.manning=0.04", "water.rain=300", "time.tick_s=1",
+          "erosion.acceleration=20", "water.manning=0.04", "water.rain_mm_per_h=300", "time.tick_s=1",
           "thermal.on=false"})
         all.set_assignment(assignment);
     for (const std::string& assignment : stress.settings) all.set_assignment(assignment);
@@ -167,8 +167,9 @@ TEST(ErosionStress, VariationFallsWithoutASource) {
     const auto spiky = [](int x, int y) {
         return 3.0 * std::sin(0.2 * x + 0.1 * y) + ((x * 31 + y * 17) % 97 == 0 ? 5000 : 0);
     };
-    Stress slides{
-        under_water(grid, spiky, 0.0F), {"thermal.on=true", "thermal.weathering=0", "water.rain=0"}, 0};
+    Stress slides{under_water(grid, spiky, 0.0F),
+                  {"thermal.on=true", "thermal.weathering_mm_per_h=0", "water.rain_mm_per_h=0"},
+                  0};
     slides.state.water.clear();
     Simulation simulation = simulation_of(slides);
     double before = variation_of(slides.state);
@@ -184,7 +185,7 @@ TEST(ErosionStress, VariationFallsWithoutASource) {
 
     Stress lake{under_water(
                     grid, [](int, int) { return 5.0; }, 3.0F),
-                {"water.rain=0", "erosion.settling=100", "water.boundary.north=wall",
+                {"water.rain_mm_per_h=0", "erosion.settling_mm_per_s=100", "water.boundary.north=wall",
                  "water.boundary.south=wall", "water.boundary.west=wall", "water.boundary.east=wall"},
                 0};
     lake.state.suspended.assign(grid.count(), glm::vec2(0.01F, 0));
@@ -201,10 +202,11 @@ TEST(ErosionStress, ManyTicks) {
     const char* wanted = std::getenv("TALUS_SOAK_TICKS");
     const int ticks = wanted ? std::atoi(wanted) : 3000;
     const Grid grid{64, 64, 20, 20};
-    const Stress stress{bedrock_terrain(grid, generate_heights(grid, {"hills", 8, 150})),
-                        {"time.tick_s=0.5", "water.rain=60", "thermal.on=true", "thermal.bedrock_deg=60",
-                         "thermal.weathering=1", "thermal.wet_deg=25", "erosion.acceleration=10"},
-                        0};
+    const Stress stress{
+        bedrock_terrain(grid, generate_heights(grid, {"hills", 8, 150})),
+        {"time.tick_s=0.5", "water.rain_mm_per_h=60", "thermal.on=true", "thermal.bedrock_deg=60",
+         "thermal.weathering_mm_per_h=1", "thermal.wet_deg=25", "erosion.acceleration=10"},
+        0};
     Simulation simulation = simulation_of(stress);
     for (int part = 1; part <= 10; ++part) {
         simulation.apply(Ticks{ticks / 10});
@@ -244,11 +246,12 @@ TEST(ErosionStress, RandomScenes) {
                 grid, [&](int x, int y) { return heights[static_cast<std::size_t>(y) * grid.nx + x]; },
                 static_cast<float>(between(0.01, 2))),
             {fmt::format("time.tick_s={}", spacing * between(0.02, 1)),
-             fmt::format("water.order={}", 1 + seed % 2), fmt::format("water.rain={}", between(1, 3000)),
+             fmt::format("water.order={}", 1 + seed % 2),
+             fmt::format("water.rain_mm_per_h={}", between(1, 3000)),
              fmt::format("erosion.erodibility={}", between(0.1, 1000)),
              fmt::format("erosion.bedrock_erodibility={}", between(0.1, 300)),
-             fmt::format("erosion.critical_shear={}", between(0.01, 100)),
-             fmt::format("erosion.settling={}", between(0.1, 500)),
+             fmt::format("erosion.critical_shear_pa={}", between(0.01, 100)),
+             fmt::format("erosion.settling_mm_per_s={}", between(0.1, 500)),
              fmt::format("erosion.porosity={}", 0.6 * unit(random)),
              fmt::format("erosion.acceleration={}", between(1, 1000)),
              fmt::format("thermal.on={}", seed % 3 == 0 ? "true" : "false"), "thermal.bedrock_deg=60"},

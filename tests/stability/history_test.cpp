@@ -76,7 +76,7 @@ class RandomActs {
             case 0:
                 return {"thermal.repose_deg", 20 + 25 * unit()};
             case 1:
-                return {"water.rain", random_() % 2 == 0 ? 0 : 300 * unit()};
+                return {"water.rain_mm_per_h", random_() % 2 == 0 ? 0 : 300 * unit()};
             case 2:
                 return {"erosion.on", random_() % 2 == 0};
             case 3:
@@ -86,7 +86,7 @@ class RandomActs {
             case 5:
                 return {"water.boundary.east", std::string(random_() % 2 == 0 ? "wall" : "open")};
             default:
-                return {"water.sea_level", 300 * unit()};
+                return {"water.sea_level_m", 300 * unit()};
         }
     }
 
@@ -248,7 +248,7 @@ TEST(History, ActsThatWereMadeReadyAreTheSame) {
         std::vector<std::uint64_t> hashes;
         for (const bool ready : {false, true}) {
             Simulation simulation(mountains(70, 70, 6), Parameters(simulation_parameters()));
-            simulation.apply(SetParameter{"water.sea_level", 200.0});
+            simulation.apply(SetParameter{"water.sea_level_m", 200.0});
             simulation.apply(MakeMask{MaskSource::height, 300, 600, 50});
             simulation.apply(ready ? made_ready(act, simulation.read()) : act);
             hashes.push_back(state_hash(simulation.read()));
@@ -281,7 +281,7 @@ TEST(History, ACurrentOfMinusZeroComesBackToo) {
 TEST(History, WaterThatComesWithAnImportIsInTheInundationMapAtOnce) {
     const gpu::Context context;
     Simulation simulation(mountains(100, 75, 3), Parameters(simulation_parameters()), std::size_t{1} << 30U);
-    simulation.apply(SetParameter{"water.sea_level", 300.0});
+    simulation.apply(SetParameter{"water.sea_level_m", 300.0});
     simulation.apply(other_mountains({"other.tif", "", 7}));
     const Seen imported = seen(simulation);
     EXPECT_FALSE(simulation.read().inundation.empty());

@@ -156,8 +156,9 @@ TEST(WaterStress, AnHourOfRain) {
         Stress rain{{128, 96, 20, 20},
                     [](double x, double y) { return 200 * rough(x, y, 400); },
                     [](double, double) { return 0.0; },
-                    {"time.tick_s=10", "water.rain=50", "water.manning=0.03", "water.infiltration=5",
-                     fmt::format("water.order={}", order), "water.boundary.east=open"},
+                    {"time.tick_s=10", "water.rain_mm_per_h=50", "water.manning=0.03",
+                     "water.infiltration_mm_per_h=5", fmt::format("water.order={}", order),
+                     "water.boundary.east=open"},
                     360};
         rain.closed = false;
         check(rain, fmt::format("an hour of rain, order {}", order));
@@ -201,11 +202,11 @@ TEST(WaterStress, RandomScenes) {
             for (const char* edge : {"north", "south", "west", "east"})
                 stress.settings.push_back(
                     fmt::format("water.boundary.{}={}", edge, kinds[random() % kinds.size()]));
-            stress.settings.push_back(fmt::format("water.sea_level={}", level * unit(random)));
-            stress.settings.push_back(fmt::format("water.inflow={}", between(0.1, 1000) * grid.dx));
-            stress.settings.push_back(fmt::format("water.wave_height={}", level * 0.2 * unit(random)));
-            stress.settings.push_back(fmt::format("water.rain={}", between(1, 10000)));
-            stress.settings.push_back(fmt::format("water.evaporation={}", between(1, 10000)));
+            stress.settings.push_back(fmt::format("water.sea_level_m={}", level * unit(random)));
+            stress.settings.push_back(fmt::format("water.inflow_m3_per_s={}", between(0.1, 1000) * grid.dx));
+            stress.settings.push_back(fmt::format("water.wave_height_m={}", level * 0.2 * unit(random)));
+            stress.settings.push_back(fmt::format("water.rain_mm_per_h={}", between(1, 10000)));
+            stress.settings.push_back(fmt::format("water.evaporation_mm_per_h={}", between(1, 10000)));
         }
         check(stress, fmt::format("seed {}", seed));
         if (HasFatalFailure()) return;

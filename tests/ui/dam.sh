@@ -96,7 +96,7 @@ click Simulation
 type_into time.tick_s 1
 type_into time.speed 60
 click Water
-type_into water.rain 10000
+type_into water.rain_mm_per_h 10000
 xdotool mousemove 600 600
 play 8
 shot 05_lake

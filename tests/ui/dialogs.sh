@@ -118,7 +118,7 @@ drop_and_close
 grep -q '"name":"thermal.bedrock_deg","op":"set","value":null' window.journal || fail "the right click did not unset"
 
 # Work that an earlier session left is told, and does not cover the file that was named.
-open_window ground.exr --ui-rects rects --window-size 1280x720 --set autosave.interval_s=1 --set water.rain=50
+open_window ground.exr --ui-rects rects --window-size 1280x720 --set autosave.interval_s=1 --set water.rain_mm_per_h=50
 await_widget Play
 sleep 1
 xdotool mousemove 600 400

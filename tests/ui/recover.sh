@@ -8,7 +8,7 @@ kills=${TALUS_KILLS:-2}
 "$talus" run --preset alpine --size 257x257 --spacing 40 --ticks 0 --out start.exr 2>/dev/null
 for kill in $(seq "$kills"); do
     cp start.exr ground.exr
-    open_window ground.exr --ui-rects rects --window-size 1280x720 --set autosave.interval_s=1 --set water.rain=50
+    open_window ground.exr --ui-rects rects --window-size 1280x720 --set autosave.interval_s=1 --set water.rain_mm_per_h=50
     await_widget Play
     sleep 1
     xdotool mousemove 600 400

@@ -45,6 +45,48 @@ TEST(Parameters, EveryOneIsDeclaredWithHelpAndItsDefaultIsAllowed) {
     }
 }
 
+TEST(Parameters, SayTheirUnitsInTheirNames) {
+    int with_unit = 0;
+    for (const Parameter& parameter : all_parameters()) {
+        const std::string unit = unit_in_name(parameter.unit);
+        EXPECT_TRUE(parameter.name.ends_with(unit)) << parameter.name << " in " << parameter.unit;
+        with_unit += unit.empty() ? 0 : 1;
+    }
+    EXPECT_GT(with_unit, 50);
+}
+
+TEST(Parameters, GoByTheirOldNamesToo) {
+    Parameters p(all_parameters());
+    Parameters q(all_parameters());
+    int old = 0;
+    for (const Parameter& parameter : all_parameters()) {
+        if (parameter.old_name.empty()) continue;
+        ++old;
+        p.set(parameter.name, parameter.high / 2);
+        q.set(parameter.old_name, parameter.high / 2);
+        EXPECT_TRUE(q.is_given(parameter.name)) << parameter.name;
+        EXPECT_EQ(q.value(parameter.old_name), p.value(parameter.name));
+    }
+    EXPECT_EQ(old, 19);
+    EXPECT_EQ(p, q);
+    EXPECT_EQ(to_toml(p), to_toml(q));
+}
+
+TEST(Parameters, FollowOthersUnlessSet) {
+    Parameters p(all_parameters());
+    p.set("thermal.repose_deg", 40.0);
+    EXPECT_EQ(p.number("thermal.wet_deg"), 40);
+    EXPECT_FALSE(p.is_given("thermal.wet_deg"));
+    p.set("thermal.wet_deg", 20.0);
+    p.set("thermal.repose_deg", 30.0);
+    EXPECT_EQ(p.number("thermal.wet_deg"), 20);
+    EXPECT_EQ(p.number("thermal.bedrock_deg"), 30);
+    p.reset("thermal.wet_deg");
+    EXPECT_EQ(p.number("thermal.wet_deg"), 30);
+    p.reset("thermal.repose_deg");
+    EXPECT_EQ(p.number("thermal.wet_deg"), 33);
+}
+
 TEST(Presets, AllBuiltInOnesApply) {
     const std::vector<Preset> presets = built_in_presets();
     ASSERT_EQ(presets.size(), 13U);

@@ -1,0 +1,86 @@
+// Tools that move the ground up and down.
+#include "app/tools/tools.h"
+
+namespace talus {
+namespace {
+
+constexpr const char* turns_around = "Ctrl turns it around, Shift smooths.";
+
+void raise(const ToolUse& use, Dab& dab) {
+    dab.mode = use.inverted ? BrushMode::lower : BrushMode::raise;
+}
+
+void lower(const ToolUse& use, Dab& dab) {
+    dab.mode = use.inverted ? BrushMode::raise : BrushMode::lower;
+}
+
+void smooth(const ToolUse&, Dab& dab) {
+    dab.mode = BrushMode::smooth;
+}
+
+void flatten(const ToolUse&, Dab& dab) {
+    dab.mode = BrushMode::flatten;
+}
+
+void bring_to_height(const ToolUse& use, Dab& dab) {
+    dab.mode = BrushMode::flatten;
+    dab.target_m = use.parameters.number("brush.height_m");
+}
+
+void ramp(const ToolUse&, Dab& dab) {
+    dab.mode = BrushMode::ramp;
+    dab.blend = 1;
+}
+
+}  // namespace
+
+Tool raise_tool() {
+    return {.name = "raise",
+            .how_to = turns_around,
+            .shape = raise,
+            .settings = {"brush.rate_m_per_s", "brush.material"},
+            .strength = "brush.rate_m_per_s"};
+}
+
+Tool lower_tool() {
+    return {.name = "lower",
+            .how_to = turns_around,
+            .shape = lower,
+            .settings = {"brush.rate_m_per_s"},
+            .strength = "brush.rate_m_per_s"};
+}
+
+Tool smooth_tool() {
+    return {.name = "smooth",
+            .how_to = turns_around,
+            .shape = smooth,
+            .settings = {"brush.blend_per_s"},
+            .strength = "brush.blend_per_s"};
+}
+
+Tool flatten_tool() {
+    return {.name = "flatten",
+            .how_to = "To the height where the stroke begins.",
+            .shape = flatten,
+            .settings = {"brush.blend_per_s"},
+            .strength = "brush.blend_per_s"};
+}
+
+Tool height_tool() {
+    return {.name = "height",
+            .how_to = "Ctrl and a click pick the height under the mouse.",
+            .shape = bring_to_height,
+            .settings = {"brush.height_m", "brush.blend_per_s"},
+            .strength = "brush.blend_per_s",
+            .picks_height = true,
+            .history_name = "height"};
+}
+
+Tool ramp_tool() {
+    return {.name = "ramp",
+            .how_to = "Press where the slope begins, let go where it ends.",
+            .shape = ramp,
+            .course = StrokeCourse::at_end};
+}
+
+}  // namespace talus

@@ -1,0 +1,38 @@
+#include "app/tools/tools.h"
+
+namespace talus {
+namespace {
+
+void add_noise(const ToolUse& use, Dab& dab) {
+    const Parameters& p = use.parameters;
+    dab.mode = BrushMode::noise;
+    if (use.inverted) dab.amount_m = -dab.amount_m;
+    dab.noise = {p.choice_as<int>("noise.kind"), p.number("noise.wavelength_m"),
+                 p.whole("noise.octaves"),       p.number("noise.gain"),
+                 p.number("noise.warp"),         static_cast<std::uint32_t>(p.whole("noise.seed"))};
+}
+
+}  // namespace
+
+Tool noise_tool() {
+    return {
+        .name = "noise",
+        .how_to = "Ctrl turns it around, Shift smooths.",
+        .shape = add_noise,
+        .settings = {"brush.rate_m_per_s", "noise.kind", "noise.wavelength_m", "noise.octaves", "noise.gain",
+                     "noise.warp", "noise.seed"},
+        .strength = "brush.rate_m_per_s",
+        .parameters = {
+            choice(
+                "noise.kind", "fbm", noise_kind_names(),
+                "Noise brush and noise over the whole map: fbm, rolling; ridged, crests; billow, hollows."),
+            number("noise.wavelength_m", 500, 1e-2, 1e6, "m",
+                   "Size of its largest features; unless set, it follows the terrain's size."),
+            whole("noise.octaves", 6, 1, 16, "", "How many times finer detail is added."),
+            number("noise.gain", 0.5, 0, 1, "", "Height of finer detail against the coarser one."),
+            number("noise.warp", 0, 0, 2, "",
+                   "How much the plane is bent first, in wavelengths: ridges wind."),
+            whole("noise.seed", 1, 0, 1000000, "", "Another seed gives other noise.")}};
+}
+
+}  // namespace talus

@@ -1,0 +1,52 @@
+#include <algorithm>
+
+#include "app/tools/tools.h"
+
+namespace talus {
+namespace {
+
+void press_stamp(const ToolUse& use, Dab& dab) {
+    const Parameters& p = use.parameters;
+    const Stamp* stamp = use.stamp;
+    dab.mode = BrushMode::stamp;
+    dab.blend = 1;
+    dab.amount_m = p.is_given("stamp.relief_m") || !stamp ? p.number("stamp.relief_m") : stamp->relief_m;
+    if (use.inverted) dab.amount_m = -dab.amount_m;
+    dab.stamp.mode = p.choice_as<StampMode>("stamp.mode");
+    dab.stamp.turn_deg = p.number("stamp.turn_deg");
+    dab.stamp.mirrored = p.toggle("stamp.mirrored");
+    // The longer side is as wide as the brush; the corners lie within its reach.
+    dab.stamp.half_m = glm::dvec2(dab.radius_m);
+    if (stamp) {
+        dab.stamp.zero = zero_of(*stamp, p.choice_as<StampZero>("stamp.zero"));
+        const glm::dvec2 size(stamp->grid.width_m(), stamp->grid.height_m());
+        dab.stamp.half_m = dab.radius_m * size / std::max(size.x, size.y);
+    }
+    dab.radius_m = 1.001 * glm::length(dab.stamp.half_m);
+}
+
+}  // namespace
+
+Tool stamp_tool() {
+    return {
+        .name = "stamp",
+        .how_to = "Ctrl turns it around, Shift smooths.",
+        .shape = press_stamp,
+        .settings = {"stamp.mode", "stamp.relief_m", "stamp.zero", "stamp.turn_deg", "stamp.mirrored"},
+        .strength = "stamp.relief_m",
+        .course = StrokeCourse::stamps,
+        .parameters = {
+            choice("stamp.mode", "add", stamp_mode_names(),
+                   "Stamp: added to the ground; higher and lower: the ground gives way only where it is in "
+                   "the way; "
+                   "replace: the ground becomes the stamp."),
+            number("stamp.relief_m", 100, 0, 1e5, "m", "Height of the stamp; unless set, as it came."),
+            choice(
+                "stamp.zero", "border", stamp_zero_names(),
+                "Stamp: which of its heights leaves the ground as it is, so that what is lower digs: that of "
+                "its border, its lowest sample, or 0 m of the file."),
+            number("stamp.turn_deg", 0, -360, 360, "°", "The stamp turned, counterclockwise."),
+            toggle("stamp.mirrored", false, "The stamp mirrored, west for east.")}};
+}
+
+}  // namespace talus

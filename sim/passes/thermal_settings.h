@@ -1,0 +1,22 @@
+#pragma once
+#include <vector>
+
+#include "sim/parameter_binding.h"
+
+namespace talus {
+
+/// Thermal erosion settings with units.
+struct ThermalSettings {
+    double repose_deg = 33;
+    double rate_m2_per_s = 0;
+    double wet_deg = repose_deg;      ///< angle of repose of regolith under water
+    double bedrock_deg = repose_deg;  ///< angle that bedrock fails at
+    double porosity = 0;              ///< of regolith
+    double weathering_m_per_s = 0;    ///< bare bedrock that turns into regolith
+    bool masked = false;              ///< as far as the mask says
+};
+
+const std::vector<BoundParameter<ThermalSettings>>& thermal_parameters();
+ThermalSettings thermal_settings(const Parameters& parameters);
+
+}  // namespace talus

@@ -1,0 +1,201 @@
+#include "sim/passes/water_settings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sim/gpu/error.h"
+
+namespace talus {
+namespace {
+
+// Samples along the inflow edges, as metres.
+double inflow_length_m(const WaterSettings& settings, const Grid& grid) {
+    const std::array<double, 4> lengths = {grid.nx * grid.dx, grid.nx * grid.dx, grid.ny * grid.dy,
+                                           grid.ny * grid.dy};
+    double length_m = 0;
+    for (std::size_t edge = 0; edge < 4; ++edge)
+        if (settings.edges[edge] == EdgeKind::inflow) length_m += lengths[edge];
+    return length_m;
+}
+
+BoundParameter<WaterSettings> boundary(Edge edge, std::string help) {
+    const std::string& name = boundary_parameter(edge);
+    Parameter declared = choice(name, "open", edge_kinds(), std::move(help)).setting_off(SetsOff::edge_clock);
+    return {std::move(declared), [=](const Parameters& parameters, WaterSettings& settings) {
+                settings.edges[static_cast<std::size_t>(edge)] = parameters.choice_as<EdgeKind>(name);
+            }};
+}
+
+}  // namespace
+
+const std::string& boundary_parameter(Edge edge) {
+    static const std::array<std::string, 4> names = {"water.boundary.north", "water.boundary.south",
+                                                     "water.boundary.west", "water.boundary.east"};
+    return names[static_cast<std::size_t>(edge)];
+}
+
+const std::vector<BoundParameter<WaterSettings>>& water_parameters() {
+    constexpr double mm_per_h = 1e-3 / 3600;
+    static const std::vector<BoundParameter<WaterSettings>> table = {
+        unbound<WaterSettings>(
+            toggle("water.on", true, "Water flows. Where there is none, and none comes, it costs nothing.")),
+        bound(whole("water.order", 2, 1, 2, "", "Order of the scheme: 1 is cheaper, 2 far more exact."),
+              &WaterSettings::order),
+        bound(number("water.gravity_m_per_s2", 9.81, 0.01, 100, "m/s²", "Acceleration of gravity.")
+                  .once("water.gravity"),
+              &WaterSettings::gravity_m_per_s2),
+        bound(number(
+                  "water.manning", 0.03, 0, 1, "s/m^(1/3)",
+                  "Manning's roughness of the bed: 0 none, 0.03 a natural stream, 0.1 a wooded flood plain."),
+              &WaterSettings::manning_s_per_m13),
+        bound(number("water.rain_mm_per_h", 0, 0, 1e4, "mm/h",
+                     "Rain: everywhere, or by the mask; what a brush of rain painted falls besides.")
+                  .once("water.rain"),
+              &WaterSettings::rain_m_per_s, mm_per_h),
+        bound(choice("water.rain_over", "everywhere", {"everywhere", "mask"},
+                     "Where water.rain falls; by the mask: as much of it as the mask says."),
+              &WaterSettings::rain_masked),
+        bound(number("water.infiltration_mm_per_h", 0, 0, 1e4, "mm/h",
+                     "Water that the ground takes in, where there is any.")
+                  .once("water.infiltration"),
+              &WaterSettings::infiltration_m_per_s, mm_per_h),
+        bound(number("water.evaporation_mm_per_h", 0, 0, 1e4, "mm/h",
+                     "Water that the air takes, where there is any.")
+                  .once("water.evaporation"),
+              &WaterSettings::evaporation_m_per_s, mm_per_h),
+        bound(
+            number("water.sea_level_m", 0, -1e6, 1e6, "m",
+                   "Level of the sea. When set, it fills what lies lower and is connected to the map's edge; "
+                   "edges of "
+                   "kind level hold it, and it is the still level of edges of kind wave.")
+                .once("water.sea_level")
+                .setting_off(SetsOff::sea),
+            &WaterSettings::level_m),
+        boundary(Edge::north,
+                 "Northern edge: a wall, open (waves leave), a held level, an inflow, a wave maker, or "
+                 "periodic (joined to the opposite edge, whatever that is set to)."),
+        boundary(Edge::south, "Southern edge, as the northern one."),
+        boundary(Edge::west, "Western edge, as the northern one."),
+        boundary(Edge::east, "Eastern edge, as the northern one."),
+        bound(
+            number(
+                "water.inflow_m3_per_s", 0, 0, 1e9, "m³/s",
+                "Discharge through all edges of kind inflow together, at its peak; spread evenly along them.")
+                .once("water.inflow")
+                .setting_off(SetsOff::edge_clock),
+            &WaterSettings::inflow_m3_per_s),
+        bound(number("water.inflow_rise_s", 0, 0, 1e9, "s",
+                     "Time that the inflow takes from nothing to its peak.")
+                  .once("water.inflow_rise")
+                  .setting_off(SetsOff::edge_clock),
+              &WaterSettings::inflow_rise_s),
+        bound(number("water.inflow_fall_s", 0, 0, 1e9, "s",
+                     "Time that it takes from the peak back to nothing; 0: it stays at its peak.")
+                  .once("water.inflow_fall")
+                  .setting_off(SetsOff::edge_clock),
+              &WaterSettings::inflow_fall_s),
+        bound(choice("water.wave", "sine", {"sine", "solitary"}, "What the wave maker sends.")
+                  .setting_off(SetsOff::edge_clock),
+              &WaterSettings::wave_form),
+        bound(number("water.wave_height_m", 1, 0, 1e4, "m",
+                     "Sine: amplitude about the still level. Solitary: crest above it.")
+                  .once("water.wave_height")
+                  .setting_off(SetsOff::edge_clock),
+              &WaterSettings::wave_height_m),
+        bound(number("water.wave_period_s", 10, 1e-3, 1e6, "s", "Period of the sine.")
+                  .once("water.wave_period")
+                  .setting_off(SetsOff::edge_clock),
+              &WaterSettings::wave_period_s),
+        bound(number("water.wave_depth_m", 10, 1e-3, 1e5, "m",
+                     "Still depth that gives the solitary wave its length and speed.")
+                  .once("water.wave_depth")
+                  .setting_off(SetsOff::edge_clock),
+              &WaterSettings::wave_depth_m)};
+    return table;
+}
+
+WaterSettings water_settings_of(const Parameters& parameters) {
+    WaterSettings settings = bound_settings(water_parameters(), parameters);
+    // Either of two opposite edges joins them.
+    for (const std::size_t edge : {0U, 2U})
+        if (settings.edges[edge] == EdgeKind::periodic || settings.edges[edge + 1] == EdgeKind::periodic)
+            settings.edges[edge] = settings.edges[edge + 1] = EdgeKind::periodic;
+    settings.sediment = sediment_settings(parameters);
+    return settings;
+}
+
+const std::vector<std::string>& edge_kinds() {
+    static const std::vector<std::string> kinds = {"wall", "open", "level", "inflow", "wave", "periodic"};
+    return kinds;
+}
+
+void check_spring(const Grid& grid, const Spring& spring) {
+    const std::string text = fmt::format("spring at {},{}", spring.x_m, spring.y_m);
+    if (!(spring.x_m >= 0 && spring.x_m <= grid.width_m() && spring.y_m >= 0 &&
+          spring.y_m <= grid.height_m()))
+        throw Error(fmt::format("{} m lies off the map, it must lie within 0,0 and {},{} m", text,
+                                grid.width_m(), grid.height_m()));
+    if (!(spring.rate_m3_per_s >= 0 && spring.rate_m3_per_s <= 1e9))
+        throw Error(
+            fmt::format("{} m cannot give {} m³/s, its rate must be 0 to 1e9", text, spring.rate_m3_per_s));
+}
+
+double inflow_at(const WaterSettings& settings, double time_s) {
+    double share = 1;
+    if (time_s < settings.inflow_rise_s)
+        share = time_s / settings.inflow_rise_s;
+    else if (settings.inflow_fall_s > 0)
+        share = std::max(0.0, 1 - (time_s - settings.inflow_rise_s) / settings.inflow_fall_s);
+    return settings.inflow_m3_per_s * share;
+}
+
+double wave_at(const WaterSettings& settings, double time_s) {
+    if (settings.wave_form == WaveForm::sine) {
+        // Grows over the first period: a wave that begins at once sends a step ahead.
+        const double grown = std::min(1.0, time_s / settings.wave_period_s);
+        return settings.wave_height_m * grown *
+               std::sin(2 * std::numbers::pi * time_s / settings.wave_period_s);
+    }
+    // Begins where the wave is a thousandth of its height, Synolakis 1987 (2.4).
+    const double d = settings.wave_depth_m;
+    const double height = settings.wave_height_m;
+    if (height <= 0) return 0;
+    const double gamma = std::sqrt(3 * height / (4 * d)) / d;
+    const double celerity = std::sqrt(settings.gravity_m_per_s2 * (d + height));
+    const double start = std::acosh(std::sqrt(1000.0)) / gamma;
+    const double crest = std::cosh(gamma * (start - celerity * time_s));
+    return height / (crest * crest);
+}
+
+double shallow_speed_excess(double depth_m, double period_s, double gravity_m_per_s2) {
+    const double omega = 2 * std::numbers::pi / period_s;
+    const double target = omega * omega * depth_m / gravity_m_per_s2;
+    // kd tanh kd = target: the left side rises with kd and lies between min(kd, kd²) / 2 and kd².
+    double low = std::sqrt(target);
+    double high = low + target + 1;
+    for (int i = 0; i < 100; ++i) {
+        const double middle = (low + high) / 2;
+        (middle * std::tanh(middle) < target ? low : high) = middle;
+    }
+    const double kd = (low + high) / 2;
+    return std::sqrt(kd / std::tanh(kd)) - 1;
+}
+
+std::vector<float> edge_series(const WaterSettings& settings, const Grid& grid, double tick_s,
+                               double start_s) {
+    std::vector<float> series;
+    series.reserve(2 * (edge_series_steps + 1));
+    const double length_m = inflow_length_m(settings, grid);
+    for (int i = 0; i <= edge_series_steps; ++i) {
+        const double at_s = start_s + tick_s * i / edge_series_steps;
+        series.push_back(length_m > 0 ? static_cast<float>(inflow_at(settings, at_s) / length_m) : 0.0F);
+    }
+    for (int i = 0; i <= edge_series_steps; ++i)
+        series.push_back(static_cast<float>(wave_at(settings, start_s + tick_s * i / edge_series_steps)));
+    return series;
+}
+
+}  // namespace talus

@@ -1,0 +1,74 @@
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "sim/parameter_binding.h"
+#include "sim/passes/sediment_settings.h"
+#include "sim/terrain/terrain_state.h"
+
+namespace talus {
+
+/// What is beyond an edge of the map. The numbers are those of shaders/maths/water_edge.glsl.
+enum class EdgeKind { wall = 0, open = 1, level = 2, inflow = 3, wave = 4, periodic = 5 };
+
+/// Their names as parameters have them.
+const std::vector<std::string>& edge_kinds();
+
+/// The edges in the order of settings and books.
+enum class Edge { north = 0, south = 1, west = 2, east = 3 };
+
+enum class WaveForm { sine, solitary };
+
+/// Settings of the water with units.
+struct WaterSettings {
+    int order = 2;  ///< of space and time: 1 is cheaper, 2 more exact
+    double gravity_m_per_s2 = 9.81;
+    double manning_s_per_m13 = 0;  ///< Manning's n; 0: no friction
+    double rain_m_per_s = 0;
+    bool rain_masked = false;   ///< rain falls where the mask is, not everywhere
+    bool rain_painted = false;  ///< rain was painted somewhere, and falls there too
+    double infiltration_m_per_s = 0;
+    double evaporation_m_per_s = 0;
+    std::array<EdgeKind, 4> edges{};
+    double level_m = 0;          ///< held at level edges, still level at wave edges
+    double inflow_m3_per_s = 0;  ///< over all inflow edges together, at its peak
+    double inflow_rise_s = 0;    ///< from nothing to the peak; 0: at once
+    double inflow_fall_s = 0;    ///< from the peak back to nothing; 0: it stays
+    WaveForm wave_form = WaveForm::sine;
+    double wave_height_m = 0;   ///< sine: amplitude; solitary: crest above the still level
+    double wave_period_s = 10;  ///< sine
+    double wave_depth_m = 10;   ///< solitary: still depth that gives the wave its length
+    SedimentSettings sediment;
+    bool wakes_slopes = false;  ///< thermal erosion hangs on what is under water
+    bool skips_rest = true;     ///< false: every tile every sub-step, to compare with (law 2)
+};
+
+/// Throws talus::Error when a spring lies off the map, or its rate is not 0 to 1e9 m³/s.
+void check_spring(const Grid& grid, const Spring& spring);
+
+/// Inflow over all inflow edges at a time since the start, m³/s.
+double inflow_at(const WaterSettings& settings, double time_s);
+
+/// The wave maker's height above the still level at a time since the start, m.
+double wave_at(const WaterSettings& settings, double time_s);
+
+/// How much faster √(gd) is than a wave of this period (s) is in nature over this depth (m), as a share: the
+/// true relation is ω² = g k tanh kd.
+double shallow_speed_excess(double depth_m, double period_s, double gravity_m_per_s2);
+
+/// Steps of the tables that edges read in a tick.
+constexpr int edge_series_steps = 256;
+
+/// Those tables over a tick: inflow, m²/s along the inflow edges, then the wave, m; a point more than steps
+/// each.
+std::vector<float> edge_series(const WaterSettings& settings, const Grid& grid, double tick_s,
+                               double start_s);
+
+const std::vector<BoundParameter<WaterSettings>>& water_parameters();
+/// With the sediment's settings in it; what hangs on the layers that are there is the simulation's.
+WaterSettings water_settings_of(const Parameters& parameters);
+/// The parameter that says what is beyond an edge.
+const std::string& boundary_parameter(Edge edge);
+
+}  // namespace talus
