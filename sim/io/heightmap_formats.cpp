@@ -9,6 +9,7 @@ const std::vector<HeightmapFormat>& heightmap_formats() {
         {.name = "GeoTIFF", .endings = {".tif", ".tiff"}, .read = read_geographic, .write = write_geotiff},
         {.name = "SRTM", .endings = {".hgt"}, .read = read_geographic},
         {.name = "ESRI ASCII grid", .endings = {".asc"}, .read = read_geographic},
+        {.name = "ESRI BIL", .endings = {".bil"}, .read = read_geographic},
         {.name = "EXR", .endings = {".exr"}, .read = read_picture, .write = write_picture},
         {.name = "PNG of 16 bits",
          .endings = {".png"},
