@@ -53,7 +53,8 @@ void Session::start(Scene scene) {
     saved_operations_.clear();
     recovered_ = false;
     compared_revision_.reset();
-    marks_.cancel();
+    stamps_.cancel();
+    activity_since_ = activity_asked_at_ = 0;
     activity_ = {};
     playing = false;
     stroke_.reset();
@@ -104,7 +105,8 @@ void Session::follow_terrain() {
     gauges_ = Gauges(grid());
     balances_.clear();
     ledger_of_changes_ = 0;
-    marks_.cancel();
+    stamps_.cancel();
+    activity_since_ = activity_asked_at_ = 0;
     forget_rectangle();
     suggest_for_terrain();
     if (extent_before != glm::dvec2(grid().width_m(), grid().height_m())) frame_terrain();
@@ -378,7 +380,7 @@ void Session::follow_ledger() {
     if (const auto ledger = simulation_->poll_ledger()) keep_balance(*ledger, ledger_of_s_);
     if (simulation_->awaits_ledger() || simulation_->mid_tick()) return;
     const double simulated_s = simulation_->clock().simulated_s;
-    const std::uint64_t changes = simulation_->terrain().tiles.changes();
+    const std::uint32_t changes = simulation_->terrain().tiles.now();
     if (now_s() - ledger_asked_at_s_ < 0.5 || changes == ledger_of_changes_) return;
     ledger_asked_at_s_ = now_s();
     ledger_of_s_ = simulated_s;
@@ -387,18 +389,23 @@ void Session::follow_ledger() {
 }
 
 void Session::follow_activity() {
-    if (const auto words = marks_.poll()) {
-        const auto marked = [&](Tiles::Mark mark) {
-            return static_cast<int>(std::count_if(words->begin(), words->end(), [mark](float word) {
-                return (std::bit_cast<std::uint32_t>(word) & mark) != 0;
-            }));
-        };
-        activity_ = {marked(Tiles::activity), marked(Tiles::wet)};
+    const Tiles& tiles = simulation_->terrain().tiles;
+    if (const auto words = stamps_.poll()) {
+        std::vector<std::uint32_t> stamps(words->size());
+        std::transform(words->begin(), words->end(), stamps.begin(),
+                       [](float word) { return std::bit_cast<std::uint32_t>(word); });
+        activity_ = {};
+        for (std::size_t at = 0; at < stamps.size(); at += tile_changes::tile_kinds) {
+            activity_.slope_tiles +=
+                Tiles::changed_since(Tiles::ground, activity_since_, &stamps[at]) ? 1 : 0;
+            activity_.water_tiles += Tiles::changed_since(Tiles::water, activity_since_, &stamps[at]) ? 1 : 0;
+        }
+        activity_since_ = activity_asked_at_;
     }
-    if (marks_.pending() || now_s() - activity_asked_at_s_ < 0.5) return;
+    if (stamps_.pending() || now_s() - activity_asked_at_s_ < 0.5) return;
     activity_asked_at_s_ = now_s();
-    const gpu::Buffer& marks = simulation_->terrain().tiles.marks();
-    marks_.start(marks, marks.bytes());
+    activity_asked_at_ = tiles.now();
+    stamps_.start(tiles.stamps(), tiles.stamps().bytes());
 }
 
 void Session::follow_gauges() {

@@ -119,10 +119,10 @@ class Session {
     /// somebody looks at it.
     void follow_ledger();
 
-    /// How many tiles are active, as it was told last; asked for about twice a second by follow_activity().
+    /// In how many tiles something moved within about half a second, as follow_activity() was told last.
     struct Activity {
-        int slope_tiles = 0;  ///< slopes that changed in their last sub-step
-        int water_tiles = 0;  ///< water that moves
+        int slope_tiles = 0;  ///< the ground slid, or a brush moved it
+        int water_tiles = 0;
     };
     const Activity& activity() const { return activity_; }
     void follow_activity();
@@ -156,7 +156,7 @@ class Session {
     std::vector<Balance> balances_;
     double ledger_asked_at_s_ = 0;  // of the clock on the wall, and of the simulation
     double ledger_of_s_ = 0;
-    std::uint64_t ledger_of_changes_ = 0;
+    std::uint32_t ledger_of_changes_ = 0;
     Gauges gauges_{Grid()};
     std::string wave_note_;
     std::string path_;
@@ -165,7 +165,9 @@ class Session {
     mutable std::optional<std::size_t> compared_revision_;  // at which unsaved_ was found
     mutable bool unsaved_ = false;
     Activity activity_;
-    gpu::Readback marks_;
+    gpu::Readback stamps_;
+    std::uint32_t activity_asked_at_ = 0;  // the tiles' numbers then, and when it was asked for before
+    std::uint32_t activity_since_ = 0;
     double activity_asked_at_s_ = 0;
     double owed_s_ = 0;
     double speed_reached_ = 0;

@@ -15,8 +15,9 @@ void drape(Renderer& renderer, const Scene& scene) {
     renderer.drape(scene.texture.width, scene.texture.height, std::as_bytes(std::span(scene.texture.rgba)));
 }
 
-Still draw_still(Renderer& renderer, Terrain& terrain, const Camera& camera, const ViewSettings& settings,
-                 const std::vector<Legend>& legends, glm::ivec2 size, int samples) {
+Still draw_still(Renderer& renderer, const Terrain& terrain, const Camera& camera,
+                 const ViewSettings& settings, const std::vector<Legend>& legends, glm::ivec2 size,
+                 int samples) {
     const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     Still still{std::vector<std::uint8_t>(3 * pixels), std::vector<float>(pixels)};
     for (int top = 0; top < size.y; top += largest_tile)

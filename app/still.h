@@ -19,7 +19,8 @@ void drape(Renderer& renderer, const Scene& scene);
 
 /// Draws a picture of any size, in tiles where it is larger than 2048 pixels, with as many samples a pixel,
 /// and legends in its lower right corner. The same terrain, camera and settings give the same picture.
-Still draw_still(Renderer& renderer, Terrain& terrain, const Camera& camera, const ViewSettings& settings,
-                 const std::vector<Legend>& legends, glm::ivec2 size, int samples);
+Still draw_still(Renderer& renderer, const Terrain& terrain, const Camera& camera,
+                 const ViewSettings& settings, const std::vector<Legend>& legends, glm::ivec2 size,
+                 int samples);
 
 }  // namespace talus

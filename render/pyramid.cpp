@@ -32,11 +32,18 @@ gpu::Texture bounds_texture(const char* label, glm::ivec2 level_1) {
 
 }  // namespace
 
-Pyramid::Pyramid(const Terrain& terrain, const gpu::Texture* surface, Tiles::Mark mark)
+// What is painted changes no height, but pictures of it.
+Pyramid::Pyramid(const Terrain& terrain)
+    : Pyramid(terrain, nullptr, Tiles::ground | Tiles::eroded | Tiles::painted) {}
+
+Pyramid::Pyramid(const Terrain& terrain, const gpu::Texture& surface, std::uint32_t changes)
+    : Pyramid(terrain, &surface, changes) {}
+
+Pyramid::Pyramid(const Terrain& terrain, const gpu::Texture* surface, std::uint32_t changes)
     : highest(bounds_texture("pyramid highest", level_1_for(terrain.grid()))),
       lowest(bounds_texture("pyramid lowest", level_1_for(terrain.grid()))),
       surface_(surface),
-      mark_(mark),
+      changes_(changes),
       top_level_(levels_for(terrain.grid())),
       level_1_size_(level_1_for(terrain.grid())),
       low_levels_("render/pyramid.comp"),
@@ -46,10 +53,9 @@ Pyramid::Pyramid(const Terrain& terrain, const gpu::Texture* surface, Tiles::Mar
     lowest.fill(HUGE_VALF);
 }
 
-const TileList& Pyramid::list_changes(Terrain& terrain) {
-    // A tile's patches reach one sample into the tiles east and south of it. Where water ends, its surface
-    // goes by the water of all neighbours.
-    terrain.tiles.take(mark_, mark_ == Tiles::surface ? 0 : -1, 1, 1, dirty_);
+const TileList& Pyramid::list_changes(const Terrain& terrain) {
+    // A tile's patches reach one sample into the tiles east and south of it.
+    terrain.tiles.list(changes_, read_, surface_ ? -1 : 0, 1, 1, dirty_);
     return dirty_;
 }
 

@@ -11,17 +11,17 @@ namespace talus {
 class Pyramid {
   public:
     /// Over the terrain's ground. Allocates; nothing is built before the first refresh().
-    explicit Pyramid(const Terrain& terrain) : Pyramid(terrain, nullptr, Tiles::surface) {}
-    /// Over another surface of the same samples, whose changes have a mark of their own.
-    Pyramid(const Terrain& terrain, const gpu::Texture& surface, Tiles::Mark mark)
-        : Pyramid(terrain, &surface, mark) {}
+    explicit Pyramid(const Terrain& terrain);
+    /// Over another surface of the same samples, which hangs on these kinds of change (Tiles::Change) in a
+    /// tile and its neighbours.
+    Pyramid(const Terrain& terrain, const gpu::Texture& surface, std::uint32_t changes);
 
-    /// Lists the tiles that carry the mark in this terrain, and those around them whose patches use their
-    /// samples; clears the mark.
-    const TileList& list_changes(Terrain& terrain);
+    /// Lists the tiles that changed since it was called last, and those around them whose patches use their
+    /// samples.
+    const TileList& list_changes(const Terrain& terrain);
     /// Rebuilds the cells over the tiles listed last.
     void rebuild(const Terrain& terrain);
-    void refresh(Terrain& terrain) {
+    void refresh(const Terrain& terrain) {
         list_changes(terrain);
         rebuild(terrain);
     }
@@ -36,13 +36,14 @@ class Pyramid {
     gpu::Texture lowest;
 
   private:
-    Pyramid(const Terrain& terrain, const gpu::Texture* surface, Tiles::Mark mark);
+    Pyramid(const Terrain& terrain, const gpu::Texture* surface, std::uint32_t changes);
     const gpu::Texture& surface_of(const Terrain& terrain) const {
         return surface_ ? *surface_ : terrain.ground;
     }
 
     const gpu::Texture* surface_;  // none: the terrain's ground
-    Tiles::Mark mark_;
+    std::uint32_t changes_;
+    Tiles::Reader read_;
     int top_level_;
     glm::ivec2 level_1_size_;
     gpu::Program low_levels_;

@@ -66,10 +66,10 @@ const Method& Renderer::method_of(const ViewSettings& settings, const char* use,
     return found->second;
 }
 
-Drawn Renderer::draw(Terrain& terrain, const Camera& camera, const ViewSettings& settings, int width,
+Drawn Renderer::draw(const Terrain& terrain, const Camera& camera, const ViewSettings& settings, int width,
                      int height, const Ring& ring) {
     resize(width, height);
-    const Picture picture{camera, settings, width, height, terrain.tiles.changes()};
+    const Picture picture{camera, settings, width, height, terrain.tiles.now()};
     // What throws half way leaves nothing to build on.
     const std::optional<Picture> before = std::exchange(drawn_, std::nullopt);
     const Drawn drawn = redraw(terrain, picture, before);
@@ -111,7 +111,7 @@ void Renderer::drape(int width, int height, std::span<const std::byte> rgba) {
     forget();
 }
 
-Drawn Renderer::redraw(Terrain& terrain, const Picture& picture, const std::optional<Picture>& before) {
+Drawn Renderer::redraw(const Terrain& terrain, const Picture& picture, const std::optional<Picture>& before) {
     if (before == picture) return Drawn::nothing;
     const bool same_view = before && before->camera == picture.camera && before->width == picture.width &&
                            before->height == picture.height && same_hits(before->settings, picture.settings);
@@ -149,7 +149,7 @@ Drawn Renderer::redraw(Terrain& terrain, const Picture& picture, const std::opti
     return blocks ? Drawn::changes : Drawn::everything;
 }
 
-void Renderer::follow_sky(Terrain& terrain, const ViewSettings& settings) {
+void Renderer::follow_sky(const Terrain& terrain, const ViewSettings& settings) {
     // What no view looks at waits until one does.
     if (!settings.occlusion || !is_natural(settings) || sky_changes_ == refreshed_changes_) return;
     sky_view_.refresh(terrain, pyramid_);

@@ -32,8 +32,8 @@ class Renderer {
     /// Brings the pyramid up to date with the terrain's changed tiles and draws width x height pixels: all of
     /// them, only what changed tiles can touch, only the colours, or nothing. The picture is the same bit for
     /// bit as a fresh one. The ring lies on top: moving it draws nothing else again.
-    Drawn draw(Terrain& terrain, const Camera& camera, const ViewSettings& settings, int width, int height,
-               const Ring& ring = {});
+    Drawn draw(const Terrain& terrain, const Camera& camera, const ViewSettings& settings, int width,
+               int height, const Ring& ring = {});
     /// Adds one sample a pixel to the picture drawn last, until it has as many: smoother silhouettes and
     /// detail. False where the picture stays as it is. The mean is the same bit for bit in whatever steps it
     /// was made.
@@ -65,7 +65,7 @@ class Renderer {
         ViewSettings settings;
         int width = 0;
         int height = 0;
-        std::uint64_t changes = 0;
+        std::uint32_t changes = 0;
         bool operator==(const Picture&) const = default;
     };
 
@@ -73,8 +73,8 @@ class Renderer {
     void follow_bounds(bool again);
     bool refined() const { return refinement_.samples() > 1; }
     const Method& method_of(const ViewSettings& settings, const char* use, bool& redraws_blocks);
-    Drawn redraw(Terrain& terrain, const Picture& picture, const std::optional<Picture>& before);
-    void follow_sky(Terrain& terrain, const ViewSettings& settings);
+    Drawn redraw(const Terrain& terrain, const Picture& picture, const std::optional<Picture>& before);
+    void follow_sky(const Terrain& terrain, const ViewSettings& settings);
     void shade(const Terrain& terrain, const Picture& picture, const Redraw* redraw);
     /// Colours the hits into the target, water included; a redraw is for terrain without water alone.
     void colour(const Terrain& terrain, const Picture& picture, const gpu::Texture& hits,
@@ -86,8 +86,8 @@ class Renderer {
     SkyView sky_view_;
     Redraw redraw_;
     std::optional<Picture> drawn_;
-    std::optional<std::uint64_t> refreshed_changes_;  // of the terrain that the pyramid knows
-    std::optional<std::uint64_t> sky_changes_;        // of the terrain that the view of the sky knows
+    std::optional<std::uint32_t> refreshed_changes_;  // of the terrain that the pyramid knows
+    std::optional<std::uint32_t> sky_changes_;        // of the terrain that the view of the sky knows
     std::vector<std::pair<std::string, Method>> methods_;
     Shading shading_;
     std::unique_ptr<WaterSurface> water_;  // none: no water was ever here

@@ -9,9 +9,9 @@ SkyView::SkyView(const Terrain& terrain)
     share_.fill(1);
 }
 
-void SkyView::refresh(Terrain& terrain, const Pyramid& pyramid) {
+void SkyView::refresh(const Terrain& terrain, const Pyramid& pyramid) {
     // A square looks at cells that end less than a tile away.
-    terrain.tiles.take(Tiles::sky, -1, 1, 1, dirty_);
+    terrain.tiles.list(Tiles::ground | Tiles::eroded, read_, -1, 1, 1, dirty_);
     pyramid.bind(program_, terrain);
     pyramid.lowest.bind_sampled(2);
     share_.bind_image(0, gpu::Access::write);

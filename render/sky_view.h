@@ -11,7 +11,7 @@ class SkyView {
     explicit SkyView(const Terrain& terrain);
 
     /// Makes the squares anew whose surroundings changed; the pyramid must be up to date.
-    void refresh(Terrain& terrain, const Pyramid& pyramid);
+    void refresh(const Terrain& terrain, const Pyramid& pyramid);
     const gpu::Texture& share() const { return share_; }
     std::size_t bytes() const { return sizeof(float) * share_.width() * share_.height(); }
 
@@ -19,6 +19,7 @@ class SkyView {
     gpu::Program program_;
     gpu::Texture share_;
     TileList dirty_;
+    Tiles::Reader read_;
 };
 
 }  // namespace talus

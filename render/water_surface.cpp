@@ -7,10 +7,13 @@ namespace talus {
 WaterSurface::WaterSurface(const Terrain& terrain)
     : level_("water level", gpu::Format::r32f, terrain.grid().nx, terrain.grid().ny),
       program_("render/water_surface.comp"),
-      pyramid_(terrain, level_, Tiles::water_surface),
+      // Where water ends, its surface goes by the water of all neighbours.
+      pyramid_(
+          terrain, level_,
+          Tiles::ground | Tiles::eroded | Tiles::water | Tiles::placed | Tiles::painted | Tiles::inundation),
       method_(make_exact(Detail::none)) {}
 
-void WaterSurface::refresh(Terrain& terrain) {
+void WaterSurface::refresh(const Terrain& terrain) {
     const TileList& changed = pyramid_.list_changes(terrain);
     terrain.water->front.bind_image(0, gpu::Access::read);
     terrain.ground.bind_image(1, gpu::Access::read);

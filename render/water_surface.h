@@ -16,7 +16,7 @@ class WaterSurface {
     WaterSurface& operator=(const WaterSurface&) = delete;
 
     /// Brings level and pyramid up to date with the tiles whose water or ground changed.
-    void refresh(Terrain& terrain);
+    void refresh(const Terrain& terrain);
     /// Casts every pixel's ray onto the water, exactly.
     void cast(const Terrain& terrain, const Camera& camera, int width, int height);
 

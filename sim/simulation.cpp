@@ -78,8 +78,6 @@ WaterSettings Simulation::water_settings() const {
     settings.rain_masked = settings.rain_masked && settings.rain_m_per_s > 0;
     // Where nothing was painted the mask is 0, and no rain falls by it.
     if (settings.rain_masked && !terrain_.painted) settings.rain_m_per_s = 0;
-    const ThermalSettings slopes = thermal_settings(moment_.parameters);
-    settings.wakes_slopes = moment_.parameters.toggle("thermal.on") && slopes.wet_deg != slopes.repose_deg;
     SedimentSettings& sediment = settings.sediment;
     sediment.carried = terrain_.suspended.has_value();
     if (sediment.masked && !terrain_.painted) sediment.regolith_m_per_s_pa = sediment.bedrock_m_per_s_pa = 0;

@@ -31,8 +31,7 @@ void Undo::open(std::string name, Terrain& terrain, const Books& books, const Jo
     dropped_ = std::exchange(undone_, {});
     open_ = true;
     all_kept_ = false;
-    // From here on the marks say what this entry changed.
-    terrain.tiles.clear(Tiles::undo);
+    opened_at_ = terrain.tiles.now();
 }
 
 bool Undo::extends(const std::string& name) {
@@ -79,7 +78,7 @@ void Undo::close(Terrain& terrain, const Journal& journal) {
     dropped_.clear();
     // A stroke kept only the tiles that it reached; after a run the device says which changed.
     if (all_kept_) {
-        const std::vector<bool> changed = terrain.tiles.read(Tiles::undo);
+        const std::vector<bool> changed = terrain.tiles.read(Tiles::anything, opened_at_);
         std::erase_if(entry.kept,
                       [&](const auto& kept) { return !changed[static_cast<std::size_t>(kept.first)]; });
     }

@@ -32,11 +32,10 @@ void GroundProbe::follow(const Terrain& terrain, glm::dvec2 place_m) {
                              std::clamp(row - height / 2, 0, grid.ny - height), width, height};
     const bool near_edge = std::abs(wanted.x - here_.x) > std::max(width / 2 - margin, 0) ||
                            std::abs(wanted.y - here_.y) > std::max(height / 2 - margin, 0);
-    if (readback_.pending() || (!samples_.empty() && !near_edge && changes_ == terrain.tiles.changes()))
-        return;
+    if (readback_.pending() || (!samples_.empty() && !near_edge && changes_ == terrain.tiles.now())) return;
     readback_.start(terrain.ground, wanted);
     asked_ = wanted;
-    asked_changes_ = terrain.tiles.changes();
+    asked_changes_ = terrain.tiles.now();
 }
 
 std::optional<double> GroundProbe::height_m(const Grid& grid, glm::dvec2 place_m) const {

@@ -5,7 +5,7 @@ layout(local_size_x = 64) in;
 const int water_ghosts = 2;
 layout(binding = 0, rgba32f) uniform readonly image2D water;
 layout(binding = 1, rg32f) uniform image2D inundation;  // m, s
-layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
+#include "sim/tile_stamps.glsl"
 layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 
 uniform int2 samples;
@@ -26,6 +26,5 @@ void main() {
         imageStore(inundation, at, real4(depth, before.x > real(0) ? before.y : now_s, 0.0, 0.0));
         changed = true;
     }
-    // Undo keeps the tile, its picture is old.
-    if (changed) atomicOr(tile_flags[tile], 4u | 64u);
+    if (changed) stamp_tile(tile, tile_inundation);
 }

@@ -6,7 +6,7 @@ const int water_ghosts = 2;
 layout(binding = 0, rgba32f) uniform image2D painted;
 layout(binding = 1, r32f) uniform readonly image2D ground;
 layout(binding = 2, rgba32f) uniform readonly image2D water;
-layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
+#include "sim/tile_stamps.glsl"
 
 uniform int2 samples;
 uniform int2 tiles;
@@ -40,6 +40,5 @@ void main() {
             changed = true;
         }
     }
-    // As sim/paint.comp marks its dabs.
-    if (changed) atomicOr(tile_flags[tile.y * tiles.x + tile.x], 1u | 2u | 4u | 16u | 64u);
+    if (changed) stamp_tile(tile.y * tiles.x + tile.x, tile_painted);
 }

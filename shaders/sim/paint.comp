@@ -3,7 +3,7 @@ layout(local_size_x = 64) in;
 #include "maths/glsl_types.glsl"
 
 layout(binding = 0, rgba32f) uniform image2D painted;
-layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
+#include "sim/tile_stamps.glsl"
 
 uniform int2 samples;
 uniform int2 tiles;
@@ -37,6 +37,5 @@ void main() {
             changed = true;
         }
     }
-    // Slopes may slide by the mask, undo keeps the tile, its water may wake, its picture is old.
-    if (changed) atomicOr(tile_flags[tile.y * tiles.x + tile.x], 1u | 2u | 4u | 16u | 64u);
+    if (changed) stamp_tile(tile.y * tiles.x + tile.x, tile_painted);
 }

@@ -11,7 +11,9 @@ layout(binding = 3, rgba32f) uniform readonly image2D painted;
 #endif
 layout(binding = 4, rgba32f) uniform image2D solid;
 layout(binding = 5, r32f) uniform writeonly image2D ground;
-layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
+#include "sim/tile_stamps.glsl"
+layout(binding = 5, std430) buffer WaterActivity { uint water_activity[]; };
+#include "sim/water_activity.glsl"
 layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 
 uniform int2 samples;
@@ -43,12 +45,6 @@ precise real sediment_dt = clock_dt_s * real(eulers);
 #include "maths/ground_height.glsl"
 #include "maths/sediment_exchange.glsl"
 
-// Bits of a tile's flags: what follows the ground, but for the water's bed, which is brought up to it here; and what keeps
-// its water awake, in itself and within reach of its neighbours (sim/water.comp).
-const uint ground_changed = 1u | 2u | 4u | 8u | 64u;
-const uint stays_awake = 32u;
-const int water_reach = 4;
-
 bool differs(real4 a, real4 b) {
     return any(notEqual(floatBitsToUint(a), floatBitsToUint(b)));
 }
@@ -65,7 +61,9 @@ void main() {
     int first_row = int(gl_WorkGroupID.x) * 16;
     int2 first = int2(tile % tiles.x, tile / tiles.x) * 64 + int2(column, first_row);
     if (first.x >= samples.x) return;
-    uint marks = 0u;
+    uint awake = 0u;  // what exchanges keeps the water awake
+    bool loads = false;
+    bool erodes = false;
     real here = bed_at(first);
     real north = bed_at(first + int2(0, -1));
     for (int row = 0; row < min(16, samples.y - first.y); ++row) {
@@ -95,17 +93,21 @@ void main() {
         SedimentSample after = sediment_exchange(water, shear, before, hardness, is_edge(at), drop, rise);
         bool carries = any(notEqual(floatBitsToUint(after.load), floatBitsToUint(before.load)));
         if (carries) imageStore(load, at + water_ghosts, real4(after.load.x, after.load.y, 0.0, 0.0));
-        if (carries) marks |= stays_awake | 4u;
+        if (carries) awake |= wet;
+        loads = loads || carries;
         if (!differs(after.solid, before.solid)) continue;
         imageStore(solid, at, after.solid);
-        marks |= stays_awake | ground_changed;
+        awake |= wet;
+        erodes = true;
         real height = ground_height(after.solid);
         if (height == before_here) continue;
         imageStore(ground, at, real4(height));
-        marks |= first_row + row < water_reach ? 128u : 0u;
-        marks |= first_row + row >= 64 - water_reach ? 256u : 0u;
-        marks |= column < water_reach ? 512u : 0u;
-        marks |= column >= 64 - water_reach ? 1024u : 0u;
+        awake |= first_row + row < water_reach ? wet_north : 0u;
+        awake |= first_row + row >= 64 - water_reach ? wet_south : 0u;
+        awake |= column < water_reach ? wet_west : 0u;
+        awake |= column >= 64 - water_reach ? wet_east : 0u;
     }
-    if (marks != 0u && (tile_flags[tile] & marks) != marks) atomicOr(tile_flags[tile], marks);
+    if (awake != 0u && (water_activity[tile] & awake) != awake) atomicOr(water_activity[tile], awake);
+    if (loads) stamp_tile(tile, tile_load);
+    if (erodes) stamp_tile(tile, tile_eroded);
 }

@@ -1,14 +1,17 @@
-// Lists the tiles that have work: those with the flag bit set in themselves or in a neighbour from `reach_low` to
-// `reach_high`; then clears that bit everywhere. The list starts with the arguments of an indirect dispatch:
-// `groups_per_tile` x tiles x 1. One group does it all, because a dispatch costs more than this work.
+// Lists the tiles in which something changed since a number was read, or in a neighbour from `reach_low` to `reach_high`. The
+// list starts with the arguments of an indirect dispatch: `groups_per_tile` x tiles x 1. One group does it all, because a dispatch
+// costs more than this work.
 layout(local_size_x = 256) in;
 #include "maths/glsl_types.glsl"
 
-layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
+#include "sim/tile_changes.glsl"
+
+layout(binding = 0, std430) readonly buffer TileStamps { uint tile_stamps[]; };
 layout(binding = 1, std430) buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 
 uniform int2 tiles;
-uniform uint flag_bit;
+uniform uint changes;  // a bit for each kind that is of interest
+uniform uint since;
 uniform int reach_low;
 uniform int reach_high;
 uniform uint groups_per_tile;
@@ -17,7 +20,10 @@ shared uint listed;
 
 bool is_marked(int2 tile) {
     if (any(lessThan(tile, int2(0))) || any(greaterThanEqual(tile, tiles))) return false;
-    return (tile_flags[tile.y * tiles.x + tile.x] & flag_bit) != 0u;
+    uint first = uint(tile.y * tiles.x + tile.x) * tile_kinds;
+    for (uint kind = 0u; kind < tile_kinds; ++kind)
+        if ((changes >> kind & 1u) != 0u && tile_stamps[first + kind] > since) return true;
+    return false;
 }
 
 void main() {
@@ -33,7 +39,6 @@ void main() {
         if (work) listed_tiles[atomicAdd(listed, 1u)] = uint(index);
     }
     barrier();
-    for (int index = me; index < count; index += 256) tile_flags[index] &= ~flag_bit;
     if (me == 0) {
         list_arguments[0] = groups_per_tile;
         list_arguments[1] = listed;

@@ -12,7 +12,9 @@ layout(binding = 1, rgba32f) uniform image2D water_out;
 layout(binding = 1, rgba32f) uniform writeonly image2D water_out;
 #endif
 layout(binding = 2, r32f) uniform readonly image2D bed_in;
-layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
+#include "sim/tile_stamps.glsl"
+layout(binding = 5, std430) buffer WaterActivity { uint water_activity[]; };
+#include "sim/water_activity.glsl"
 layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 layout(binding = 3, std430) buffer TileSpeeds { uint tile_speeds[]; };
 #ifdef SEDIMENT
@@ -37,7 +39,6 @@ uniform real gravity;
 uniform real rain_m_per_s;
 uniform int rain_masked;
 uniform real loss_m_per_s;
-uniform uint slope_mark;  // 2 where slopes hang on what is under water, else 0
 
 const int water_order = ORDER;
 real water_gravity = gravity;
@@ -58,16 +59,6 @@ const real water_friction = real(0);
 // A sample's load, and by the way its concentration.
 real load_concentration(int2 at, real depth) { return sediment_concentration(depth, imageLoad(load_in, at + water_ghosts).x); }
 #endif
-
-// Bits of a tile's flags: undo must keep it, its water is active, its picture and its inundation are old; and its water is active within
-// reach of the tile to its north, south, west, east.
-const uint water_moved = 4u | 32u | 64u | 2048u;
-const uint moved_north = 128u;
-const uint moved_south = 256u;
-const uint moved_west = 512u;
-const uint moved_east = 1024u;
-// Two stages of two samples each.
-const int water_reach = 4;
 
 // A sample seen along y: `along` is north.
 WaterCell load_cell(int2 at, out real4 water) {
@@ -198,9 +189,10 @@ void main() {
     }
     if (moved) {
         int column = int(gl_LocalInvocationIndex);
-        uint marks = water_moved | slope_mark | (moved_high ? moved_north : 0u) | (moved_low ? moved_south : 0u) |
-                     (column < water_reach ? moved_west : 0u) | (column >= 64 - water_reach ? moved_east : 0u);
-        if ((tile_flags[tile] & marks) != marks) atomicOr(tile_flags[tile], marks);
+        uint awake = wet | (moved_high ? wet_north : 0u) | (moved_low ? wet_south : 0u) |
+                     (column < water_reach ? wet_west : 0u) | (column >= 64 - water_reach ? wet_east : 0u);
+        if ((water_activity[tile] & awake) != awake) atomicOr(water_activity[tile], awake);
+        stamp_tile(tile, tile_water);
     }
 #if STAGE == 2
     if (fastest > real(0)) atomicMax(tile_speeds[tile], floatBitsToUint(fastest));

@@ -11,7 +11,8 @@ layout(binding = 3, r32f) uniform readonly image2D ground_in;
 layout(binding = 4, rg32f) uniform readonly image2D load_in;
 layout(binding = 5, rg32f) uniform writeonly image2D load_out;
 #endif
-layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
+layout(binding = 0, std430) buffer WaterActivity { uint water_activity[]; };
+#include "sim/water_activity.glsl"
 layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 layout(binding = 3, std430) buffer TileSpeeds { uint tile_speeds[]; };
 
@@ -52,6 +53,6 @@ void main() {
     barrier();
     if (gl_LocalInvocationIndex == 0u) {
         tile_speeds[tile] = fastest;
-        atomicOr(tile_flags[tile], 32u | 64u | 128u | 256u | 512u | 1024u);
+        water_activity[tile] = wet_all;
     }
 }

@@ -5,7 +5,7 @@ layout(local_size_x = 64) in;
 
 const int water_ghosts = 2;
 layout(binding = 0, rgba32f) uniform image2D water;
-layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
+#include "sim/tile_stamps.glsl"
 layout(binding = 1, std430) buffer TileBooks { dvec2 tile_books[]; };  // metres of water in, out
 
 uniform int2 samples;
@@ -38,8 +38,7 @@ void main() {
             changed = true;
         }
     }
-    // Slopes may hang on what is under water, undo keeps the tile, its water is new to the sub-steps, its picture and its inundation are old.
-    if (changed) atomicOr(tile_flags[tile.y * tiles.x + tile.x], 2u | 4u | 16u | 64u | 2048u);
+    if (changed) stamp_tile(tile.y * tiles.x + tile.x, tile_placed);
     column_books[gl_LocalInvocationIndex] = book;
     barrier();
     if (gl_LocalInvocationIndex == 0u) {

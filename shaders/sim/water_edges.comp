@@ -5,7 +5,7 @@ layout(local_size_x = 256) in;
 
 layout(binding = 0, rgba32f) coherent uniform image2D water_state;
 layout(binding = 2, r32f) uniform image2D bed;
-layout(binding = 0, std430) buffer TileFlags { uint tile_flags[]; };
+#include "sim/tile_stamps.glsl"
 layout(binding = 5, std430) readonly buffer Springs { vec4 springs[]; };          // column, row, m/s
 layout(binding = 6, std430) readonly buffer EdgeSeries { float edge_series[]; };  // inflow, m²/s; then wave, m
 #ifdef SEDIMENT
@@ -110,9 +110,9 @@ void main() {
             real2 depth = add_increment(real2(water.x, water.y), gain);
             imageStore(water_state, at, real4(depth.x, depth.y, water.z, water.w));
             book_springs_m += double(gain);
-            // Undo keeps the tile, its picture is old, also where so little comes that it rests.
+            // Also where so little comes that it rests.
             int2 tile = int2(springs[i].xy) / 64;
-            atomicOr(tile_flags[tile.y * tiles.x + tile.x], 2u | 4u | 64u | 2048u);
+            stamp_tile(tile.y * tiles.x + tile.x, tile_water);
         }
     memoryBarrierImage();
     barrier();

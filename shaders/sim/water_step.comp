@@ -3,7 +3,8 @@
 layout(local_size_x = 256) in;
 #include "sim/water_images.glsl"
 
-layout(binding = 0, std430) coherent buffer TileFlags { uint tile_flags[]; };
+layout(binding = 0, std430) coherent buffer WaterActivity { uint water_activity[]; };
+#include "sim/water_activity.glsl"
 layout(binding = 1, std430) buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 layout(binding = 3, std430) buffer TileSpeeds { uint tile_speeds[]; };
 layout(binding = 5, std430) readonly buffer Springs { vec4 springs[]; };  // column, row, m/s
@@ -27,23 +28,17 @@ shared uint fastest;
 shared uint listed;
 shared bool running;
 
-// In itself, and within reach of its north, south, west and east neighbours (sim/water.comp).
-const uint wet = 32u | 128u | 256u | 512u | 1024u;
-
 // Whether the tile's water is active within reach of what lies to these sides of it.
 bool is_wet(int2 tile, uint sides) {
     if (any(lessThan(tile, int2(0))) || any(greaterThanEqual(tile, tiles))) return false;
-    return (tile_flags[tile.y * tiles.x + tile.x] & sides) == sides;
+    return (water_activity[tile.y * tiles.x + tile.x] & sides) == sides;
 }
 
 bool has_work(int2 tile) {
-    const uint n = 128u;
-    const uint s = 256u;
-    const uint w = 512u;
-    const uint e = 1024u;
-    return is_wet(tile, 32u) || is_wet(tile + int2(0, -1), s) || is_wet(tile + int2(0, 1), n) ||
-           is_wet(tile + int2(-1, 0), e) || is_wet(tile + int2(1, 0), w) || is_wet(tile + int2(-1, -1), s | e) ||
-           is_wet(tile + int2(1, -1), s | w) || is_wet(tile + int2(-1, 1), n | e) || is_wet(tile + int2(1, 1), n | w);
+    return is_wet(tile, wet) || is_wet(tile + int2(0, -1), wet_south) || is_wet(tile + int2(0, 1), wet_north) ||
+           is_wet(tile + int2(-1, 0), wet_east) || is_wet(tile + int2(1, 0), wet_west) ||
+           is_wet(tile + int2(-1, -1), wet_south | wet_east) || is_wet(tile + int2(1, -1), wet_south | wet_west) ||
+           is_wet(tile + int2(-1, 1), wet_north | wet_east) || is_wet(tile + int2(1, 1), wet_north | wet_west);
 }
 
 bool is_driven(int2 tile) {
@@ -64,12 +59,12 @@ void main() {
         uint mine = 0u;
         for (int index = me; index < count; index += 256) {
             mine = max(mine, tile_speeds[index]);
-            if (is_driven(int2(index % tiles.x, index / tiles.x))) tile_flags[index] |= wet;
+            if (is_driven(int2(index % tiles.x, index / tiles.x))) water_activity[index] |= wet_all;
         }
         atomicMax(fastest, mine);
         for (int i = me; i < spring_count; i += 256) {
             int2 tile = int2(springs[i].xy) / 64;
-            atomicOr(tile_flags[tile.y * tiles.x + tile.x], wet);
+            atomicOr(water_activity[tile.y * tiles.x + tile.x], wet_all);
         }
     }
     memoryBarrierBuffer();
@@ -85,7 +80,7 @@ void main() {
     }
     barrier();
     if (running)
-        for (int index = me; index < count; index += 256) tile_flags[index] &= ~wet;
+        for (int index = me; index < count; index += 256) water_activity[index] = 0u;
     if (me == 0) {
         list_arguments[0] = 4u;
         list_arguments[1] = listed;

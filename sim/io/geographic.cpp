@@ -92,7 +92,10 @@ void fill_voids(const fs::path& path, Heightmap& heightmap, const std::vector<GB
 
 Heightmap read_geographic(const fs::path& path, const ImportSettings& settings) {
     start_gdal();
-    const std::array<const char*, 4> drivers = {"GTiff", "SRTMHGT", "AAIGrid", nullptr};
+    std::vector<const char*> drivers;
+    for (const HeightmapFormat& format : heightmap_formats())
+        if (format.gdal_driver) drivers.push_back(format.gdal_driver);
+    drivers.push_back(nullptr);
     const Dataset dataset(static_cast<GDALDataset*>(
         GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data(), nullptr, nullptr)));
     if (!dataset) throw Error(fmt::format("'{}' cannot be read: {}", path.string(), gdal_says()));

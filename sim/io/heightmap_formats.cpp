@@ -6,10 +6,14 @@ namespace talus {
 
 const std::vector<HeightmapFormat>& heightmap_formats() {
     static const std::vector<HeightmapFormat> formats = {
-        {.name = "GeoTIFF", .endings = {".tif", ".tiff"}, .read = read_geographic, .write = write_geotiff},
-        {.name = "SRTM", .endings = {".hgt"}, .read = read_geographic},
-        {.name = "ESRI ASCII grid", .endings = {".asc"}, .read = read_geographic},
-        {.name = "ESRI BIL", .endings = {".bil"}, .read = read_geographic},
+        {.name = "GeoTIFF",
+         .endings = {".tif", ".tiff"},
+         .read = read_geographic,
+         .write = write_geotiff,
+         .gdal_driver = "GTiff"},
+        {.name = "SRTM", .endings = {".hgt"}, .read = read_geographic, .gdal_driver = "SRTMHGT"},
+        {.name = "ESRI ASCII grid", .endings = {".asc"}, .read = read_geographic, .gdal_driver = "AAIGrid"},
+        {.name = "ESRI BIL", .endings = {".bil"}, .read = read_geographic, .gdal_driver = "EHdr"},
         {.name = "EXR", .endings = {".exr"}, .read = read_picture, .write = write_picture},
         {.name = "PNG of 16 bits",
          .endings = {".png"},

@@ -16,8 +16,9 @@ struct HeightmapFormat {
     Heightmap (*read)(const std::filesystem::path&, const ImportSettings&);
     /// Null: it is only read.
     void (*write)(const std::filesystem::path&, const Heightmap&, std::optional<Range>) = nullptr;
-    bool rounds = false;      ///< writes 16-bit integers over a range
-    bool headerless = false;  ///< its files say neither their size nor their byte order
+    const char* gdal_driver = nullptr;  ///< GDAL's name of it, where GDAL reads it
+    bool rounds = false;                ///< writes 16-bit integers over a range
+    bool headerless = false;            ///< its files say neither their size nor their byte order
 };
 const std::vector<HeightmapFormat>& heightmap_formats();
 

@@ -125,7 +125,6 @@ const Terrain& ErodeBrush::erode(const Terrain& terrain, const Dab& dab, WaterSe
     water.rain_m_per_s = 0;
     water.rain_masked = false;
     water.rain_painted = true;
-    water.wakes_slopes = false;
     water.sediment.carried = true;
     water.sediment.masked = true;
     water.sediment.below_neighbours = true;

@@ -18,6 +18,7 @@ class Inundation {
   private:
     gpu::Program program_;
     TileList changed_;
+    Tiles::Reader read_;
 };
 
 }  // namespace talus

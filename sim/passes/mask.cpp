@@ -38,7 +38,7 @@ void Mask::make(Terrain& terrain, const MaskSettings& settings) {
     terrain.painted->front.bind_image(0, gpu::Access::read_write);
     terrain.ground.bind_image(1, gpu::Access::read);
     if (terrain.water) terrain.water->front.bind_image(2, gpu::Access::read);
-    terrain.tiles.bind_for_marking();
+    terrain.tiles.bind_for_stamping(program_);
     program_.set("samples", glm::ivec2(grid.nx, grid.ny));
     program_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
     program_.set("cell_m", glm::vec2(grid.dx, grid.dy));

@@ -7,7 +7,7 @@ void Paint::dab(Terrain& terrain, const Dab& dab) {
     if (reached.empty()) return;
     terrain.add(&Terrain::painted);
     terrain.painted->front.bind_image(0, gpu::Access::read_write);
-    terrain.tiles.bind_for_marking();
+    terrain.tiles.bind_for_stamping(program_);
     set_dab(program_, terrain, dab, 1);
     program_.set("painted_layer", static_cast<int>(painted_layer(dab.material)));
     program_.set("dab_blend", static_cast<float>(dab.blend));

@@ -41,7 +41,7 @@ void Sediment::exchange(Terrain& terrain, const SedimentStep& step, double gravi
     if (terrain.painted) terrain.painted->front.bind_image(3, gpu::Access::read);
     terrain.solid.front.bind_image(4, gpu::Access::read_write);
     terrain.ground.bind_image(5, gpu::Access::write);
-    terrain.tiles.bind_for_marking();
+    terrain.tiles.bind_for_stamping(program);
     program.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
     program.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
     program.set("gravity", static_cast<float>(gravity_m_per_s2));

@@ -68,8 +68,11 @@ gpu::Program& Thermal::program_of(bool wet, bool masked) {
 void Thermal::substep(Terrain& terrain, const ThermalStep& step) {
     // Where nothing was painted the mask is 0, and nothing slides.
     if (step.masked && !terrain.painted) return;
-    terrain.tiles.take(Tiles::activity, -1, 1, 16, active_);
     const bool wet = terrain.water && step.wet_slope != step.repose_slope;
+    // All that a slope may hang on.
+    const std::uint32_t changes =
+        Tiles::ground | Tiles::eroded | Tiles::placed | Tiles::painted | (wet ? Tiles::water : 0U);
+    terrain.tiles.list(changes, read_, -1, 1, 16, active_);
     gpu::Program& program = program_of(wet, step.masked);
     if (wet) terrain.water->front.bind_image(3, gpu::Access::read);
     if (step.masked) terrain.painted->front.bind_image(4, gpu::Access::read);

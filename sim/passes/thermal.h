@@ -42,6 +42,7 @@ class Thermal {
 
     std::map<int, gpu::Program> programs_;  // by wet and masked
     TileList active_;
+    Tiles::Reader read_;
 };
 
 }  // namespace talus

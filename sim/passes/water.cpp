@@ -49,6 +49,7 @@ Water::Water(const Terrain& terrain)
       loaded_bed_program_({"sim/water_bed.comp"}, {"SEDIMENT 1"}),
       active_(terrain.tiles.count()),
       clock_("water clock", sizeof(DeviceClock)),
+      activity_("water activity", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(std::uint32_t)),
       speeds_("water speeds", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(std::uint32_t)),
       sources_("water sources", static_cast<std::size_t>(terrain.tiles.count()) * 4 * sizeof(glm::dvec2)),
       springs_("water springs", sizeof(glm::vec4)),
@@ -57,6 +58,7 @@ Water::Water(const Terrain& terrain)
                   2 * static_cast<std::size_t>(terrain.grid().nx + terrain.grid().ny) * sizeof(glm::dvec2)),
       sediment_(terrain.grid()) {
     clock_.fill(0);
+    activity_.fill(0);
     speeds_.fill(0);
     sources_.fill(0);
     edge_books_.fill(0);
@@ -122,13 +124,13 @@ void Water::begin_tick(Terrain& terrain, const WaterSettings& settings, const st
         springs_.write_all(placed);
     }
 
-    terrain.tiles.take(Tiles::bed, 0, 0, 1, active_);
+    terrain.tiles.list(Tiles::ground | Tiles::placed | Tiles::painted, read_, 0, 0, 1, active_);
     DeviceLayer& water = *terrain.water;
     water.front.bind_image(0, gpu::Access::read);
     water.back.bind_image(1, gpu::Access::write);
     terrain.water_bed.bind_image(2, gpu::Access::write);
     terrain.ground.bind_image(3, gpu::Access::read);
-    terrain.tiles.bind_for_marking();
+    activity_.bind_storage(0);
     active_.buffer.bind_storage(1);
     clock_.bind_storage(2);
     speeds_.bind_storage(3);
@@ -159,7 +161,7 @@ void Water::substep(Terrain& terrain) {
         return kind == EdgeKind::inflow || kind == EdgeKind::wave ? 1 : 0;
     };
 
-    terrain.tiles.bind_for_marking();
+    activity_.bind_storage(0);
     active_.buffer.bind_storage(1);
     clock_.bind_storage(2);
     speeds_.bind_storage(3);
@@ -224,12 +226,16 @@ void Water::substep(Terrain& terrain) {
         ghosts.set("eulers", eulers);
         // In the place of the sources, which the stage needs later: OpenGL promises eight bindings.
         if (carried) sediment_.edge_books.bind_storage(4);
+        springs_.bind_storage(5);
+        terrain.tiles.bind_for_stamping(ghosts);
         ghosts.dispatch(1);
         gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
                       gpu::Use::buffer_transfer});
         sources_.bind_storage(4);
+        activity_.bind_storage(5);
 
         gpu::Program& program = stage_program(stage);
+        terrain.tiles.bind_for_stamping(program);
         from.bind_image(0, gpu::Access::read);
         to.bind_image(1, gpu::Access::read_write);
         terrain.water_bed.bind_image(2, gpu::Access::read);
@@ -243,7 +249,6 @@ void Water::substep(Terrain& terrain) {
             load_from->bind_image(4, gpu::Access::read);
             load_to->bind_image(5, gpu::Access::read_write);
         }
-        program.set("slope_mark", settings_.wakes_slopes ? 2U : 0U);
         program.set("loss_m_per_s", static_cast<float>(loss));
         program.dispatch_indirect(active_.buffer);
         gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,

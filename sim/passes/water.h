@@ -78,7 +78,9 @@ class Water {
     std::map<int, gpu::Program> stage_programs_;  // by order, stage, friction, sources, load
     TileList active_;
     gpu::Buffer clock_;
+    gpu::Buffer activity_;
     gpu::Buffer speeds_;
+    Tiles::Reader read_;
     gpu::Buffer sources_;
     gpu::Buffer springs_;
     gpu::Buffer series_;

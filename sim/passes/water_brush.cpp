@@ -12,7 +12,7 @@ void WaterBrush::dab(Terrain& terrain, const Dab& dab) {
     const std::vector<int> tiles = terrain.tiles.touched_by(dab_region(terrain.grid(), dab));
     if (tiles.empty()) return;
     terrain.water->front.bind_image(0, gpu::Access::read_write);
-    terrain.tiles.bind_for_marking();
+    terrain.tiles.bind_for_stamping(program_);
     books.bind_storage(1);
     set_dab(program_, terrain, dab, 1);
     const TileBlock block = tile_block(terrain.tiles, tiles);

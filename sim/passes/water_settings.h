@@ -40,8 +40,7 @@ struct WaterSettings {
     double wave_period_s = 10;  ///< sine
     double wave_depth_m = 10;   ///< solitary: still depth that gives the wave its length
     SedimentSettings sediment;
-    bool wakes_slopes = false;  ///< thermal erosion hangs on what is under water
-    bool skips_rest = true;     ///< false: every tile every sub-step, to compare with (law 2)
+    bool skips_rest = true;  ///< false: every tile every sub-step, to compare with (law 2)
 };
 
 /// Throws talus::Error when a spring lies off the map, or its rate is not 0 to 1e9 m³/s.

@@ -78,7 +78,7 @@ void Terrain::bind(gpu::Program& program) {
     solid.front.bind_image(0, gpu::Access::read);
     solid.back.bind_image(1, gpu::Access::write);
     ground.bind_image(2, gpu::Access::write);
-    tiles.bind_for_marking();
+    tiles.bind_for_stamping(program);
     program.set("samples", glm::ivec2(grid_.nx, grid_.ny));
     program.set("tiles", glm::ivec2(tiles.columns(), tiles.rows()));
 }

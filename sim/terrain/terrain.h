@@ -49,7 +49,7 @@ class Terrain {
     /// m: the ground under the water, as the last tick found it; texels as the water's, and there with it.
     gpu::Texture water_bed;
 
-    /// Binds layers, ground and flags as shaders/sim/samples.glsl expects them, and sets its uniforms.
+    /// Binds layers, ground and stamps as shaders/sim/samples.glsl expects them, and sets its uniforms.
     void bind(gpu::Program& program);
     /// The back images become the front ones.
     void swap();

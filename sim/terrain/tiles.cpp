@@ -14,9 +14,9 @@ Tiles::Tiles(const Grid& grid)
     : grid_(grid),
       columns_((grid.nx + tile_samples - 1) / tile_samples),
       rows_((grid.ny + tile_samples - 1) / tile_samples),
-      flags_("tile flags", static_cast<std::size_t>(columns_) * rows_ * sizeof(std::uint32_t)),
-      list_program_("sim/tile_list.comp"),
-      clear_program_("sim/tile_clear.comp") {
+      stamps_("tile stamps", static_cast<std::size_t>(columns_) * rows_ * tile_changes::tile_kinds *
+                                 sizeof(std::uint32_t)),
+      list_program_("sim/tile_list.comp") {
     mark_all();
 }
 
@@ -37,32 +37,42 @@ std::vector<int> Tiles::touched_by(const gpu::Region& samples) const {
     return tiles;
 }
 
-void Tiles::take(Mark mark, int reach_low, int reach_high, int groups_per_tile, TileList& list) {
-    flags_.bind_storage(0);
+void Tiles::bind_for_stamping(gpu::Program& program) {
+    stamps_.bind_storage(0);
+    program.set("stamp_now", ++now_);
+}
+
+void Tiles::mark_all() {
+    stamps_.fill(++now_);
+}
+
+void Tiles::list(std::uint32_t changes, Reader& reader, int reach_low, int reach_high, int groups_per_tile,
+                 TileList& list) const {
+    stamps_.bind_storage(0);
     list.buffer.bind_storage(1);
     list_program_.set("tiles", glm::ivec2(columns_, rows_));
-    list_program_.set("flag_bit", static_cast<unsigned>(mark));
+    list_program_.set("changes", changes);
+    list_program_.set("since", reader.read);
     list_program_.set("reach_low", reach_low);
     list_program_.set("reach_high", reach_high);
     list_program_.set("groups_per_tile", static_cast<unsigned>(groups_per_tile));
     list_program_.dispatch(1);
     gpu::barrier({gpu::Use::storage, gpu::Use::indirect, gpu::Use::buffer_transfer});
+    reader.read = now_;
 }
 
-void Tiles::clear(Mark mark) {
-    flags_.bind_storage(0);
-    clear_program_.set("flag_bit", static_cast<unsigned>(mark));
-    clear_program_.set("tile_count", count());
-    clear_program_.dispatch((count() + 63) / 64);
-    gpu::barrier({gpu::Use::storage, gpu::Use::buffer_transfer});
+bool Tiles::changed_since(std::uint32_t changes, std::uint32_t since, const std::uint32_t* stamps_of_tile) {
+    for (std::uint32_t kind = 0; kind < tile_changes::tile_kinds; ++kind)
+        if ((changes >> kind & 1U) != 0 && stamps_of_tile[kind] > since) return true;
+    return false;
 }
 
-std::vector<bool> Tiles::read(Mark mark) const {
-    const auto words = flags_.read_all<std::uint32_t>();
-    std::vector<bool> marked(words.size());
-    std::transform(words.begin(), words.end(), marked.begin(),
-                   [mark](std::uint32_t w) { return (w & mark) != 0; });
-    return marked;
+std::vector<bool> Tiles::read(std::uint32_t changes, std::uint32_t since) const {
+    const auto stamps = stamps_.read_all<std::uint32_t>();
+    std::vector<bool> changed;
+    for (std::size_t at = 0; at < stamps.size(); at += tile_changes::tile_kinds)
+        changed.push_back(changed_since(changes, since, &stamps[at]));
+    return changed;
 }
 
 }  // namespace talus

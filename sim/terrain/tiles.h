@@ -15,20 +15,30 @@ struct TileList {
     gpu::Buffer buffer;
 };
 
-/// The one set of changed tiles. Whatever writes samples marks their tile for all readers at once; each
-/// reader lists and clears its own mark, so that work follows what changed and nothing is read back.
+namespace tile_changes {
+using uint = std::uint32_t;
+#include "sim/tile_changes.glsl"
+}  // namespace tile_changes
+
+/// The one set of changed tiles. A writer stamps a tile with a running number for each kind of change. A
+/// reader remembers how far it has read, and lists the tiles with later stamps. So work follows what changed,
+/// nothing is read back, and any number of readers see everything.
 class Tiles {
   public:
-    enum Mark : std::uint32_t {
-        surface = 1,
-        activity = 2,
-        undo = 4,
-        sky = 8,
-        bed = 16,            ///< ground or water was changed by others than the water's own sub-steps
-        wet = 32,            ///< its water is active; 128 to 1024 say beside which neighbours (water.comp)
-        water_surface = 64,  ///< its water changed since it was last drawn
-        wet_sides = 128 | 256 | 512 | 1024,
-        inundation = 2048  ///< its water changed since the inundation map was last brought up to it
+    /// Kinds of change, as bits that readers combine.
+    enum Change : std::uint32_t {
+        ground = 1U << tile_changes::tile_ground,  ///< by anything but the water's own sub-steps
+        eroded = 1U << tile_changes::tile_eroded,  ///< the ground, by those
+        water = 1U << tile_changes::tile_water,    ///< by its sub-steps
+        placed = 1U << tile_changes::tile_placed,  ///< the water, by others
+        load = 1U << tile_changes::tile_load,      ///< what the water carries
+        painted = 1U << tile_changes::tile_painted,
+        inundation = 1U << tile_changes::tile_inundation,
+        anything = (1U << tile_changes::tile_kinds) - 1
+    };
+    /// How far one reader has read: nothing yet.
+    struct Reader {
+        std::uint32_t read = 0;
     };
 
     explicit Tiles(const Grid& grid);
@@ -41,34 +51,32 @@ class Tiles {
     /// The tiles that a rectangle of samples touches, cut at the terrain's edge; empty when it lies outside.
     std::vector<int> touched_by(const gpu::Region& samples) const;
 
-    /// Binds the flags for a pass that may mark tiles.
-    void bind_for_marking() {
-        ++changes_;
-        flags_.bind_storage(0);
-    }
-    /// Rises with everything that may have marked a tile: while it stays, no tile changes.
-    std::uint64_t changes() const { return changes_; }
-    void mark_all() {
-        ++changes_;
-        flags_.fill(surface | activity | undo | sky | bed | wet | water_surface | wet_sides | inundation);
-    }
-    /// Lists the tiles that carry the mark, or have a neighbour at an offset from reach_low to reach_high
-    /// that does, then clears the mark everywhere. The list's dispatch is groups_per_tile x tiles x 1.
-    void take(Mark mark, int reach_low, int reach_high, int groups_per_tile, TileList& list);
-    void clear(Mark mark);
-    /// A word of marks a tile, on the device.
-    const gpu::Buffer& marks() const { return flags_; }
-    /// Which tiles carry the mark. Waits for the device.
-    std::vector<bool> read(Mark mark) const;
+    /// Before each dispatch of a program that may stamp tiles (shaders/sim/tile_stamps.glsl): binds the
+    /// stamps, and gives it the next number.
+    void bind_for_stamping(gpu::Program& program);
+    /// The last number that was given. While it stays, no tile changes.
+    std::uint32_t now() const { return now_; }
+    /// Everything counts as changed.
+    void mark_all();
+    /// Lists the tiles that changed since the reader read last, or have a neighbour at an offset from
+    /// reach_low to reach_high that did. The list's dispatch is groups_per_tile x tiles x 1.
+    void list(std::uint32_t changes, Reader& reader, int reach_low, int reach_high, int groups_per_tile,
+              TileList& list) const;
+    /// Which tiles changed since this number. Waits for the device.
+    std::vector<bool> read(std::uint32_t changes, std::uint32_t since) const;
+    /// The same of stamps that were read back.
+    static bool changed_since(std::uint32_t changes, std::uint32_t since,
+                              const std::uint32_t* stamps_of_tile);
+    /// A number for each kind of change, tile after tile, on the device.
+    const gpu::Buffer& stamps() const { return stamps_; }
 
   private:
     Grid grid_;
     int columns_;
     int rows_;
-    gpu::Buffer flags_;
-    std::uint64_t changes_ = 0;
-    gpu::Program list_program_;
-    gpu::Program clear_program_;
+    gpu::Buffer stamps_;
+    std::uint32_t now_ = 0;
+    mutable gpu::Program list_program_;
 };
 
 }  // namespace talus

@@ -82,6 +82,49 @@ TEST_P(Redraw, LongShadowsAndPlainsAreRedrawn) {
     }
 }
 
+// Any number of renderers see a live terrain, ground, water and paint: one that draws every frame, one that
+// draws now and then, and one that comes late. None takes away what another has not seen yet.
+TEST(Renderers, AllSeeEverythingOfOneLiveTerrain) {
+    const gpu::Context context;
+    const Grid grid{300, 260, 15, 15};
+    Parameters parameters(simulation_parameters());
+    for (const char* assignment :
+         {"water.rain_mm_per_h=400", "water.sea_level_m=60", "time.tick_s=0.5", "erosion.on=true"})
+        parameters.set_assignment(assignment);
+    Simulation simulation(bedrock_terrain(grid, generate_heights(grid, {"mountains", 5, 500})), parameters);
+    const Camera camera = overview(grid, 0, 500);
+    Renderer each(simulation.terrain(), 16);
+    Renderer seldom(simulation.terrain(), 16);
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> unit(0, 1);
+    int compared = 0;
+    for (int frame = 0; frame < 40; ++frame) {
+        Dab dab;
+        dab.material = static_cast<Material>(random() % 6);
+        dab.x_m = grid.width_m() * unit(random);
+        dab.y_m = grid.height_m() * unit(random);
+        dab.radius_m = 100 + 300 * unit(random);
+        dab.amount_m = 30 * unit(random);
+        dab.blend = 0.7;
+        dab.target_m = 0.8;
+        simulation.apply(dab);
+        if (frame % 4 == 3) simulation.apply(Ticks{1});
+        ViewSettings settings;
+        settings.view = views()[random() % views().size()].name;
+        each.draw(simulation.terrain(), camera, settings, width, height);
+        if (frame % 7 != 6) continue;
+        seldom.draw(simulation.terrain(), camera, settings, width, height);
+        Renderer late(simulation.terrain(), 16);
+        late.draw(simulation.terrain(), camera, settings, width, height);
+        ASSERT_EQ(each.read_rgb(width, height), late.read_rgb(width, height))
+            << settings.view << " " << frame;
+        ASSERT_EQ(seldom.read_rgb(width, height), late.read_rgb(width, height))
+            << settings.view << " " << frame;
+        ++compared;
+    }
+    EXPECT_EQ(compared, 5);
+}
+
 INSTANTIATE_TEST_SUITE_P(OfMethods, Redraw, ::testing::Values("exact", "hybrid"),
                          [](const auto& method) { return std::string(method.param); });
 

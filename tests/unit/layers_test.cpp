@@ -83,7 +83,7 @@ TEST(Layers, AreInTheHashAndAmongTheOutputs) {
             word += number.two_words ? 2 : 1;
         }
     }
-    EXPECT_THROW(output_of(state, "snow"), Error);
+    EXPECT_THROW(output_of(state, "lava"), Error);
 }
 
 TEST(Layers, FollowCropsAndTurns) {
