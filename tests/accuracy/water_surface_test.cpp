@@ -144,7 +144,7 @@ TEST(WaterSurface, ViewsShowWhatGaugesDo) {
             settings.method = "exact";
             settings.gravity_m_per_s2 = 3.7;
             settings.numbers = {{"render.depth_m", 40},
-                                {"render.speed", 2},
+                                {"render.speed_m_per_s", 2},
                                 {"render.level_m", 52},
                                 {"render.level_range_m", 3},
                                 {"render.arrival_s", 90}};
