@@ -52,7 +52,7 @@ Tool lower_tool() {
 
 Tool smooth_tool() {
     return {.name = "smooth",
-            .how_to = turns_around,
+            .how_to = "Brings the ground nearer to the mean of its neighbours.",
             .shape = smooth,
             .settings = {"brush.blend_per_s"},
             .strength = "brush.blend_per_s"};

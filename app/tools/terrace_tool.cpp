@@ -15,7 +15,7 @@ void terrace(const ToolUse& use, Dab& dab) {
 Tool terrace_tool() {
     return {
         .name = "terrace",
-        .how_to = "Ctrl turns it around, Shift smooths.",
+        .how_to = "Cuts steps of equal height. Shift smooths.",
         .shape = terrace,
         .settings = {"terrace.step_m", "terrace.flat", "brush.blend_per_s"},
         .strength = "brush.blend_per_s",

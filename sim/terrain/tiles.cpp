@@ -14,8 +14,8 @@ Tiles::Tiles(const Grid& grid)
     : grid_(grid),
       columns_((grid.nx + tile_samples - 1) / tile_samples),
       rows_((grid.ny + tile_samples - 1) / tile_samples),
-      stamps_("tile stamps", static_cast<std::size_t>(columns_) * rows_ * tile_changes::tile_kinds *
-                                 sizeof(std::uint32_t)),
+      stamps_("tile stamps",
+              static_cast<std::size_t>(columns_) * rows_ * tile_changes::tile_kinds * sizeof(std::uint32_t)),
       list_program_("sim/tile_list.comp") {
     mark_all();
 }

@@ -192,9 +192,10 @@ TEST_F(Files, DeclaredNodataIsFilledAndCounted) {
 TEST_F(Files, EsriBilIsReadWithItsHeader) {
     const std::vector<float> heights = {1.5F, -2, 3, 4, 5, 6};
     write("plain.bil", std::string(reinterpret_cast<const char*>(heights.data()), 4 * heights.size()));
-    write("plain.hdr",
-          "NROWS 2\nNCOLS 3\nNBANDS 1\nNBITS 32\nPIXELTYPE FLOAT\nBYTEORDER I\nLAYOUT BIL\nULXMAP 0\nULYMAP 0\n"
-          "XDIM 30\nYDIM 20\n");
+    write(
+        "plain.hdr",
+        "NROWS 2\nNCOLS 3\nNBANDS 1\nNBITS 32\nPIXELTYPE FLOAT\nBYTEORDER I\nLAYOUT BIL\nULXMAP 0\nULYMAP 0\n"
+        "XDIM 30\nYDIM 20\n");
     const Heightmap read = read_heightmap(path("plain.bil"), {});
     EXPECT_EQ(read.heights, heights);
     EXPECT_EQ(read.grid, (Grid{3, 2, 30, 20}));
