@@ -211,8 +211,8 @@ void bench_render() {
         ViewSettings unlit = lit;
         unlit.shadows = false;
         const auto shade = [&](const ViewSettings& settings) {
-            shading.draw(terrain, pyramid, sky, camera, settings, width, height, target.hits(), colour_buffer,
-                         nullptr);
+            shading.draw({terrain, pyramid, camera, settings, width, height, target.hits(), colour_buffer},
+                         sky, nullptr);
             std::array<std::byte, 4> wait{};
             colour.read({0, 0, 1, 1}, wait);
         };
