@@ -62,7 +62,7 @@ void draw_menu(PanelContext& context) {
         ImGui::Separator();
         const std::string& shown = context.session.view().choice("render.view");
         for (const View& view : views())
-            if (menu_item(view.name.c_str(), nullptr, true, shown == view.name))
+            if (menu_item(view.name, nullptr, true, shown == view.name))
                 context.session.set("render.view", view.name);
         ImGui::EndMenu();
     }

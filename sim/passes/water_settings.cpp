@@ -21,9 +21,9 @@ double inflow_length_m(const WaterSettings& settings, const Grid& grid) {
     return length_m;
 }
 
-BoundParameter<WaterSettings> boundary(Edge edge, std::string help) {
+BoundParameter<WaterSettings> boundary(Edge edge, const char* help) {
     const std::string& name = boundary_parameter(edge);
-    Parameter declared = choice(name, "open", edge_kinds(), std::move(help)).setting_off(SetsOff::edge_clock);
+    Parameter declared = choice(name, "open", edge_kinds(), help).setting_off(SetsOff::edge_clock);
     return {std::move(declared), [=](const Parameters& parameters, WaterSettings& settings) {
                 settings.edges[static_cast<std::size_t>(edge)] = parameters.choice_as<EdgeKind>(name);
             }};
