@@ -88,14 +88,14 @@ const std::vector<LayerDescription>& layers() {
          .image = &Terrain::water,
          .ghosts = water_ghosts,
          .has_back = true,
-         .needs = {"inundation"},
+         .needs = &Terrain::inundation,
          .turn = turn_discharge,
          .refusal = refuse_water},
         {.name = "inundation",
          .numbers = {{"depth_max", "m", false, amount}, {"arrival_s", "s", false, nearest}},
          .samples = &TerrainState::inundation,
          .image = &Terrain::inundation,
-         .needs = {"water"},
+         .needs = &Terrain::water,
          .refusal = refuse_inundation},
         {.name = "load",
          .numbers = {{"suspended", "m", true, amount}},
@@ -103,7 +103,7 @@ const std::vector<LayerDescription>& layers() {
          .image = &Terrain::suspended,
          .ghosts = water_ghosts,
          .has_back = true,
-         .needs = {"water"},
+         .needs = &Terrain::water,
          .refusal = refuse_suspended},
         {.name = "hardness, mask and rain",
          .numbers = {{"hardness", "", false, amount},
@@ -114,11 +114,6 @@ const std::vector<LayerDescription>& layers() {
          .refusal = refuse_painted},
     };
     return all;
-}
-
-const LayerDescription& layer_named(const std::string& name) {
-    return *std::find_if(layers().begin(), layers().end(),
-                         [&](const LayerDescription& layer) { return layer.name == name; });
 }
 
 int LayerDescription::words() const {

@@ -15,7 +15,7 @@ struct DeviceLayer;
 /// How a number of a layer is found between samples, where the terrain gets another number of them.
 enum class Resampling {
     height,  ///< by cubic convolution (Keys 1981)
-    amount,  ///< by the straight kernel, so that it never becomes negative
+    amount,  ///< by the straight kernel: what is nowhere negative stays so
     nearest  ///< as at the nearest sample
 };
 
@@ -43,7 +43,8 @@ struct LayerDescription {
     std::optional<DeviceLayer> Terrain::*image = nullptr;
     int ghosts = 0;         ///< rows and columns of samples beyond each edge of the map, on the device
     bool has_back = false;  ///< passes read a front image and write a back one
-    std::vector<std::string> needs = {};  ///< layers that are there wherever it is
+    /// An image that is there wherever this one is; null: none.
+    std::optional<DeviceLayer> Terrain::*needs = nullptr;
     /// What becomes of a texel where the map turns by a quarter, counterclockwise; null: it stays.
     void (*turn)(std::span<float> texel) = nullptr;
     /// What is wrong with a texel of a file, behind "'FILE' holds "; empty: nothing is. Null: all is right.
@@ -56,8 +57,6 @@ struct LayerDescription {
 
 /// All layers, in the order of the hash and of the document's channels.
 const std::vector<LayerDescription>& layers();
-/// The one of this name, which there must be.
-const LayerDescription& layer_named(const std::string& name);
 
 /// Texel after texel; empty where the layer is not there.
 std::span<float> words_of(TerrainState& state, const LayerDescription& layer);

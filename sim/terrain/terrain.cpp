@@ -52,7 +52,7 @@ void Terrain::add(std::optional<DeviceLayer> Terrain::*image) {
     added.front = texture(layer.name + " front", format);
     if (layer.has_back) added.back = texture(layer.name + " back", format);
     if (image == &Terrain::water) water_bed = texture("water bed", gpu::Format::r32f);
-    for (const std::string& needed : layer.needs) add(layer_named(needed).image);
+    if (layer.needs) add(layer.needs);
     tiles.mark_all();
 }
 
