@@ -54,7 +54,7 @@ void Session::start(Scene scene) {
     recovered_ = false;
     compared_revision_.reset();
     stamps_.cancel();
-    activity_since_ = activity_asked_at_ = 0;
+    activity_since_ = activity_asked_at_ = {};
     activity_ = {};
     playing = false;
     stroke_.reset();
@@ -106,7 +106,7 @@ void Session::follow_terrain() {
     balances_.clear();
     ledger_of_changes_ = 0;
     stamps_.cancel();
-    activity_since_ = activity_asked_at_ = 0;
+    activity_since_ = activity_asked_at_ = {};
     forget_rectangle();
     suggest_for_terrain();
     if (extent_before != glm::dvec2(grid().width_m(), grid().height_m())) frame_terrain();
@@ -380,7 +380,7 @@ void Session::follow_ledger() {
     if (const auto ledger = simulation_->poll_ledger()) keep_balance(*ledger, ledger_of_s_);
     if (simulation_->awaits_ledger() || simulation_->mid_tick()) return;
     const double simulated_s = simulation_->clock().simulated_s;
-    const std::uint32_t changes = simulation_->terrain().tiles.now();
+    const std::uint64_t changes = simulation_->terrain().tiles.now();
     if (now_s() - ledger_asked_at_s_ < 0.5 || changes == ledger_of_changes_) return;
     ledger_asked_at_s_ = now_s();
     ledger_of_s_ = simulated_s;
@@ -396,15 +396,14 @@ void Session::follow_activity() {
                        [](float word) { return std::bit_cast<std::uint32_t>(word); });
         activity_ = {};
         for (std::size_t at = 0; at < stamps.size(); at += tile_changes::tile_kinds) {
-            activity_.slope_tiles +=
-                Tiles::changed_since(Tiles::ground, activity_since_, &stamps[at]) ? 1 : 0;
-            activity_.water_tiles += Tiles::changed_since(Tiles::water, activity_since_, &stamps[at]) ? 1 : 0;
+            activity_.slope_tiles += tiles.has_changed(Tiles::ground, activity_since_, &stamps[at]) ? 1 : 0;
+            activity_.water_tiles += tiles.has_changed(Tiles::water, activity_since_, &stamps[at]) ? 1 : 0;
         }
         activity_since_ = activity_asked_at_;
     }
     if (stamps_.pending() || now_s() - activity_asked_at_s_ < 0.5) return;
     activity_asked_at_s_ = now_s();
-    activity_asked_at_ = tiles.now();
+    activity_asked_at_ = tiles.reader_now();
     stamps_.start(tiles.stamps(), tiles.stamps().bytes());
 }
 

@@ -156,7 +156,7 @@ class Session {
     std::vector<Balance> balances_;
     double ledger_asked_at_s_ = 0;  // of the clock on the wall, and of the simulation
     double ledger_of_s_ = 0;
-    std::uint32_t ledger_of_changes_ = 0;
+    std::uint64_t ledger_of_changes_ = 0;
     Gauges gauges_{Grid()};
     std::string wave_note_;
     std::string path_;
@@ -166,8 +166,8 @@ class Session {
     mutable bool unsaved_ = false;
     Activity activity_;
     gpu::Readback stamps_;
-    std::uint32_t activity_asked_at_ = 0;  // the tiles' numbers then, and when it was asked for before
-    std::uint32_t activity_since_ = 0;
+    Tiles::Reader activity_asked_at_;  // of the tiles, when it was asked for
+    Tiles::Reader activity_since_;     // and the time before
     double activity_asked_at_s_ = 0;
     double owed_s_ = 0;
     double speed_reached_ = 0;

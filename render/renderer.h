@@ -65,7 +65,7 @@ class Renderer {
         ViewSettings settings;
         int width = 0;
         int height = 0;
-        std::uint32_t changes = 0;
+        std::uint64_t changes = 0;
         bool operator==(const Picture&) const = default;
     };
 
@@ -86,8 +86,8 @@ class Renderer {
     SkyView sky_view_;
     Redraw redraw_;
     std::optional<Picture> drawn_;
-    std::optional<std::uint32_t> refreshed_changes_;  // of the terrain that the pyramid knows
-    std::optional<std::uint32_t> sky_changes_;        // of the terrain that the view of the sky knows
+    std::optional<std::uint64_t> refreshed_changes_;  // of the terrain that the pyramid knows
+    std::optional<std::uint64_t> sky_changes_;        // of the terrain that the view of the sky knows
     std::vector<std::pair<std::string, Method>> methods_;
     Shading shading_;
     std::unique_ptr<WaterSurface> water_;  // none: no water was ever here

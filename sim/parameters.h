@@ -72,7 +72,7 @@ class Parameters {
         return static_cast<Enum>(place_of_choice(name));
     }
 
-    // Old names of parameters do everywhere as their names do.
+    // A parameter's old name is taken wherever its name is.
     /// Throws talus::Error for an unknown name, a wrong type or a value out of range, and changes nothing
     /// then.
     void set(std::string_view name, const Value& value);

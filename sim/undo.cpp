@@ -31,7 +31,7 @@ void Undo::open(std::string name, Terrain& terrain, const Books& books, const Jo
     dropped_ = std::exchange(undone_, {});
     open_ = true;
     all_kept_ = false;
-    opened_at_ = terrain.tiles.now();
+    opened_at_ = terrain.tiles.reader_now();
 }
 
 bool Undo::extends(const std::string& name) {

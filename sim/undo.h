@@ -102,7 +102,7 @@ class Undo {
     std::size_t capacity_bytes_;
     bool open_ = false;
     bool all_kept_ = false;
-    std::uint32_t opened_at_ = 0;  // the tiles' number when the entry was opened
+    Tiles::Reader opened_at_;  // what changes later is the entry's
     std::deque<Entry> done_;
     std::vector<Entry> undone_;
     std::vector<Entry> dropped_;  // could be redone before the open entry

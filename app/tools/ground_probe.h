@@ -24,9 +24,9 @@ class GroundProbe {
   private:
     gpu::Readback readback_;
     gpu::Region asked_;
-    std::uint32_t asked_changes_ = 0;
+    std::uint64_t asked_changes_ = 0;
     gpu::Region here_;
-    std::uint32_t changes_ = 0;
+    std::uint64_t changes_ = 0;
     std::vector<float> samples_;
 };
 

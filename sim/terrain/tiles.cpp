@@ -10,12 +10,13 @@ TileList::TileList(int tile_count)
     buffer.fill(0);
 }
 
-Tiles::Tiles(const Grid& grid)
+Tiles::Tiles(const Grid& grid, std::uint32_t last_number)
     : grid_(grid),
       columns_((grid.nx + tile_samples - 1) / tile_samples),
       rows_((grid.ny + tile_samples - 1) / tile_samples),
       stamps_("tile stamps",
               static_cast<std::size_t>(columns_) * rows_ * tile_changes::tile_kinds * sizeof(std::uint32_t)),
+      last_number_(last_number),
       list_program_("sim/tile_list.comp") {
     mark_all();
 }
@@ -37,13 +38,22 @@ std::vector<int> Tiles::touched_by(const gpu::Region& samples) const {
     return tiles;
 }
 
+std::uint32_t Tiles::next() {
+    if (now_ < last_number_) return ++now_;
+    // The stamps of the round before would be later than all that follow.
+    ++round_;
+    now_ = 1;
+    stamps_.fill(now_);
+    return ++now_;
+}
+
 void Tiles::bind_for_stamping(gpu::Program& program) {
+    program.set("stamp_now", next());
     stamps_.bind_storage(0);
-    program.set("stamp_now", ++now_);
 }
 
 void Tiles::mark_all() {
-    stamps_.fill(++now_);
+    stamps_.fill(next());
 }
 
 void Tiles::list(std::uint32_t changes, Reader& reader, int reach_low, int reach_high, int groups_per_tile,
@@ -52,26 +62,27 @@ void Tiles::list(std::uint32_t changes, Reader& reader, int reach_low, int reach
     list.buffer.bind_storage(1);
     list_program_.set("tiles", glm::ivec2(columns_, rows_));
     list_program_.set("changes", changes);
-    list_program_.set("since", reader.read);
+    list_program_.set("since", since(reader));
     list_program_.set("reach_low", reach_low);
     list_program_.set("reach_high", reach_high);
     list_program_.set("groups_per_tile", static_cast<unsigned>(groups_per_tile));
     list_program_.dispatch(1);
     gpu::barrier({gpu::Use::storage, gpu::Use::indirect, gpu::Use::buffer_transfer});
-    reader.read = now_;
+    reader = reader_now();
 }
 
-bool Tiles::changed_since(std::uint32_t changes, std::uint32_t since, const std::uint32_t* stamps_of_tile) {
+bool Tiles::has_changed(std::uint32_t changes, const Reader& reader,
+                        const std::uint32_t* stamps_of_tile) const {
     for (std::uint32_t kind = 0; kind < tile_changes::tile_kinds; ++kind)
-        if ((changes >> kind & 1U) != 0 && stamps_of_tile[kind] > since) return true;
+        if ((changes >> kind & 1U) != 0 && stamps_of_tile[kind] > since(reader)) return true;
     return false;
 }
 
-std::vector<bool> Tiles::read(std::uint32_t changes, std::uint32_t since) const {
+std::vector<bool> Tiles::read(std::uint32_t changes, const Reader& reader) const {
     const auto stamps = stamps_.read_all<std::uint32_t>();
     std::vector<bool> changed;
     for (std::size_t at = 0; at < stamps.size(); at += tile_changes::tile_kinds)
-        changed.push_back(changed_since(changes, since, &stamps[at]));
+        changed.push_back(has_changed(changes, reader, &stamps[at]));
     return changed;
 }
 

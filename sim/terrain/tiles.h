@@ -38,10 +38,12 @@ class Tiles {
     };
     /// How far one reader has read: nothing yet.
     struct Reader {
+        std::uint32_t round = 0;
         std::uint32_t read = 0;
     };
 
-    explicit Tiles(const Grid& grid);
+    /// After `last_number` a new round of numbers begins, and everything counts as changed for every reader.
+    explicit Tiles(const Grid& grid, std::uint32_t last_number = 0xffffffff);
 
     int columns() const { return columns_; }
     int rows() const { return rows_; }
@@ -54,27 +56,34 @@ class Tiles {
     /// Before each dispatch of a program that may stamp tiles (shaders/sim/tile_stamps.glsl): binds the
     /// stamps, and gives it the next number.
     void bind_for_stamping(gpu::Program& program);
-    /// The last number that was given. While it stays, no tile changes.
-    std::uint32_t now() const { return now_; }
+    /// Rises with everything that may stamp a tile: while it stays, no tile changes.
+    std::uint64_t now() const { return std::uint64_t{round_} << 32U | now_; }
+    /// A reader that has read everything until now.
+    Reader reader_now() const { return {round_, now_}; }
     /// Everything counts as changed.
     void mark_all();
     /// Lists the tiles that changed since the reader read last, or have a neighbour at an offset from
     /// reach_low to reach_high that did. The list's dispatch is groups_per_tile x tiles x 1.
     void list(std::uint32_t changes, Reader& reader, int reach_low, int reach_high, int groups_per_tile,
               TileList& list) const;
-    /// Which tiles changed since this number. Waits for the device.
-    std::vector<bool> read(std::uint32_t changes, std::uint32_t since) const;
-    /// The same of stamps that were read back.
-    static bool changed_since(std::uint32_t changes, std::uint32_t since,
-                              const std::uint32_t* stamps_of_tile);
+    /// Which tiles changed since the reader read last. Waits for the device.
+    std::vector<bool> read(std::uint32_t changes, const Reader& reader) const;
+    /// Whether one tile did, by its stamps, which were read back.
+    bool has_changed(std::uint32_t changes, const Reader& reader, const std::uint32_t* stamps_of_tile) const;
     /// A number for each kind of change, tile after tile, on the device.
     const gpu::Buffer& stamps() const { return stamps_; }
 
   private:
+    std::uint32_t next();
+    // What a reader has not read yet has later stamps. Of a new round it has read nothing.
+    std::uint32_t since(const Reader& reader) const { return reader.round == round_ ? reader.read : 0; }
+
     Grid grid_;
     int columns_;
     int rows_;
     gpu::Buffer stamps_;
+    std::uint32_t last_number_;
+    std::uint32_t round_ = 0;
     std::uint32_t now_ = 0;
     mutable gpu::Program list_program_;
 };

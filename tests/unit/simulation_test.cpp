@@ -211,9 +211,9 @@ TEST(Simulation, SleepingTilesChangeNothing) {
         for (int x = 170; x < 200; ++x) heights[static_cast<std::size_t>(y) * wide.nx + x] = 300;
     Simulation sparse(bedrock_terrain(wide, heights), parameters());
     Simulation dense(bedrock_terrain(wide, heights), parameters());
-    std::uint32_t before_last = 0;
+    Tiles::Reader before_last;
     for (int i = 0; i < 200; ++i) {
-        before_last = sparse.terrain().tiles.now();
+        before_last = sparse.terrain().tiles.reader_now();
         sparse.apply(Ticks{1});
         dense.terrain().tiles.mark_all();
         dense.apply(Ticks{1});
