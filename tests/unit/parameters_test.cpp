@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/app_parameters.h"
+#include "render/view.h"
 #include "sim/gpu/error.h"
 #include "sim/preset.h"
 
@@ -70,6 +71,36 @@ TEST(Parameters, GoByTheirOldNamesToo) {
     EXPECT_EQ(old, 19);
     EXPECT_EQ(p, q);
     EXPECT_EQ(to_toml(p), to_toml(q));
+}
+
+TEST(Parameters, OfOldPresetsAreRead) {
+    Parameters p(all_parameters());
+    from_toml("[water]\nrain = 150.0\n[erosion]\nsettling = 5\n[brush]\nrain = 20.0\n", "old.toml", p);
+    EXPECT_EQ(p.number("water.rain_mm_per_h"), 150);
+    EXPECT_EQ(p.number("erosion.settling_mm_per_s"), 5);
+    EXPECT_EQ(p.number("brush.rain_mm_per_h"), 20);
+}
+
+// What a view shows hangs on the simulation's gravity, and on its own scale.
+TEST(ViewSettings, TakeGravityAndTheScalesOfAllViews) {
+    Parameters p(all_parameters());
+    p.set("water.gravity_m_per_s2", 3.7);
+    for (const View& view : views())
+        for (const ViewNumber& one : view.numbers)
+            if (one.parameter && std::holds_alternative<double>(one.parameter->preset))
+                p.set(one.parameter->name, one.parameter->high / 8);
+    p.set("render.hillshade", std::string("four sides"));
+    const ViewSettings settings = view_settings(p, p);
+    EXPECT_EQ(settings.gravity_m_per_s2, 3.7);
+    for (const View& view : views())
+        for (const ViewNumber& one : view.numbers) {
+            if (one.uniform == "hillshade_from")
+                EXPECT_EQ(one.in(settings), 1);
+            else if (one.parameter)
+                EXPECT_EQ(one.in(settings), one.parameter->high / 8) << one.uniform;
+            else
+                EXPECT_EQ(one.in(settings), one.fixed);
+        }
 }
 
 TEST(Parameters, FollowOthersUnlessSet) {
