@@ -42,7 +42,7 @@ Camera overview(const Grid& grid, double lowest_m, double highest_m, const Frami
     const glm::dvec3 up = glm::cross(right, forward);
     const double reach = share * std::tan(framing.fov_deg * std::numbers::pi / 360);
     const glm::dvec3 middle(grid.width_m() / 2, grid.height_m() / 2, (lowest_m + highest_m) / 2);
-    // With the upper half of the face that it is cut out by, which fades below
+    // With the upper half of the terrain's cut sides, which fade below
     // (shaders/render/cut_face.glsl).
     const double face_m = 0.2 * std::max(highest_m - lowest_m, 1e-3 * glm::length(glm::dvec2(middle)));
     const std::vector<glm::dvec3> points = outline(grid, lowest_m - face_m, highest_m, framing.all_around);

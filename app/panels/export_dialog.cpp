@@ -28,12 +28,14 @@ const char* usual_ending(ExportKind kind) {
     }
 }
 
-// "GeoTIFF (.tif, .tiff), EXR (.exr)" and so on.
+// "GeoTIFF (tif, tiff), EXR (exr)" and so on: lines break before dots.
 std::string formats_written() {
     std::vector<std::string> texts;
-    for (const HeightmapFormat& format : heightmap_formats())
-        if (format.write)
-            texts.push_back(fmt::format("{} ({})", format.name, fmt::join(format.endings, ", ")));
+    for (const HeightmapFormat& format : heightmap_formats()) {
+        std::vector<std::string> endings;
+        for (const std::string& ending : format.endings) endings.push_back(ending.substr(1));
+        if (format.write) texts.push_back(fmt::format("{} ({})", format.name, fmt::join(endings, ", ")));
+    }
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 

@@ -1,4 +1,4 @@
-// The face that the terrain's rectangle is cut out by: layers of rock, fading out below. place: absolute columns and rows.
+// The sides where the terrain's rectangle is cut off: layers of rock, fading out below. place: absolute columns and rows.
 vec3 cut_face(float above_eye, float lowest, float highest, vec3 backdrop, vec2 place) {
     float relief = max(highest - lowest, 1e-3 * extent_m);
     float depth = (above_eye - lowest) / relief;
