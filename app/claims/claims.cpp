@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "app/claims/arithmetic.h"
 #include "app/claims/exact_solutions.h"
 #include "app/claims/histories.h"
 #include "app/claims/picture_agreement.h"
@@ -13,11 +14,12 @@
 namespace talus {
 namespace {
 
-// Software rounds as C++ does, to the bit (law 4). Other devices divide and take roots by rules of their own:
-// they are held to the twin in double.
-Finding of_twin(const TwinAgreement& agreement, const gpu::Device& device, double bound) {
+// Where the device rounds as C++ does its bits are the float twin's (law 4). Others divide and take roots by
+// rules of their own: they are held to the twin in double.
+Finding of_twin(const TwinAgreement& agreement, double bound) {
     if (agreement.changed == 0) return {HUGE_VAL, 0, "nothing moved"};
-    if (device.software) return {static_cast<double>(agreement.differing), 0, "samples with other bits"};
+    if (arithmetic_of_device().rounds_as_ieee())
+        return {static_cast<double>(agreement.differing), 0, "samples with other bits"};
     return {agreement.of_double, bound, "of what moves, from double"};
 }
 
@@ -49,92 +51,91 @@ Finding cone() {
 }  // namespace
 
 const std::vector<Claim>& claims() {
-    using Device = const gpu::Device&;
     static const std::vector<Claim> all = {
         {"brush and slopes", "dabs of all kinds and slides are those of the processor's twin",
-         [](Device d) { return of_twin(brush_and_slopes_against_twin(100), d, 1e-4); }},
+         [] { return of_twin(brush_and_slopes_against_twin(100), 1e-4); }},
         {"water", "the water's sub-steps are those of the twin",
-         [](Device d) {
+         [] {
              return of_twin(water_against_twin({2, 0.03, 2e-4, EdgeKind::open, EdgeKind::level,
                                                 EdgeKind::wall, EdgeKind::open}),
-                            d, 1e-4);
+                            1e-4);
          }},
         {"water, first order", "so are those of the cheaper scheme, with a wave maker and an inflow",
-         [](Device d) {
+         [] {
              return of_twin(water_against_twin({1, 0, 0, EdgeKind::inflow, EdgeKind::wave, EdgeKind::open,
                                                 EdgeKind::inflow}),
-                            d, 1e-4);
+                            1e-4);
          }},
         {"sediment", "what water takes, carries and lays down is the twin's",
-         [](Device d) {
+         [] {
              return of_twin(sediment_against_twin({2, 0, 2e-4, EdgeKind::open, EdgeKind::level,
                                                    EdgeKind::inflow, EdgeKind::open}),
-                            d, 1e-3);
+                            1e-3);
          }},
         {"exact picture", "rays meet the bilinear surface, within a thousandth of a pixel",
-         [](Device) { return picture("exact", 0); }},
+         [] { return picture("exact", 0); }},
         {"hybrid picture", "mesh and rays meet it within the tolerance of half a pixel",
-         [](Device) { return picture("hybrid", 0.5); }},
+         [] { return picture("hybrid", 0.5); }},
         {"pyramid", "bounds that follow changes are those made anew",
-         [](Device) {
+         [] {
              return count(static_cast<double>(pyramid_texels_differing({130, 257, 4, 6}, 150)), "texels");
          }},
         {"kept pictures", "pictures that are mended where the ground changed are those drawn anew",
-         [](Device) {
+         [] {
              return count(kept_frames({300, 257, 20, 20}, "hybrid", 40, {320, 180}).differing,
                           "frames of 40");
          }},
         {"skipping", "water at rest is skipped and changes no bit",
-         [](Device) { return count(static_cast<double>(skipped_rest(2, true, 20).differing), "samples"); }},
+         [] { return count(static_cast<double>(skipped_rest(2, true, 20).differing), "samples"); }},
         {"history", "undo, redo, a replay of the journal, and a document read again lead to the same bits",
-         [](Device) {
+         [] {
              const HistoryFaults faults = history_faults();
              return count(faults.undo + faults.redo + (faults.replay ? 1 : 0) + (faults.reload ? 1 : 0),
                           "states that are others");
          }},
         {"lake at rest", "still water over rough ground at 1000 m stays still, all sub-steps done",
-         [](Device) {
+         [] {
              return Finding{lake_at_rest(1000, 500).fastest_m_per_s, 1e-4, "m/s"};
          }},
         {"dry dam break", "a dam that breaks over dry ground (Ritter)",
-         [](Device) {
+         [] {
              return Finding{error_after(scenes::ritter(100)).relative_l1, 9e-3, "of the depth"};
          }},
         {"wet dam break", "a dam that breaks over water (Stoker)",
-         [](Device) {
+         [] {
              return Finding{error_after(scenes::stoker(100)).relative_l1, 6e-3, "of the depth"};
          }},
         {"round bowl", "a round wave in a bowl (Thacker)",
-         [](Device) {
+         [] {
              return Finding{error_after(scenes::thacker_radial(128)).relative_l1, 2.0e-2, "of the depth"};
          }},
         {"planar bowl", "a plane of water that swings in a bowl (Thacker)",
-         [](Device) {
+         [] {
              return Finding{error_after(scenes::thacker_planar(128)).relative_l1, 1.5e-2, "of the depth"};
          }},
         {"small waves", "waves across the grid travel at √(gd)",
-         [](Device) {
+         [] {
              return Finding{std::abs(small_wave_error(1, 1).speed), 0.005, "of the speed"};
          }},
         {"column", "a column of loose ground falls into the cone of its angle of repose",
-         [](Device) { return cone(); }},
+         [] { return cone(); }},
         {"ledger of rock", "no rock is lost to slides, brushes, erosion and edges",
-         [](Device) {
+         [] {
              return Finding{ledger_errors().solid, 1e-6, "of what moved"};
          }},
         {"ledger of water", "no water is lost to rain, springs, brushes and edges",
-         [](Device) {
+         [] {
              return Finding{ledger_errors().water, 1e-6, "of all water"};
          }},
     };
     return all;
 }
 
-Verdict verdict_on(const Claim& claim, const gpu::Device& device) {
+Verdict verdict_on(const Claim& claim) {
     Verdict verdict{claim.name, claim.says, {}, {}, 0};
     const auto begin = std::chrono::steady_clock::now();
     try {
-        verdict.finding = claim.check(device);
+        verdict.finding = claim.check();
     } catch (const std::exception& error) {
         verdict.error = error.what();
     }

@@ -3,8 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "sim/gpu/context.h"
-
 namespace talus {
 
 /// What was found of a claim: a figure, and the bound that it must not exceed.
@@ -19,7 +17,7 @@ struct Finding {
 struct Claim {
     std::string name;
     std::string says;
-    std::function<Finding(const gpu::Device&)> check;
+    std::function<Finding()> check;
 };
 
 /// All of them, those of which others are made first: passes against their twins, pictures against the
@@ -37,6 +35,6 @@ struct Verdict {
     bool holds() const { return error.empty() && finding.holds(); }
 };
 /// Checks it. Throws nothing: what is thrown is a verdict too.
-Verdict verdict_on(const Claim& claim, const gpu::Device& device);
+Verdict verdict_on(const Claim& claim);
 
 }  // namespace talus

@@ -68,7 +68,7 @@ void verify(const VerifyOptions& options) {
     for (std::size_t i = 0; i < count; ++i) {
         const Claim& claim = wanted[i];
         say(fmt::format("[{:<20}] {} of {}: {}", std::string(20 * i / count, '='), i + 1, count, claim.name));
-        const Verdict verdict = verdict_on(claim, context.device());
+        const Verdict verdict = verdict_on(claim);
         broken += verdict.holds() ? 0 : 1;
         const std::string found = !verdict.error.empty()
                                       ? verdict.error

@@ -30,8 +30,14 @@ void Buffer::fill(std::uint32_t word) {
 
 void Buffer::write(std::size_t offset, std::span<const std::byte> data) {
     hazards::used(hazards::Kind::buffer, handle_, Use::buffer_transfer, "Buffer::write");
-    glNamedBufferSubData(handle_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(data.size()),
-                         data.data());
+    // From a buffer of its own: NVIDIA's glNamedBufferSubData overtakes dispatches that were asked for before
+    // it, whatever barrier stands between (docs/devices.md).
+    GLuint staging = 0;
+    glCreateBuffers(1, &staging);
+    const Handle<delete_buffer> dropped(staging);
+    glNamedBufferStorage(staging, static_cast<GLsizeiptr>(data.size()), data.data(), 0);
+    glCopyNamedBufferSubData(staging, handle_, 0, static_cast<GLintptr>(offset),
+                             static_cast<GLsizeiptr>(data.size()));
     raise_errors();
 }
 

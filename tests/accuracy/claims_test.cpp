@@ -5,6 +5,8 @@
 
 #include <cstdio>
 
+#include "sim/gpu/context.h"
+
 namespace talus {
 namespace {
 
@@ -12,7 +14,7 @@ class Claims : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(Claims, Hold) {
     const gpu::Context context;
-    const Verdict verdict = verdict_on(claims()[GetParam()], context.device());
+    const Verdict verdict = verdict_on(claims()[GetParam()]);
     std::printf("%s: %.3g %s, at most %.3g, %.1f s\n", verdict.name.c_str(), verdict.finding.figure,
                 verdict.finding.unit.c_str(), verdict.finding.bound, verdict.seconds);
     EXPECT_TRUE(verdict.holds()) << verdict.error;

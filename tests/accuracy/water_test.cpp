@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 
+#include "app/claims/arithmetic.h"
 #include "app/claims/exact_solutions.h"
 #include "app/claims/histories.h"
 #include "app/claims/twin_agreement.h"
@@ -360,6 +361,7 @@ TEST(Water, RainBelowTheLastDigitAddsUp) {
 
 TEST(Water, AgreesWithItsFloatTwinToTheBit) {
     const gpu::Context context;
+    const bool rounds_as_ieee = arithmetic_of_device().rounds_as_ieee();
     const WaterCase cases[] = {
         {2, 0, 0, EdgeKind::wall, EdgeKind::wall, EdgeKind::wall, EdgeKind::wall},
         {1, 0.03, 0, EdgeKind::wall, EdgeKind::open, EdgeKind::level, EdgeKind::wall},
@@ -369,7 +371,10 @@ TEST(Water, AgreesWithItsFloatTwinToTheBit) {
         {1, 0, 0, EdgeKind::inflow, EdgeKind::wave, EdgeKind::open, EdgeKind::inflow}};
     for (const WaterCase& c : cases) {
         const TwinAgreement agreement = water_against_twin(c);
-        EXPECT_EQ(agreement.differing, 0U) << "order " << c.order << ", north " << static_cast<int>(c.north);
+        if (rounds_as_ieee) {
+            EXPECT_EQ(agreement.differing, 0U)
+                << "order " << c.order << ", north " << static_cast<int>(c.north);
+        }
         EXPECT_GT(agreement.changed, agreement.samples / 3);
         fmt::print("float against double, order {}: L1 {:.1e}\n", c.order, agreement.of_double);
         EXPECT_LT(agreement.of_double, 1e-4);

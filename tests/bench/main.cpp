@@ -22,6 +22,8 @@ int main(int argc, char** argv) {
         if (argc > 2) talus::gpu::use_shader_folder(argv[2]);
         const talus::gpu::Context context;
         fmt::print("{}\n", talus::gpu::describe(context.device()));
+        talus::bench::take_clock_of(context.device());
+        if (!context.device().software) fmt::print("a GPU draws: times are wall times\n");
         if (which == "render")
             talus::bench::bench_render();
         else if (which == "methods")

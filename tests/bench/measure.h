@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/gpu/context.h"
+
 namespace talus::bench {
 
 /// What is compared: runs once per call, on all threads it wants.
@@ -11,7 +13,18 @@ struct Contestant {
     std::function<void()> run;
 };
 
-/// Median CPU seconds of each contestant over `rounds` interleaved rounds, after one that does not count.
+/// Chooses the clock: process CPU time where a processor draws, which other programs on a shared machine do
+/// not disturb; wall time where a GPU does, whose work no process's CPU time holds.
+void take_clock_of(const gpu::Device& device);
+
+/// How many seconds that clock runs in a second of work: CPU time counts both cores of the machines that
+/// figures are given for, wall time once.
+double clocks_in_a_second();
+
+/// Seconds on that clock, once the device has done what it was given.
+double run_time_s();
+
+/// Median seconds of each contestant over `rounds` interleaved rounds, after one that does not count.
 std::vector<double> interleave(const std::vector<Contestant>& contestants, int rounds);
 
 void bench_render();

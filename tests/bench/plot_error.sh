@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Draws error against run time: plot_error.sh OUTPUT_OF_A_BENCHMARK PICTURE.png TITLE
-# Its table has columns scene, a setting, n, error, cpu_s, substeps, under a line of their names.
+# Its table has columns scene, a setting, n, error, run_time_s, substeps, under a line of their names.
 set -euo pipefail
 table=$1
 picture=$2

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include "sim/gpu/context.h"
 #include "sim/simulation.h"
@@ -117,6 +118,33 @@ TEST(ErodeBrush, IsTheSameOnALargerMap) {
             ASSERT_EQ(a[static_cast<std::size_t>(row) * small.grid.nx + column],
                       b[static_cast<std::size_t>(row + top) * large.grid.nx + column + left])
                 << column << ", " << row;
+}
+
+// Three strokes that take turns dab by dab, without anything read between, change what each changes alone. On
+// NVIDIA they did not: a write into the water's clock overtook the sub-steps before it (docs/devices.md).
+TEST(ErodeBrush, StrokesThatTakeTurnsAreAsEachAlone) {
+    const gpu::Context context;
+    constexpr int dabs = 6;
+    const TerrainState before = mountains(4);
+    const auto dab_at = [](int i) {
+        Dab dab = erosion(700 + 40 * i, 900 + 15 * i, 200);
+        dab.erode.begins = i == 0;
+        dab.erode.ends = i == dabs - 1;
+        return dab;
+    };
+    Simulation alone(before, without_slides());
+    for (int i = 0; i < dabs; ++i) {
+        alone.apply(dab_at(i));
+        static_cast<void>(alone.read());
+    }
+    const std::vector<float> wanted = alone.read().ground();
+    for (int round = 0; round < 4; ++round) {
+        std::vector<std::unique_ptr<Simulation>> in_turn;
+        for (int i = 0; i < 3; ++i) in_turn.push_back(std::make_unique<Simulation>(before, without_slides()));
+        for (int i = 0; i < dabs; ++i)
+            for (const auto& simulation : in_turn) simulation->apply(dab_at(i));
+        for (const auto& simulation : in_turn) EXPECT_EQ(simulation->read().ground(), wanted) << round;
+    }
 }
 
 // What the first dabs' water carries settles in the last one, which lies beside them.

@@ -1,0 +1,19 @@
+// What this device makes of + × ÷ and √, for app/claims/arithmetic.h to compare with IEEE 754.
+layout(local_size_x = 64) in;
+#include "maths/glsl_types.glsl"
+
+layout(binding = 0, rgba32f) uniform readonly image2D operands;
+layout(binding = 1, rgba32f) uniform writeonly image2D results;   // sum, product, quotient, square root
+layout(binding = 2, rgba32f) uniform writeonly image2D chained;   // product and sum in one expression
+
+void main() {
+    int2 at = int2(gl_GlobalInvocationID.xy);
+    real4 x = imageLoad(operands, at);
+    precise real sum = x.x + x.y;
+    precise real product = x.x * x.y;
+    precise real quotient = x.x / x.y;
+    precise real root = sqrt(x.z);
+    precise real both = x.x * x.y + x.w;
+    imageStore(results, at, real4(sum, product, quotient, root));
+    imageStore(chained, at, real4(both, 0.0, 0.0, 0.0));
+}
