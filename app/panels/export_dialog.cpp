@@ -137,7 +137,7 @@ void draw_export_dialog(PanelContext& context) {
     ImGui::Spacing();
     // It stays until the files are there: what fails is said in it, and can be mended.
     if (button("Write", "", !writes && !settings.path.empty())) {
-        if (settings.path.extension().empty()) settings.path += usual_ending(settings.kind);
+        settings.path = with_ending(settings.path, usual_ending(settings.kind));
         dialog.error.clear();
         context.requests.write = settings;
     }

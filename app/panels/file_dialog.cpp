@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/panels/panels.h"
-#include "sim/io/heightmap.h"
+#include "sim/io/heightmap_formats.h"
 
 namespace talus {
 
@@ -63,7 +63,7 @@ void accept(FileDialog& dialog, PanelRequests& requests) {
     const fs::path given(dialog.name);
     std::string path = (given.is_absolute() ? given : fs::path(dialog.folder) / given).string();
     if (dialog.purpose == FileDialog::Purpose::save) {
-        if (fs::path(path).extension().empty()) path += ".exr";
+        path = with_ending(path, ".exr").string();
         // Save keeps everything; other formats are exports.
         if (ending_of(path) != ".exr") {
             dialog.error = "a Talus document ends in .exr; other formats are under File > Export";

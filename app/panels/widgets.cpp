@@ -89,18 +89,24 @@ bool menu_item(const std::string& name, const char* keys, bool enabled, bool cho
     return pressed;
 }
 
+std::string shortened(const std::string& text, const std::function<bool(const std::string&)>& fits) {
+    if (fits(text)) return text;
+    const auto follows = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; };
+    std::string shown = text;
+    while (!shown.empty() && !fits(shown + "…")) {
+        // A letter is its first byte and those that follow it.
+        while (shown.size() > 1 && follows(shown.back())) shown.pop_back();
+        shown.pop_back();
+    }
+    return shown + "…";
+}
+
 void text_line(const std::string& text) {
     const float room = ImGui::GetContentRegionAvail().x;
-    std::string shown = text;
-    while (!shown.empty() && ImGui::CalcTextSize((shown + "…").c_str()).x > room &&
-           ImGui::CalcTextSize(shown.c_str()).x > room) {
-        shown.pop_back();
-        // Never half of a letter.
-        while (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0xC0U) == 0x80U)
-            shown.pop_back();
-    }
-    ImGui::TextUnformatted(shown.size() < text.size() ? (shown + "…").c_str() : text.c_str());
-    if (shown.size() < text.size()) tooltip_of(text);
+    const std::string shown =
+        shortened(text, [=](const std::string& some) { return ImGui::CalcTextSize(some.c_str()).x <= room; });
+    ImGui::TextUnformatted(shown.c_str());
+    if (shown != text) tooltip_of(text);
 }
 
 void figure_line(const std::string& name, const std::string& value) {
@@ -141,9 +147,9 @@ void draw_section(const Session& session, PanelRequests& requests, const std::st
 
 std::string figure(double value, int digits) {
     const double size = std::abs(value);
-    const bool long_number = size >= std::pow(10, digits) && size < 1e15;
-    const std::string text =
-        long_number ? fmt::format("{:.0f}", value) : fmt::format("{:.{}g}", value, digits);
+    std::string text = fmt::format("{:.{}g}", value, digits);
+    // Whether it is written with an exponent is decided after it was rounded: 999.9 becomes 1000.
+    if (size >= 1 && size < 1e15 && text.find('e') != std::string::npos) text = fmt::format("{:.0f}", value);
     return text == "-0" ? "0" : text;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,9 @@ bool button(const std::string& name, const std::string& tooltip = "", bool enabl
 bool choice_button(const std::string& name, bool chosen, const std::string& tooltip, float width);
 /// A line of a menu.
 bool menu_item(const std::string& name, const char* keys, bool enabled = true, bool chosen = false);
+/// A text as it is where it fits, else the longest beginning that fits with an ellipsis behind it; whole
+/// letters, UTF-8.
+std::string shortened(const std::string& text, const std::function<bool(const std::string&)>& fits);
 /// A line of text that ends with an ellipsis where the panel does; whole in the tooltip then.
 void text_line(const std::string& text);
 /// A name on the left and what it is on the right.

@@ -14,7 +14,7 @@
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/document.h"
-#include "sim/io/heightmap.h"
+#include "sim/io/heightmap_formats.h"
 #include "sim/terrain/state_hash.h"
 
 namespace talus {
@@ -75,6 +75,21 @@ TEST_F(Files, FloatsRoundTripToTheBitThroughEveryFloatFormat) {
     step = read_heightmap(path("d.tif"), {});
     EXPECT_EQ(step.heights, original.heights);
     EXPECT_EQ(step.grid, original.grid);
+}
+
+TEST_F(Files, ANameWithoutAKnownEndingIsCompleted) {
+    for (const auto& [given, wanted] : {std::pair{"ridge", "ridge.exr"},
+                                        {"ridge.v2", "ridge.v2.exr"},
+                                        {"1.5m", "1.5m.exr"},
+                                        {"a.b/ridge", "a.b/ridge.exr"},
+                                        {"ridge.", "ridge..exr"},
+                                        {"ridge.EXR", "ridge.EXR"},
+                                        {"ridge.tif", "ridge.tif"},
+                                        {"ridge.r16", "ridge.r16"},
+                                        {"ridge.obj", "ridge.obj"},
+                                        {"ridge.jpeg", "ridge.jpeg"},
+                                        {"ridge.f", "ridge.f.exr"}})
+        EXPECT_EQ(with_ending(given, ".exr"), fs::path(wanted));
 }
 
 TEST_F(Files, IntegersComeBackWithinHalfAStep) {

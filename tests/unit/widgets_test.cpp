@@ -1,0 +1,82 @@
+// Figures and texts of panels: as people write them, and within their panel.
+#include "app/panels/widgets.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace talus {
+namespace {
+
+TEST(Widgets, FiguresHaveNoExponentWherePeopleWriteNone) {
+    for (const auto& [value, digits, wanted] : {std::tuple{10000.0, 3, "10000"},
+                                                {1e4, 4, "10000"},
+                                                {123456.7, 3, "123457"},
+                                                {-25000.0, 3, "-25000"},
+                                                {0.0001, 3, "0.0001"},
+                                                {1234.5678, 6, "1234.57"},
+                                                {-0.0, 3, "0"},
+                                                {0.0, 3, "0"},
+                                                {999.9, 3, "1000"},
+                                                {9999.7, 3, "10000"},
+                                                {99999.7, 5, "100000"},
+                                                {-999.9, 3, "-1000"}})
+        EXPECT_EQ(figure(value, digits), wanted);
+}
+
+TEST(Widgets, ShortenedTextsKeepWholeLetters) {
+    const std::string text = "30 × 20 m³ über Höhe …";
+    for (std::size_t bytes = 0; bytes <= text.size(); ++bytes) {
+        const std::string shown =
+            shortened(text, [=](const std::string& some) { return some.size() <= bytes; });
+        // The ellipsis alone is left where nothing fits.
+        EXPECT_LE(shown.size(), std::max<std::size_t>(bytes, 3));
+        if (bytes == text.size()) {
+            EXPECT_EQ(shown, text);
+            continue;
+        }
+        const std::string kept = shown.substr(0, shown.size() - 3);
+        EXPECT_EQ(shown, kept + "…");
+        EXPECT_TRUE(text.starts_with(kept));
+        // What follows begins a letter.
+        EXPECT_NE(static_cast<unsigned char>(text[kept.size()]) & 0xC0U, 0x80U) << bytes;
+    }
+}
+
+// A text that is wider than its panel ends within it, by an ellipsis and never in half a letter; one that
+// fits is whole.
+TEST(Widgets, TextsEndWithinTheirPanel) {
+    ImGuiContext* const context = ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.DisplaySize = {640, 480};
+    unsigned char* pixels = nullptr;
+    int width = 0;
+    int height = 0;
+    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+    const std::string text = "a stamp of dunes, 1024 × 1024 samples, 30 km wide and 400 m high";
+    for (const float panel_width : {80.0F, 160.0F, 320.0F, 600.0F}) {
+        ImGui::NewFrame();
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowSize({panel_width, 200});
+        ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoSavedSettings);
+        const float right = ImGui::GetWindowContentRegionMax().x;
+        text_line(text);
+        EXPECT_LE(ImGui::GetItemRectMax().x, right + 0.5F) << panel_width;
+        EXPECT_GT(ImGui::GetItemRectSize().x, 20) << panel_width;
+        const float whole = ImGui::CalcTextSize(text.c_str()).x;
+        if (whole <= right - ImGui::GetCursorStartPos().x) {
+            EXPECT_FLOAT_EQ(ImGui::GetItemRectSize().x, whole);
+        }
+        figure_line("stamp", text);
+        EXPECT_LE(ImGui::GetItemRectMax().x, right + 0.5F) << panel_width;
+        ImGui::End();
+        ImGui::EndFrame();
+    }
+    ImGui::DestroyContext(context);
+}
+
+}  // namespace
+}  // namespace talus
