@@ -355,7 +355,7 @@ def undo_everything(window, talus, folder):
     if "Play" not in window.rects() and "Pause" not in window.rects():
         window.press("Escape")
         window.press("Tab")
-        window.wait_for(lambda: {"Play", "Pause"} & set(window.rects()), 10, "panels do not come back")
+        window.wait_for(lambda: {"Play", "Pause"} & set(window.rects()), 10 + PATIENCE_S, "panels do not come back")
     window.move(640, 400)
     window.press("Escape")
     time.sleep(0.3)

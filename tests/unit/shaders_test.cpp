@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "app/claims/arithmetic.h"
 #include "render/overview.h"
 #include "render/renderer.h"
 #include "sim/gpu/context.h"
@@ -102,6 +103,7 @@ TEST(Shaders, AreGlslForTheReferenceCompiler) {
         stamped.stamp = &stamp;
         renderer.draw(simulation.terrain(), overview(grid, 0, 300), {}, 64, 48, stamped);
         draw_everything(simulation.terrain());
+        static_cast<void>(arithmetic_of_device());
         gpu::keep_assembled_shaders({});
     }
     std::set<std::string> seen;
