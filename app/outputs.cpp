@@ -12,6 +12,7 @@
 #include "render/overview.h"
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
+#include "sim/io/endings.h"
 #include "sim/io/heightmap_formats.h"
 #include "sim/io/image_file.h"
 #include "sim/preset.h"

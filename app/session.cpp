@@ -15,6 +15,7 @@
 #include "render/overview.h"
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
+#include "sim/io/endings.h"
 #include "sim/preset.h"
 #include "sim/terrain/state_hash.h"
 

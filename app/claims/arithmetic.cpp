@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/gpu/error.h"
 #include "sim/gpu/program.h"
 #include "sim/gpu/texture.h"
 
@@ -22,8 +23,9 @@ bool Arithmetic::rounds_as_ieee() const {
 }
 
 const Arithmetic::Operation& Arithmetic::of(const std::string& name) const {
-    return *std::find_if(operations.begin(), operations.end(),
-                         [&](const Operation& operation) { return operation.name == name; });
+    for (const Operation& operation : operations)
+        if (operation.name == name) return operation;
+    throw Error(fmt::format("'{}' is no operation that a device was asked for", name));
 }
 
 Arithmetic arithmetic_of_device() {

@@ -5,8 +5,9 @@
 namespace talus {
 
 /// What this device makes of `precise` sums, products, quotients and square roots in float, of a million
-/// random operands. OpenGL asks for exact rounding of neither ÷ (2.5 ulp) nor √ (as 1/inversesqrt,
-/// GLSL 4.50, 4.7.1); only where all round exactly can a pass give its float twin's bits (law 4).
+/// random operands whose results are normal numbers. OpenGL asks for exact rounding of neither ÷ (2.5 units
+/// of the last digit) nor √ (as 1/inversesqrt: GLSL 4.50, 4.7.1). A pass can give its float twin's bits only
+/// where all round exactly (law 4).
 struct Arithmetic {
     struct Operation {
         std::string name;      ///< "+", "×", "÷", "√", and "× +": a product and a sum in one expression
@@ -16,6 +17,7 @@ struct Arithmetic {
     int samples = 0;
     std::array<Operation, 5> operations = {{{"+"}, {"×"}, {"÷"}, {"√"}, {"× +"}}};
     bool rounds_as_ieee() const;
+    /// By its name; throws talus::Error for any other.
     const Operation& of(const std::string& name) const;
 };
 

@@ -14,8 +14,8 @@
 namespace talus {
 namespace {
 
-// Where the device rounds as C++ does its bits are the float twin's (law 4). Others divide and take roots by
-// rules of their own: they are held to the twin in double.
+// A device that rounds as C++ does gives the float twin's bits (law 4). Others divide and take roots by rules
+// of their own: they are held to the twin in double.
 Finding of_twin(const TwinAgreement& agreement, double bound) {
     if (agreement.changed == 0) return {HUGE_VAL, 0, "nothing moved"};
     if (arithmetic_of_device().rounds_as_ieee())

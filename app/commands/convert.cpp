@@ -5,6 +5,7 @@
 
 #include "app/outputs.h"
 #include "sim/gpu/error.h"
+#include "sim/io/endings.h"
 #include "sim/io/export.h"
 
 namespace talus {

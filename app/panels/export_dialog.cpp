@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "app/panels/panels.h"
+#include "sim/io/endings.h"
 #include "sim/io/heightmap_formats.h"
 
 namespace talus {
@@ -58,7 +59,8 @@ std::string what_it_is(ExportKind kind) {
 
 // Reads the terrain once, and looks at it anew when the settings change.
 void follow_losses(const Session& session, ExportDialog& dialog) {
-    const ExportSettings& settings = dialog.settings;
+    ExportSettings settings = dialog.settings;
+    settings.path = with_ending(settings.path, usual_ending(settings.kind));
     const std::string with = fmt::format(
         "{} {} {} {} {}", static_cast<int>(settings.kind), settings.path.string(), settings.tiles.x,
         settings.tiles.y, settings.range_m ? settings.range_m->x + 7 * settings.range_m->y : 0);
@@ -98,7 +100,7 @@ void draw_export_dialog(PanelContext& context) {
         const auto kind = static_cast<ExportKind>(i);
         if (choice_button(kinds[i], settings.kind == kind, what_it_is(kind), third)) {
             settings.kind = kind;
-            settings.path.replace_extension(usual_ending(kind));
+            settings.path = with_other_ending(settings.path, usual_ending(kind));
         }
         if (i % 3 != 2) ImGui::SameLine();
     }

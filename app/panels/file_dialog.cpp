@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/panels/panels.h"
-#include "sim/io/heightmap_formats.h"
+#include "sim/io/endings.h"
 
 namespace talus {
 

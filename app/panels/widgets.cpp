@@ -90,7 +90,7 @@ bool menu_item(const std::string& name, const char* keys, bool enabled, bool cho
 }
 
 std::string shortened(const std::string& text, const std::function<bool(const std::string&)>& fits) {
-    if (fits(text)) return text;
+    if (text.empty() || fits(text)) return text;
     const auto follows = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; };
     std::string shown = text;
     while (!shown.empty() && !fits(shown + "…")) {

@@ -1,4 +1,4 @@
-// What this device makes of + × ÷ and √, for app/claims/arithmetic.h to compare with IEEE 754.
+// What this device makes of + × ÷ and √, to be compared with IEEE 754.
 layout(local_size_x = 64) in;
 #include "maths/glsl_types.glsl"
 

@@ -29,9 +29,10 @@ void Buffer::fill(std::uint32_t word) {
 }
 
 void Buffer::write(std::size_t offset, std::span<const std::byte> data) {
+    if (data.empty()) return;
     hazards::used(hazards::Kind::buffer, handle_, Use::buffer_transfer, "Buffer::write");
-    // From a buffer of its own: NVIDIA's glNamedBufferSubData overtakes dispatches that were asked for before
-    // it, whatever barrier stands between (docs/devices.md).
+    // The bytes go by a buffer of their own: NVIDIA's glNamedBufferSubData overtakes dispatches that were
+    // asked for before it, whatever barrier stands between (docs/devices.md).
     GLuint staging = 0;
     glCreateBuffers(1, &staging);
     const Handle<delete_buffer> dropped(staging);

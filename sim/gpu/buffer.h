@@ -26,7 +26,8 @@ class Buffer {
 
     /// Sets every 32-bit word to the value.
     void fill(std::uint32_t word);
-    /// In its turn: dispatches before it do not see it, those after it do. Takes at least one byte.
+    /// In its turn: dispatches before it do not see it, those after it do. Each call makes a buffer for the
+    /// bytes, and drops it.
     void write(std::size_t offset, std::span<const std::byte> data);
     /// Waits for the device. Not for use within a frame (law 7).
     void read(std::size_t offset, std::span<std::byte> data) const;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sim/gpu/error.h"
+#include "sim/io/endings.h"
 #include "sim/io/picture.h"
 #include "sim/passes/water.h"
 #include "sim/terrain/layers.h"

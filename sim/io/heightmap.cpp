@@ -17,13 +17,6 @@ namespace fs = std::filesystem;
 const char* const range_unused =
     "the heights are metres already, so --range did not change how they were read";
 
-std::string ending_of(const fs::path& path) {
-    std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
-    return ending;
-}
-
 void check_file_size(const fs::path& path, std::int64_t nx, std::int64_t ny) {
     if (nx < min_samples || ny < min_samples || nx > max_samples || ny > max_samples)
         throw Error(fmt::format("'{}' holds {} x {} samples, each side must have {} to {}", path.string(), nx,

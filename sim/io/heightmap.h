@@ -61,9 +61,6 @@ void write_heightmap(const std::filesystem::path& path, const Heightmap& heightm
 /// What is noted where --range was given for heights that are metres already.
 extern const char* const range_unused;
 
-/// The path's ending in lower case, with its dot.
-std::string ending_of(const std::filesystem::path& path);
-
 // What the formats share.
 /// Refuses a size outside of a terrain's limits before anything of it is allocated.
 void check_file_size(const std::filesystem::path& path, std::int64_t nx, std::int64_t ny);

@@ -1,4 +1,5 @@
 #include "sim/io/heightmap_formats.h"
+#include "sim/io/endings.h"
 
 #include <algorithm>
 

@@ -28,9 +28,6 @@ const HeightmapFormat* format_of(const std::filesystem::path& path);
 std::vector<std::string> readable_endings();
 std::vector<std::string> writable_endings();
 bool can_write_heightmap(const std::filesystem::path& path);
-/// The path, with this ending behind it where it has none. What stands behind the last dot of "ridge.v2"
-/// names no kind of picture, heightmap or mesh, so it belongs to the name.
-std::filesystem::path with_ending(const std::filesystem::path& path, const std::string& ending);
 
 // sim/io/geographic.cpp, by GDAL
 Heightmap read_geographic(const std::filesystem::path& path, const ImportSettings& settings);

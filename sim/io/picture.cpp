@@ -12,6 +12,7 @@
 
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
+#include "sim/io/endings.h"
 #include "sim/io/heightmap_formats.h"
 
 namespace talus {

@@ -7,9 +7,9 @@
 
 namespace talus::maths {
 
-/// The CPU twin of shaders/sim/thermal.comp: one sub-step over the whole terrain. In float it agrees with
-/// llvmpipe bit for bit; in double it says what float costs. Samples are (bedrock high, low, regolith high,
-/// low), metres.
+/// The CPU twin of shaders/sim/thermal.comp: one sub-step over the whole terrain. In float it agrees
+/// bit for bit with a device that rounds as IEEE 754 asks, as llvmpipe does; in double it says what float
+/// costs. Samples are (bedrock high, low, regolith high, low), metres.
 template <typename Real>
 struct ThermalTwin {
     TALUS_TWIN_NAMES(Real)

@@ -9,7 +9,8 @@
 namespace talus::maths {
 
 /// The CPU twin of the water's sub-step (shaders/sim/water_step.comp, water_edges.comp, water.comp), over
-/// every sample. In float it agrees with llvmpipe bit for bit; in double it says what float costs. Without
+/// every sample. In float it agrees bit for bit with a device that rounds as IEEE
+/// 754 asks, as llvmpipe does; in double it says what float costs. Without
 /// springs and books.
 template <typename Real>
 class WaterTwin {

@@ -33,7 +33,7 @@ class Stage {
         pyramid_.refresh(terrain_);
     }
 
-    // Median CPU seconds of the methods named, in that order.
+    // Median seconds of the methods named, in that order.
     std::vector<double> time(const Camera& camera, const std::vector<std::string>& names, int rounds) {
         std::vector<Contestant> contestants;
         for (const std::string& name : names) {
@@ -111,7 +111,7 @@ void bench_methods(double patch_pixels) {
     Stage flat(shore.grid, std::move(shore.heights), patch_pixels);
     for (const Camera& camera : scenes::shore_views())
         views.push_back({fmt::format("shore {}", views.size() - on_mountains + 1), camera});
-    fmt::print("{:<22} {:>8} {:>8} {:>8} {:>8} {:>12} {:>7} {:>7} {:>7}\n", "view, CPU ms", "exact", "boxes",
+    fmt::print("{:<22} {:>8} {:>8} {:>8} {:>8} {:>12} {:>7} {:>7} {:>7}\n", "view, ms", "exact", "boxes",
                "mesh", "hybrid", "hybrid/best", "mesh %", "rays %", "early %");
     std::vector<double> ratios;
     for (std::size_t i = 0; i < views.size(); ++i) {

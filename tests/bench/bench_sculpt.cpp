@@ -83,10 +83,10 @@ void bench_sculpt(double patch_pixels) {
                     {"dab and picture, 4096", [&] { large.dab_and_picture(); }}},
                    9);
     fmt::print(
-        "200 dabs of 256 m, CPU time a dab: 512 a side {:.3f} ms, 4096 a side {:.3f} ms, ratio {:.2f}\n",
+        "200 dabs of 256 m, time of a dab: 512 a side {:.3f} ms, 4096 a side {:.3f} ms, ratio {:.2f}\n",
         5 * strokes[0], 5 * strokes[1], strokes[1] / strokes[0]);
     fmt::print(
-        "16 dabs of erosion of 256 m and 2 s each, CPU time a dab: 512 a side {:.2f} ms, 4096 a side {:.2f} "
+        "16 dabs of erosion of 256 m and 2 s each, time of a dab: 512 a side {:.2f} ms, 4096 a side {:.2f} "
         "ms, "
         "ratio {:.2f}\n",
         62.5 * erosions[0], 62.5 * erosions[1], erosions[1] / erosions[0]);

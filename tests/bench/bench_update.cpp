@@ -126,7 +126,7 @@ void bench_update() {
     }
     const std::vector<double> seconds = interleave(contestants, 9);
     fmt::print(
-        "a dab of 64 x 64 samples, then the pyramid's refresh; CPU time of one\n{:<8} {:>10} {:>12} {:>10}\n",
+        "a dab of 64 x 64 samples, then the pyramid's refresh; time of one\n{:<8} {:>10} {:>12} {:>10}\n",
         "samples", "dab ms", "refresh ms", "to 512²");
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         const double dab_ms = seconds[2 * i] * 20;

@@ -1,5 +1,5 @@
 // Benchmarks: talus_bench render | methods | update | frame | waves | erosion | sculpt [SHADER_DIR]. Figures
-// are process CPU time, interleaved, medians (docs/benchmarks.md).
+// are process CPU time, or wall time where a GPU draws; interleaved, medians (docs/benchmarks.md).
 #include <fmt/format.h>
 
 #include <exception>

@@ -18,7 +18,7 @@ void take_clock_of(const gpu::Device& device) {
     waits_for_device = !device.software;
 }
 
-double clocks_in_a_second() {
+double busy_cores() {
     return waits_for_device ? 1 : 2;
 }
 

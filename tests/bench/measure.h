@@ -17,11 +17,11 @@ struct Contestant {
 /// not disturb; wall time where a GPU does, whose work no process's CPU time holds.
 void take_clock_of(const gpu::Device& device);
 
-/// How many seconds that clock runs in a second of work: CPU time counts both cores of the machines that
-/// figures are given for, wall time once.
-double clocks_in_a_second();
+/// Cores whose time that clock adds up, on the machines that figures are given for: two, or one for wall
+/// time.
+double busy_cores();
 
-/// Seconds on that clock, once the device has done what it was given.
+/// Seconds on that clock. Waits for a GPU to do what it was given.
 double run_time_s();
 
 /// Median seconds of each contestant over `rounds` interleaved rounds, after one that does not count.

@@ -19,7 +19,7 @@ gnuplot <<PLOT
 set terminal pngcairo size 900,560 font "DejaVu Sans,11"
 set output "$picture"
 set title "$title"
-set xlabel "CPU seconds"
+set xlabel "seconds"
 set ylabel "relative L1"
 set logscale xy
 set format y "10^{%T}"

@@ -14,7 +14,8 @@
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/document.h"
-#include "sim/io/heightmap_formats.h"
+#include "sim/io/endings.h"
+#include "sim/io/heightmap.h"
 #include "sim/terrain/state_hash.h"
 
 namespace talus {
@@ -82,7 +83,7 @@ TEST_F(Files, ANameWithoutAKnownEndingIsCompleted) {
                                         {"ridge.v2", "ridge.v2.exr"},
                                         {"1.5m", "1.5m.exr"},
                                         {"a.b/ridge", "a.b/ridge.exr"},
-                                        {"ridge.", "ridge..exr"},
+                                        {"ridge.", "ridge.exr"},
                                         {"ridge.EXR", "ridge.EXR"},
                                         {"ridge.tif", "ridge.tif"},
                                         {"ridge.r16", "ridge.r16"},
@@ -90,6 +91,13 @@ TEST_F(Files, ANameWithoutAKnownEndingIsCompleted) {
                                         {"ridge.jpeg", "ridge.jpeg"},
                                         {"ridge.f", "ridge.f.exr"}})
         EXPECT_EQ(with_ending(given, ".exr"), fs::path(wanted));
+    for (const char* no_file : {"", ".", "..", "a/b/", "/", "a/.."})
+        EXPECT_EQ(with_ending(no_file, ".exr"), fs::path(no_file));
+    for (const auto& [given, wanted] : {std::pair{"ridge.v2", "ridge.v2.obj"},
+                                        {"ridge.v2.tif", "ridge.v2.obj"},
+                                        {"ridge", "ridge.obj"},
+                                        {"ridge.obj", "ridge.obj"}})
+        EXPECT_EQ(with_other_ending(given, ".obj"), fs::path(wanted));
 }
 
 TEST_F(Files, IntegersComeBackWithinHalfAStep) {

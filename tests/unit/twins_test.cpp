@@ -34,8 +34,9 @@ std::size_t differing(const std::vector<glm::vec4>& a, const std::vector<glm::ve
     return count;
 }
 
-// Software does; elsewhere the tests of bits say nothing, and the double twin binds.
-TEST(Twins, SoftwareRoundsAsTheyDo) {
+// Software rounds as the twins do. Where a device does not, tests of bits say nothing, and the double twin
+// binds.
+TEST(Twins, DevicesRoundAsPromised) {
     const gpu::Context context;
     const Arithmetic arithmetic = arithmetic_of_device();
     fmt::print("{}\n", describe(arithmetic));
@@ -46,9 +47,9 @@ TEST(Twins, SoftwareRoundsAsTheyDo) {
     EXPECT_EQ(arithmetic.of("+").differing, 0);
     EXPECT_EQ(arithmetic.of("×").differing, 0);
     EXPECT_EQ(arithmetic.of("× +").differing, 0);
-    // OpenGL's promise is 2.5 for both.
-    EXPECT_LE(arithmetic.of("÷").worst_ulp, 3);
-    EXPECT_LE(arithmetic.of("√").worst_ulp, 3);
+    // OpenGL allows a quotient 2.5 units of the last digit, and a root what 1/inversesqrt may miss: 2 more.
+    EXPECT_LE(arithmetic.of("÷").worst_ulp, 2.5);
+    EXPECT_LE(arithmetic.of("√").worst_ulp, 4.5);
 }
 
 TEST(Twins, BrushAndThermalAgreeToTheBitAfter500Ticks) {

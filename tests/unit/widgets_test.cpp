@@ -22,7 +22,10 @@ TEST(Widgets, FiguresHaveNoExponentWherePeopleWriteNone) {
                                                 {999.9, 3, "1000"},
                                                 {9999.7, 3, "10000"},
                                                 {99999.7, 5, "100000"},
-                                                {-999.9, 3, "-1000"}})
+                                                {-999.9, 3, "-1000"},
+                                                {999999999999999.0, 3, "999999999999999"},
+                                                {1e15, 3, "1e+15"},
+                                                {0.00001, 3, "1e-05"}})
         EXPECT_EQ(figure(value, digits), wanted);
 }
 
@@ -40,6 +43,10 @@ TEST(Widgets, ShortenedTextsKeepWholeLetters) {
         const std::string kept = shown.substr(0, shown.size() - 3);
         EXPECT_EQ(shown, kept + "…");
         EXPECT_TRUE(text.starts_with(kept));
+        // A letter more would not have fitted.
+        std::size_t next = kept.size() + 1;
+        while (next < text.size() && (static_cast<unsigned char>(text[next]) & 0xC0U) == 0x80U) ++next;
+        EXPECT_GT(next + 3, bytes);
         // What follows begins a letter.
         EXPECT_NE(static_cast<unsigned char>(text[kept.size()]) & 0xC0U, 0x80U) << bytes;
     }
