@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -139,8 +140,8 @@ TEST(ErodeBrush, StrokesThatTakeTurnsAreAsEachAlone) {
     }
     const std::vector<float> wanted = alone.read().ground();
     for (int round = 0; round < 4; ++round) {
-        std::vector<std::unique_ptr<Simulation>> in_turn;
-        for (int i = 0; i < 3; ++i) in_turn.push_back(std::make_unique<Simulation>(before, without_slides()));
+        std::array<std::unique_ptr<Simulation>, 3> in_turn;
+        for (auto& simulation : in_turn) simulation = std::make_unique<Simulation>(before, without_slides());
         for (int i = 0; i < dabs; ++i)
             for (const auto& simulation : in_turn) simulation->apply(dab_at(i));
         for (const auto& simulation : in_turn) EXPECT_EQ(simulation->read().ground(), wanted) << round;
