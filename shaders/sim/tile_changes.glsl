@@ -6,4 +6,5 @@ const uint tile_placed = 3u;      // the water, by others
 const uint tile_load = 4u;        // what the water carries
 const uint tile_painted = 5u;     // hardness, mask and rain
 const uint tile_inundation = 6u;  // the map of the largest depth and arrival
+const uint tile_any = 7u;         // the latest of all these, so that a reader looks at one number of most tiles
 const uint tile_kinds = 8u;       // numbers that a tile has

@@ -21,7 +21,8 @@ shared uint listed;
 bool is_marked(int2 tile) {
     if (any(lessThan(tile, int2(0))) || any(greaterThanEqual(tile, tiles))) return false;
     uint first = uint(tile.y * tiles.x + tile.x) * tile_kinds;
-    for (uint kind = 0u; kind < tile_kinds; ++kind)
+    if (tile_stamps[first + tile_any] <= since) return false;
+    for (uint kind = 0u; kind < tile_any; ++kind)
         if ((changes >> kind & 1u) != 0u && tile_stamps[first + kind] > since) return true;
     return false;
 }

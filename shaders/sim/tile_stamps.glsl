@@ -7,6 +7,7 @@ uniform uint stamp_now;
 
 // Invocations of one dispatch write the same number.
 void stamp_tile(int tile, uint change) {
-    uint at = uint(tile) * tile_kinds + change;
-    if (tile_stamps[at] != stamp_now) tile_stamps[at] = stamp_now;
+    uint first = uint(tile) * tile_kinds;
+    if (tile_stamps[first + change] != stamp_now) tile_stamps[first + change] = stamp_now;
+    if (tile_stamps[first + tile_any] != stamp_now) tile_stamps[first + tile_any] = stamp_now;
 }
