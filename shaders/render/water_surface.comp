@@ -18,36 +18,39 @@ const real far_below_m = real(1e4);
 // From 0, a film that lies on the ground, to 1, water with a surface of its own.
 real body_of(real depth) { return smoothstep(film_m.x, film_m.y, depth); }
 
-// The highest level of water that is more than a film in a row, at a column and its two neighbours; far below where there
-// is none.
-real highest_in(int column, int row) {
-    real highest = real(-1e30);
+// Levels of the water that is more than a film in a row, at a column and its two neighbours: their sum above a datum, and how
+// many they are. What is little more than a film counts little, so that nothing leaps where a sample crosses that.
+real2 levels_in(int column, int row, real datum) {
+    real2 sum = real2(0);
     for (int i = -1; i <= 1; ++i) {
         int2 at = clamp(int2(column + i, row), int2(0), samples - 1);
         real depth = imageLoad(water_in, at + water_ghosts).x;
-        real level = imageLoad(ground_in, at).x + depth * body_of(depth);
-        highest = max(highest, depth >= film_m.x ? level : real(-1e30));
+        real body = body_of(depth);
+        sum += body * real2((imageLoad(ground_in, at).x - datum) + depth, 1.0);
     }
-    return highest;
+    return sum;
 }
 
 void main() {
     int tile = int(listed_tiles[gl_WorkGroupID.y]);
     int2 first = int2(tile % tiles.x, tile / tiles.x) * 64 + int2(int(gl_LocalInvocationIndex), 0);
     if (first.x >= samples.x) return;
+    // Levels are summed above the tile's own height, which leaves them their digits.
+    real datum = imageLoad(ground_in, first).x;
     // The rows before, at and after the sample, so that each is looked at once.
-    real north = highest_in(first.x, first.y - 1);
-    real here = highest_in(first.x, first.y);
+    real2 north = levels_in(first.x, first.y - 1, datum);
+    real2 here = levels_in(first.x, first.y, datum);
     for (int row = 0; row < min(64, samples.y - first.y); ++row) {
         int2 at = first + int2(0, row);
-        real south = highest_in(at.x, at.y + 1);
+        real2 south = levels_in(at.x, at.y + 1, datum);
         real ground = imageLoad(ground_in, at).x;
         real depth = imageLoad(water_in, at + water_ghosts).x;
-        // On dry ground the highest water beside it, but never above the ground, so that the waterline is where the level
-        // meets the ground within the patch. From there a film rises to a surface of its own.
-        real beside = max(max(north, here), south);
-        bool is_near = beside > ground - far_below_m;
-        real dry = is_near ? min(beside, ground) : ground - (depth < film_m.x ? far_below_m : real(0));
+        // On dry ground the mean level of the water beside it, but never above the ground, so that the waterline is where the
+        // level meets the ground within the patch. The highest of them would do in a lake; where water runs, it is the one
+        // upstream, which may stand above the ground here, and the waterline would go from sample to sample. From there a
+        // film rises to a surface of its own.
+        real2 beside = north + here + south;
+        real dry = beside.y > real(0) ? min(datum + beside.x / beside.y, ground) : ground - (depth < film_m.x ? far_below_m : real(0));
         imageStore(level_out, at, vec4(mix(dry, ground + depth, body_of(depth))));
         north = here;
         here = south;

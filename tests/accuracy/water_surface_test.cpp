@@ -280,6 +280,68 @@ TEST(WaterSurface, TheWaterlineFollowsNoGrid) {
     }
 }
 
+// Water that runs down between straight banks: its level falls along them as the ground does. Where level and
+// ground meet is known, and the picture's waterline shall lie there, whichever way the grid runs. The level
+// of a dry sample is a guess from the wet ones beside it, so a tenth of a cell is what is to be had.
+TEST(WaterSurface, TheWaterlineOfAStreamFollowsNoGrid) {
+    const gpu::Context context;
+    constexpr int samples = 97;
+    constexpr double spacing_m = 10;
+    constexpr double fall = 0.3;
+    constexpr double bank = 0.25;
+    constexpr double deepest_m = 6;
+    const Grid plane{samples, samples, spacing_m, spacing_m};
+    for (const double turned_deg : {0.0, 10.0, 22.5, 31.0, 45.0}) {
+        const glm::dvec2 along(std::cos(glm::radians(turned_deg)), std::sin(glm::radians(turned_deg)));
+        const glm::dvec2 across(-along.y, along.x);
+        std::vector<float> heights;
+        std::vector<glm::vec4> water;
+        for (int row = 0; row < samples; ++row)
+            for (int column = 0; column < samples; ++column) {
+                const glm::dvec2 at = spacing_m * (glm::dvec2(column, row) - (samples - 1) / 2.0);
+                const double above_m = bank * std::abs(glm::dot(at, across));
+                heights.push_back(static_cast<float>(100 - fall * glm::dot(at, along) + above_m));
+                water.emplace_back(static_cast<float>(std::max(0.0, deepest_m - above_m)), 0, 0, 0);
+            }
+        TerrainState state = bedrock_terrain(plane, heights);
+        state.water = water;
+        const Terrain terrain(state);
+        WaterSurface surface(terrain);
+        surface.refresh(terrain);
+        const std::vector<float> level = surface.level().read_all<float>();
+        const auto depth_at = [&](glm::dvec2 at) {
+            const glm::dvec2 place = at / spacing_m + (samples - 1) / 2.0;
+            const glm::ivec2 cell(place);
+            const glm::dvec2 w = place - glm::dvec2(cell);
+            double sum = 0;
+            for (int i = 0; i < 4; ++i) {
+                const std::size_t sample =
+                    static_cast<std::size_t>(cell.y + i / 2) * samples + cell.x + i % 2;
+                sum += (i % 2 == 0 ? 1 - w.x : w.x) * (i < 2 ? 1 - w.y : w.y) *
+                       (static_cast<double>(level[sample]) - heights[sample]);
+            }
+            return sum;
+        };
+        double squares = 0;
+        double largest = 0;
+        int places = 0;
+        for (int i = -150; i <= 150; ++i)
+            for (const double side : {-1.0, 1.0}) {
+                double out_m = 0;
+                while (out_m < 100 && depth_at(2.0 * i * along + side * out_m * across) > 0) out_m += 0.05;
+                const double error = (out_m - deepest_m / bank) / spacing_m;
+                squares += error * error;
+                largest = std::max(largest, std::abs(error));
+                ++places;
+            }
+        const double error = std::sqrt(squares / places);
+        fmt::print("a stream turned by {}°: its waterline is {:.2f} cells off, {:.2f} at most\n", turned_deg,
+                   error, largest);
+        EXPECT_LE(error, 0.12) << turned_deg;
+        EXPECT_LE(largest, 0.5) << turned_deg;
+    }
+}
+
 // A film that thickens along the fall line is seen by its depth alone: nothing in the picture follows the
 // grid.
 TEST(WaterSurface, AFilmFadesWithItsDepth) {
