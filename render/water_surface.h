@@ -6,8 +6,8 @@
 namespace talus {
 
 /// The water's surface as the second one that rays are cast onto: ground + depth where it is wet; where it is
-/// dry beside water, the level of that water goes on below the ground, so that the shoreline lies where the
-/// level meets the bilinear ground; elsewhere far below it.
+/// dry beside water, the mean level of that water goes on below the ground, so that the shoreline lies where
+/// the level meets the bilinear ground; elsewhere far below it (docs/numerics.md, "Seeing water").
 class WaterSurface {
   public:
     /// The terrain must have a water layer.
