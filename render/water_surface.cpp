@@ -21,6 +21,7 @@ void WaterSurface::refresh(const Terrain& terrain) {
     changed.buffer.bind_storage(1);
     program_.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
     program_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
+    program_.set("cell_m", glm::vec2(terrain.grid().dx, terrain.grid().dy));
     program_.dispatch_indirect(changed.buffer);
     gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::texture_transfer});
     pyramid_.rebuild(terrain);

@@ -9,26 +9,55 @@ layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; u
 
 uniform int2 samples;
 uniform int2 tiles;
+uniform real2 cell_m;
 
 const int water_ghosts = 2;
 #include "render/film.glsl"
 // How far below the ground the surface lies where no water is near, m: no ray looks for it there.
 const real far_below_m = real(1e4);
+// Slopes of the water between which its level across gives way to none.
+const real2 steep = real2(0.15, 0.45);
 
 // From 0, a film that lies on the ground, to 1, water with a surface of its own.
 real body_of(real depth) { return smoothstep(film_m.x, film_m.y, depth); }
 
-// Levels of the water that is more than a film in a row, at a column and its two neighbours: their sum above a datum, and how
-// many they are. What is little more than a film counts little, so that nothing leaps where a sample crosses that.
-real2 levels_in(int column, int row, real datum) {
-    real2 sum = real2(0);
+// Water beside a sample, as far as it is more than a film. What is little more counts little (its level as much lower among the
+// highest), so that nothing leaps where a sample crosses that. Levels above a datum, m.
+struct Beside {
+    real sum;     // of the levels
+    real weight;  // how many they are
+    real highest;
+    real lowest;
+};
+
+// In a row, at a column and its two neighbours.
+Beside beside_in(int column, int row, real datum) {
+    Beside found = Beside(real(0), real(0), real(-2) * far_below_m, real(2) * far_below_m);
     for (int i = -1; i <= 1; ++i) {
         int2 at = clamp(int2(column + i, row), int2(0), samples - 1);
         real depth = imageLoad(water_in, at + water_ghosts).x;
         real body = body_of(depth);
-        sum += body * real2((imageLoad(ground_in, at).x - datum) + depth, 1.0);
+        real level = (imageLoad(ground_in, at).x - datum) + depth;
+        found.sum += body * level;
+        found.weight += body;
+        real apart = body > real(0) ? (real(1) - body) * (real(4) * max(cell_m.x, cell_m.y)) : real(2) * far_below_m;
+        found.highest = max(found.highest, level - apart);
+        found.lowest = min(found.lowest, level + apart);
     }
-    return sum;
+    return found;
+}
+
+Beside joined(Beside a, Beside b) {
+    return Beside(a.sum + b.sum, a.weight + b.weight, max(a.highest, b.highest), min(a.lowest, b.lowest));
+}
+
+// The level that goes on below dry ground: the mean of those beside it. The highest would do in a lake; where water runs, it is
+// the one upstream, which may stand above the ground here, and the waterline would go from sample to sample. But sheets that run
+// down steep ground have no level across: they end at the dry sample, by the highest.
+real level_beside(Beside water) {
+    real mean = water.sum / water.weight;
+    real slope = (water.highest - water.lowest) / (real(2) * min(cell_m.x, cell_m.y));
+    return mix(mean, max(mean, water.highest), smoothstep(steep.x, steep.y, slope));
 }
 
 void main() {
@@ -38,19 +67,18 @@ void main() {
     // Levels are summed above the tile's own height, which leaves them their digits.
     real datum = imageLoad(ground_in, first).x;
     // The rows before, at and after the sample, so that each is looked at once.
-    real2 north = levels_in(first.x, first.y - 1, datum);
-    real2 here = levels_in(first.x, first.y, datum);
+    Beside north = beside_in(first.x, first.y - 1, datum);
+    Beside here = beside_in(first.x, first.y, datum);
     for (int row = 0; row < min(64, samples.y - first.y); ++row) {
         int2 at = first + int2(0, row);
-        real2 south = levels_in(at.x, at.y + 1, datum);
+        Beside south = beside_in(at.x, at.y + 1, datum);
         real ground = imageLoad(ground_in, at).x;
         real depth = imageLoad(water_in, at + water_ghosts).x;
-        // On dry ground the mean level of the water beside it, but never above the ground, so that the waterline is where the
-        // level meets the ground within the patch. The highest of them would do in a lake; where water runs, it is the one
-        // upstream, which may stand above the ground here, and the waterline would go from sample to sample. From there a
-        // film rises to a surface of its own.
-        real2 beside = north + here + south;
-        real dry = beside.y > real(0) ? min(datum + beside.x / beside.y, ground) : ground - (depth < film_m.x ? far_below_m : real(0));
+        // Never above the ground, so that the waterline is where the level meets the ground within the patch. From there a film
+        // rises to a surface of its own.
+        Beside water = joined(joined(north, here), south);
+        real dry = water.weight > real(0) ? min(datum + level_beside(water), ground)
+                                          : ground - (depth < film_m.x ? far_below_m : real(0));
         imageStore(level_out, at, vec4(mix(dry, ground + depth, body_of(depth))));
         north = here;
         here = south;
