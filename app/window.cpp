@@ -234,7 +234,7 @@ class Window {
         style.Colors[ImGuiCol_WindowBg] = {0.085F, 0.095F, 0.11F, 0.97F};
         style.Colors[ImGuiCol_Button] = {0.20F, 0.24F, 0.30F, 1};
         style.Colors[ImGuiCol_ButtonActive] = {0.16F, 0.45F, 0.75F, 1};
-        style.Colors[ImGuiCol_PlotHistogram] = {0.16F, 0.45F, 0.75F, 1};  // bars: white words are read on it
+        style.Colors[ImGuiCol_PlotHistogram] = {0.16F, 0.45F, 0.75F, 1};  // white words can be read on it
         style.Colors[ImGuiCol_ModalWindowDimBg] = {0, 0, 0, 0.45F};
         style.ScaleAllSizes(used);
         load_font(15 * used);
