@@ -2,7 +2,8 @@
 # The tests that hang on order, on zink under Vulkan's validation layer with its check of synchronisation: it says nothing but
 # what is known to be Mesa's. Arguments: the build's folder; the tests, as ctest's -R takes them.
 # Where Mesa's packing of textures into buffers confuses the layer's record of image layouts, the layer itself ends by a
-# segmentation fault in its library (layer 1.3.239, Mesa 22.3.6): such tests are listed, and count as not shown.
+# segmentation fault (layer 1.3.239, Mesa 22.3.6), of a test or of a script's window (139): such tests are listed, and count
+# as not shown.
 set -euo pipefail
 build=$1
 tests=$2
@@ -35,7 +36,13 @@ printf '%s\n' "${known[@]}" >"$scratch/known"
 ctest --test-dir "$build" -R "$tests" -j "$(nproc)" --verbose >"$scratch/said" || true
 ran=$(grep -ac '^ *[0-9]*/[0-9]* Test ' "$scratch/said")
 passed=$(grep -ac '^ *[0-9]*/[0-9]* Test .* Passed ' "$scratch/said")
-mapfile -t layers < <(grep -a '^ *[0-9]*/[0-9]* Test .*Exception: SegFault' "$scratch/said" | sed 's/.*#[0-9]*: //; s/ \.\.*.*//')
+mapfile -t layers < <(awk '
+    /^[0-9]+: the window has ended with 139$/ { window[$1 + 0] = 1 }
+    /^ *[0-9]+\/[0-9]+ Test +#/ {
+        number = $0; sub(/.*#/, "", number); number += 0
+        name = $0; sub(/.*#[0-9]+: /, "", name); sub(/ \.\..*/, "", name)
+        if (/Exception: SegFault/ || (/\*\*\*Failed/ && number in window)) print name
+    }' "$scratch/said")
 grep -a '(ERROR / SPEC)' "$scratch/said" >"$scratch/errors" || true
 [ -s "$scratch/errors" ] || { echo "the layer said nothing at all, not even what is Mesa's: is it installed?" >&2; exit 1; }
 grep -v -f "$scratch/known" "$scratch/errors" >"$scratch/ours" || true

@@ -12,7 +12,16 @@ export LIBGL_ALWAYS_SOFTWARE=1
 # Nothing of the person's own, and nothing left to them.
 export XDG_STATE_HOME=$PWD/state XDG_CONFIG_HOME=$PWD/config
 
-fail() { echo "FAILED: $1"; cat window.log; exit 1; }
+fail() {
+    local ended=0
+    echo "FAILED: $1"
+    if [ -n "${pid:-}" ] && ! kill -0 "$pid" 2>/dev/null; then
+        wait "$pid" || ended=$?
+        echo "the window has ended with $ended"
+    fi
+    cat window.log
+    exit 1
+}
 
 # Opens it with the options given; `pid` is its process.
 open_window() {
