@@ -218,6 +218,19 @@ class Window:
         width, height = self.size()
         return rect and rect[0] >= 0 and rect[1] >= 0 and rect[2] <= width and rect[3] <= height
 
+    def await_rest(self, name):
+        """Waits until the widget stays where it is: a dialog takes its place within its first frames."""
+        before = None
+        for _ in range(50):
+            self.answers()
+            self.answers()
+            time.sleep(0.1)
+            now = self.middle(name)
+            if now and now == before:
+                return
+            before = now
+        raise Failure(f"'{name}' does not come to rest")
+
     def busy(self):
         return "Cancel work" in self.rects()
 
@@ -394,13 +407,16 @@ def undo_everything(window, talus, folder):
     end = folder / "end.exr"
     window.move(640, 400)
     window.press("ctrl+shift+s")
-    window.wait_for(lambda: "file name" in window.rects(), 10, "the dialog to save did not open")
-    time.sleep(0.2)
+    window.wait_for(lambda: "file name" in window.rects(), 10 + PATIENCE_S, "the dialog to save did not open")
+    window.await_rest("file name")
     window.click_on("file name")
+    # Typed before the click has reached the field, the path would be lost, and another file be written.
+    window.answers()
+    window.answers()
     window.press("ctrl+a")
     window.type(str(end))
     window.press("Return")
-    window.wait_for(end.exists, 30, "undone, it could not be saved")
+    window.wait_for(end.exists, 30 + PATIENCE_S, "undone, it could not be saved")
     time.sleep(0.3)
     window.answers()
     found = run([talus, "info", "--json", end], folder).stdout
