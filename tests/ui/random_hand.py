@@ -427,7 +427,10 @@ def undo_everything(window, talus, folder):
 
 def attempt(talus, folder, seed, seconds, acts):
     """Does acts, those given or others until the time is up. Returns what was done, and why it failed, if it did."""
-    shutil.rmtree(folder, ignore_errors=True)
+    root = folder
+    shutil.rmtree(root, ignore_errors=True)
+    # So deep that a hand which climbs in a dialog for files, and saves there, saves within the folder that it was given.
+    folder = root.joinpath(*["deep"] * 8)
     folder.mkdir(parents=True)
     files = make_files(talus, folder)
     chance = random.Random(seed)
@@ -447,7 +450,7 @@ def attempt(talus, folder, seed, seconds, acts):
         while (len(done) < len(acts)) if acts is not None else (time.time() < end):
             act = acts[len(done)] if acts is not None else choose(chance, window, files)
             done.append(act)
-            (folder / "acts.json").write_text(json.dumps(done))
+            (root / "acts.json").write_text(json.dumps(done))
             do(act, window)
             window.answers()
             window.check_alive()
