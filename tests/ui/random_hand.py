@@ -106,7 +106,7 @@ class Window:
         while not condition():
             self.check_alive()
             if time.time() > end:
-                raise Failure(what)
+                raise Failure(f"{what}; widgets: {sorted(self.rects())}")
             time.sleep(0.02)
 
     def rects(self):
@@ -372,20 +372,13 @@ def undo_everything(window, talus, folder):
             without += 1
         if without == 2:
             break
-    # A key that comes while a field still has the keyboard is the field's; a person presses it again.
-    tries = 3
-    while not {"Play", "Pause"} & set(window.rects()):
-        if tries == 0:
-            raise Failure(f"panels do not come back; there is {sorted(window.rects())}")
-        tries -= 1
+    if not {"Play", "Pause"} & set(window.rects()):
         window.press("Escape")
+        # A field that is typed into has the keys until the frame after the one that ends it.
         window.answers()
         window.answers()
         window.press("Tab")
-        end = time.time() + 4 + PATIENCE_S
-        while not {"Play", "Pause"} & set(window.rects()) and time.time() < end:
-            window.check_alive()
-            time.sleep(0.02)
+        window.wait_for(lambda: {"Play", "Pause"} & set(window.rects()), 10 + PATIENCE_S, "panels do not come back")
     window.move(640, 400)
     window.press("Escape")
     time.sleep(0.3)
@@ -407,7 +400,7 @@ def undo_everything(window, talus, folder):
     end = folder / "end.exr"
     window.move(640, 400)
     window.press("ctrl+shift+s")
-    window.wait_for(lambda: "file name" in window.rects(), 10 + PATIENCE_S, "the dialog to save did not open")
+    window.wait_for(lambda: "file name" in window.rects(), 10, "the dialog to save did not open")
     window.await_rest("file name")
     window.click_on("file name")
     # Typed before the click has reached the field, the path would be lost, and another file be written.
@@ -416,7 +409,7 @@ def undo_everything(window, talus, folder):
     window.press("ctrl+a")
     window.type(str(end))
     window.press("Return")
-    window.wait_for(end.exists, 30 + PATIENCE_S, "undone, it could not be saved")
+    window.wait_for(end.exists, 30, "undone, it could not be saved")
     time.sleep(0.3)
     window.answers()
     found = run([talus, "info", "--json", end], folder).stdout
