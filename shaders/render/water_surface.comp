@@ -15,14 +15,14 @@ const int water_ghosts = 2;
 #include "render/film.glsl"
 // How far below the ground the surface lies where no water is near, m: no ray looks for it there.
 const real far_below_m = real(1e4);
-// Slopes of the water between which its level across gives way to none.
+// Water less steep than the first has a level across it; water steeper than the second is a sheet, and has none.
 const real2 steep = real2(0.15, 0.45);
 
 // From 0, a film that lies on the ground, to 1, water with a surface of its own.
 real body_of(real depth) { return smoothstep(film_m.x, film_m.y, depth); }
 
-// Water beside a sample, as far as it is more than a film. What is little more counts little (its level as much lower among the
-// highest), so that nothing leaps where a sample crosses that. Levels above a datum, m.
+// Water beside a sample that is more than a film. The nearer to a film, the less it counts: in the sum by its weight, among
+// the highest and lowest by an offset away from them. So nothing leaps where a sample becomes a film. Levels above a datum, m.
 struct Beside {
     real sum;     // of the levels
     real weight;  // how many they are
