@@ -14,7 +14,6 @@ using Value = std::variant<bool, int, double, std::string>;
 /// What else a change of a parameter sets off in a simulation, beside its new value.
 enum class SetsOff {
     nothing,
-    slope_rate,     ///< thermal erosion's rate follows, unless somebody set it
     solid_weights,  ///< regolith or load count otherwise as solid: the ledger books the difference
     sea,        ///< when set, the sea fills what lies lower; set again at once, it takes the place of that
     edge_clock  ///< inflow and wave maker begin anew

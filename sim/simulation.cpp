@@ -131,7 +131,7 @@ void Simulation::act(const SetParameter& wanted) {
     else
         changed.reset(set.name);
     const SetsOff sets_off = changed.declaration(set.name).sets_off;
-    if (sets_off == SetsOff::slope_rate) suggest_slope_rate(terrain_.grid(), changed);
+    suggest_slope_rate(terrain_.grid(), changed);
     check_tick(terrain_.grid(), changed);
     const bool fills = sets_off == SetsOff::sea && set.value;
     if (sets_off == SetsOff::sea) withdraw_sea(set.name);

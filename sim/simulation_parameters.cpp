@@ -23,8 +23,7 @@ std::vector<Parameter> simulation_parameters() {
                "east that "
                "has just gone; bowl, Thacker's round wave; wave, a sea with a single wave on its way "
                "eastwards; cloudburst, a quarter of a metre everywhere."),
-        number("time.tick_s", 1.0 / 60, 1e-6, 1e9, "s", "Simulated time of one tick.")
-            .setting_off(SetsOff::slope_rate)};
+        number("time.tick_s", 1.0 / 60, 1e-6, 1e9, "s", "Simulated time of one tick.")};
     declare(all, thermal_parameters());
     declare(all, sediment_parameters());
     declare(all, water_parameters());

@@ -10,10 +10,10 @@ const std::vector<BoundParameter<ThermalSettings>>& thermal_parameters() {
         bound(number("thermal.repose_deg", 33, 1, 80, "°",
                      "Angle of repose: the steepest slope at which loose ground rests."),
               &ThermalSettings::repose_deg),
-        bound(number("thermal.rate_m2_per_s", 0, 0, 1e12, "m²/s",
-                     "How fast steep ground slides. Unless set, it follows the spacing: one sub-step a tick.")
-                  .setting_off(SetsOff::slope_rate),
-              &ThermalSettings::rate_m2_per_s),
+        bound(
+            number("thermal.rate_m2_per_s", 0, 0, 1e12, "m²/s",
+                   "How fast steep ground slides. Unless set, it follows the spacing: one sub-step a tick."),
+            &ThermalSettings::rate_m2_per_s),
         bound(number("thermal.bedrock_deg", 33, 1, 89, "°",
                      "Angle that bedrock fails at. Unless set, it slides at the angle of repose, like scree.")
                   .following("thermal.repose_deg"),

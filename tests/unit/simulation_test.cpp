@@ -135,6 +135,22 @@ TEST(Simulation, WhatIsUnsetFollowsAgain) {
     EXPECT_FALSE(simulation.parameters().is_given("thermal.bedrock_deg"));
 }
 
+// Porosity set on the way and porosity from the start make the same of what follows it.
+TEST(Simulation, TheRateOfSlopesFollowsThePorosityWheneverItIsSet) {
+    const gpu::Context context;
+    const auto rate = [](const Simulation& s) { return s.parameters().number("thermal.rate_m2_per_s"); };
+    Simulation simulation(mountains(), parameters());
+    const double solid = rate(simulation);
+    simulation.apply(SetParameter{"erosion.porosity", 0.6});
+    Parameters porous = parameters();
+    porous.set("erosion.porosity", 0.6);
+    EXPECT_EQ(rate(simulation), rate(Simulation(mountains(), porous)));
+    EXPECT_NE(rate(simulation), solid);
+    simulation.apply(SetParameter{"thermal.rate_m2_per_s", solid});
+    simulation.apply(SetParameter{"erosion.porosity", 0.3});
+    EXPECT_EQ(rate(simulation), solid) << "what was set stays";
+}
+
 TEST(Simulation, RefusesRatesThatNoTickCanRun) {
     const gpu::Context context;
     Simulation simulation(mountains(), parameters(), undo_bytes);
