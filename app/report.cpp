@@ -53,7 +53,7 @@ std::string run_report(const RunFigures& figures, const TerrainState& state, Sim
             fastest = std::max(fastest, glm::length(water_velocity(water.x, {water.z, water.w})));
             lowest = std::min(lowest, water.x);
         }
-        const Water::Work work = simulation.water_work();
+        const PassWork work = simulation.work("water");
         report["water"] = {
             {"initial_m3", ledger.water_initial},
             {"final_m3", ledger.water_final},

@@ -16,6 +16,7 @@
 #include "sim/gpu/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/endings.h"
+#include "sim/passes/erode_brush.h"
 #include "sim/preset.h"
 #include "sim/terrain/state_hash.h"
 
@@ -87,7 +88,8 @@ void Session::suggest_for_terrain() {
     scene_.view.suggest("brush.height_m", bounds_.x);
     scene_.view.suggest("map.base_m", bounds_.x);
     scene_.view.suggest("render.level_m", simulation_->parameters().number("water.sea_level_m"));
-    if (const Stamp* stamp = simulation_->stamp()) scene_.view.suggest("stamp.relief_m", stamp->relief_m);
+    if (const Stamp* stamp = simulation_->stamp().get())
+        scene_.view.suggest("stamp.relief_m", stamp->relief_m);
 }
 
 void Session::follow_terrain() {
@@ -302,12 +304,12 @@ Ring Session::ring(glm::dvec2 at_m) {
     Ring ring;
     ring.at_m = at_m;
     ring.radius_m = scene_.view.number("brush.radius_m");
-    const Stamp* stamp = simulation_->stamp();
+    const std::shared_ptr<const Stamp>& stamp = simulation_->stamp();
     if (!stamp || tool_named(scene_.view.choice("brush.tool")).course != StrokeCourse::stamps) return ring;
-    const Dab dab = tool_dab(scene_.view, {}, 0, 0, stamp);
+    const Dab dab = tool_dab(scene_.view, {}, 0, 0, stamp.get());
     const DabStep step = dab_step(grid(), dab, {stamp->grid.nx, stamp->grid.ny});
     ring.radius_m = dab.radius_m;
-    ring.stamp = &simulation_->stamp_texture();
+    ring.stamp = &stamp_image_.of(stamp);
     // A dab counts rows southwards.
     ring.stamp_columns = {step.stamp_columns.x, -step.stamp_columns.y};
     ring.stamp_rows = {step.stamp_rows.x, -step.stamp_rows.y};
@@ -327,7 +329,7 @@ void Session::stroke(glm::dvec3 at, double wall_s) {
     stroke_begun_ = true;
     dabs_waited_s_ = stroke_owed_s_;
     std::vector<Dab> dabs =
-        stroke_->move(scene_.view, at, std::exchange(stroke_owed_s_, 0), simulation_->stamp());
+        stroke_->move(scene_.view, at, std::exchange(stroke_owed_s_, 0), simulation_->stamp().get());
     for (Dab& dab : dabs) {
         // What a frame has no room for erodes more slowly.
         if (dab.mode == BrushMode::erode)

@@ -10,6 +10,7 @@
 #include "render/renderer.h"
 #include "sim/gpu/context.h"
 #include "sim/gpu/timestamp.h"
+#include "sim/passes/stamp_image.h"
 #include "sim/simulation.h"
 
 namespace talus {
@@ -177,6 +178,7 @@ class Session {
     double substep_ms_ = 0;
     std::uint64_t timed_substeps_ = 0;
     std::optional<BrushStroke> stroke_;
+    StampImage stamp_image_;  // of the ring
     unsigned strokes_ = 0;
     double stroke_owed_s_ = 0;   // wall time of the stroke that made no dabs yet
     bool stroke_begun_ = false;  // as an entry of undo

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "sim/passes/sediment.h"
+
 namespace talus {
 namespace {
 
@@ -36,7 +38,8 @@ Sums sums_of(const std::vector<glm::dvec4>& tiles, double area_m2) {
 
 }  // namespace
 
-SolidWeights weights_of(const SedimentSettings& settings) {
+SolidWeights solid_weights(const Parameters& parameters) {
+    const SedimentSettings settings = sediment_settings(parameters);
     return {1 / static_cast<double>(bulking_of(settings.porosity)),
             static_cast<double>(static_cast<float>(settings.acceleration))};
 }
@@ -76,8 +79,7 @@ void Ledger::sum(const Terrain& terrain) {
 }
 
 LedgerReading Ledger::reading(const LedgerStart& start, const std::vector<glm::dvec4>& tile_sums,
-                              const SolidWeights& weights, const gpu::Buffer& brush_books,
-                              const WaterBooks& water, glm::dvec2 solid_edges_m, double booked_m3) const {
+                              const SolidWeights& weights, const BudgetTerms& terms) const {
     const Sums now = sums_of(tile_sums, area_m2_);
     LedgerReading reading;
     reading.bedrock = now.bedrock;
@@ -87,17 +89,13 @@ LedgerReading Ledger::reading(const LedgerStart& start, const std::vector<glm::d
     reading.solid_final = now.solid(weights);
     reading.eroded_m3 = now.eroded;
     reading.deposited_m3 = now.deposited;
-    for (const glm::dvec4& book : brush_books.read_all<glm::dvec4>()) {
-        reading.solid_in += (book.x + weights.regolith * book.z) * area_m2_;
-        reading.solid_out += (book.y + weights.regolith * book.w) * area_m2_;
-    }
-    reading.solid_edges_out = solid_edges_m.y * area_m2_;
-    reading.solid_in += solid_edges_m.x * area_m2_ + std::max(booked_m3, 0.0);
-    reading.solid_out += reading.solid_edges_out + std::max(-booked_m3, 0.0);
+    reading.solid_in = terms.solid_in_m3 + terms.solid_edges_in_m3;
+    reading.solid_edges_out = terms.solid_edges_out_m3;
+    reading.solid_out = terms.solid_out_m3 + terms.solid_edges_out_m3;
     reading.water_initial = start.water_m3;
     reading.water_final = now.water;
-    reading.water_in = water.in_m3();
-    reading.water_out = water.out_m3();
+    reading.water_in = terms.water.in_m3();
+    reading.water_out = terms.water.out_m3();
     return reading;
 }
 

@@ -1,19 +1,17 @@
 #pragma once
-#include "sim/passes/brush.h"
-#include "sim/passes/water.h"
+#include <vector>
+
+#include "sim/budget.h"
+#include "sim/gpu/buffer.h"
+#include "sim/gpu/program.h"
+#include "sim/parameters.h"
 #include "sim/terrain/terrain.h"
 
 namespace talus {
 
-/// What a metre of each store counts as solid: bedrock 1, regolith 1 - porosity, suspended the acceleration.
-struct SolidWeights {
-    double regolith = 1;
-    double suspended = 1;
-};
-
-/// What the ledger counts with these settings, as the shaders count it, so that their roundings are not taken
-/// for solid.
-SolidWeights weights_of(const SedimentSettings& settings);
+/// What the ledger counts with these parameters, as the shaders count it, so that their roundings are not
+/// taken for solid.
+SolidWeights solid_weights(const Parameters& parameters);
 
 /// Where rock and water are, in m³, summed in double (law 3).
 struct LedgerReading {
@@ -46,12 +44,6 @@ struct LedgerReading {
     double closing_error_of_eroded() const;
 };
 
-/// What there was when the ledger was begun, m³.
-struct LedgerStart {
-    double solid_m3 = 0;
-    double water_m3 = 0;
-};
-
 /// Sums the terrain on the device, tile by tile, and tells from the sums and the books what the ledger reads.
 class Ledger {
   public:
@@ -64,11 +56,9 @@ class Ledger {
     void sum(const Terrain& terrain);
     const gpu::Buffer& tile_sums() const { return tile_sums_; }
 
-    /// `tile_sums`: as sum() left them; `brush_books`: a copy of Brush::books; `solid_edges_m`: metres of
-    /// solid in and out by edges; `booked_m3`: what was brought besides.
+    /// `tile_sums`: as sum() left them.
     LedgerReading reading(const LedgerStart& start, const std::vector<glm::dvec4>& tile_sums,
-                          const SolidWeights& weights, const gpu::Buffer& brush_books,
-                          const WaterBooks& water, glm::dvec2 solid_edges_m, double booked_m3) const;
+                          const SolidWeights& weights, const BudgetTerms& terms) const;
 
   private:
     double area_m2_;

@@ -6,11 +6,11 @@
 #include <variant>
 
 #include "sim/parameters.h"
-#include "sim/passes/brush.h"
-#include "sim/passes/mask.h"
+#include "sim/passes/dab.h"
+#include "sim/passes/mask_settings.h"
 #include "sim/terrain/reshape.h"
 #include "sim/terrain/stamp.h"
-#include "sim/terrain/terrain.h"
+#include "sim/terrain/terrain_state.h"
 
 namespace talus {
 
@@ -79,7 +79,7 @@ struct ChooseStamp {
 };
 
 /// The painted mask becomes a function of the terrain, or of itself (shaders/maths/mask.glsl,
-/// sim/passes/mask.h).
+/// sim/passes/mask_settings.h).
 using MakeMask = MaskSettings;
 
 /// The ground is blurred by a Gaussian of this standard deviation, or the mask is.

@@ -24,6 +24,7 @@ std::size_t PackedTerrain::bytes() const {
 PackedTerrain pack(const Terrain& terrain) {
     PackedTerrain packed;
     packed.grid = terrain.grid();
+    packed.rain_painted = terrain.rain_painted;
     const gpu::Region all = terrain.ground.whole();
     packed.solid = packed_texels(terrain.solid.front, all);
     packed.start = packed_texels(terrain.start, all);
@@ -47,6 +48,7 @@ Terrain unpack(const PackedTerrain& packed) {
         DeviceLayer& image = *(terrain.*layers()[i].image);
         image.front.write(image.texels(all), packed.optional[i].unpack());
     }
+    terrain.rain_painted = packed.rain_painted;
     return terrain;
 }
 

@@ -61,11 +61,16 @@ Settings bound_settings(const std::vector<BoundParameter<Settings>>& table, cons
     return settings;
 }
 
-/// Declares a table's parameters behind others.
-template <typename Settings>
-void declare(std::vector<Parameter>& all, const std::vector<BoundParameter<Settings>>& table) {
-    for (const BoundParameter<Settings>& one : table)
-        if (one.declared) all.push_back(*one.declared);
+/// The parameters that tables declare, one table behind the other.
+template <typename... Settings>
+std::vector<Parameter> declared(const std::vector<BoundParameter<Settings>>&... tables) {
+    std::vector<Parameter> all;
+    const auto add = [&](const auto& table) {
+        for (const auto& one : table)
+            if (one.declared) all.push_back(*one.declared);
+    };
+    (add(tables), ...);
+    return all;
 }
 
 }  // namespace talus

@@ -4,19 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "sim/book_copies.h"
 #include "sim/gpu/readback.h"
 #include "sim/journal.h"
 #include "sim/ledger.h"
+#include "sim/moment.h"
 #include "sim/operation.h"
 #include "sim/parameters.h"
-#include "sim/passes/brush.h"
-#include "sim/passes/erode_brush.h"
-#include "sim/passes/inundation.h"
-#include "sim/passes/mask.h"
-#include "sim/passes/paint.h"
-#include "sim/passes/thermal.h"
-#include "sim/passes/water.h"
-#include "sim/passes/water_brush.h"
+#include "sim/passes/pass.h"
 #include "sim/terrain/terrain.h"
 #include "sim/undo.h"
 
@@ -52,7 +47,7 @@ class Simulation {
     bool advance(int substeps);
     bool mid_tick() const { return in_tick_; }
     /// Sub-steps that advance() sent to the device so far. Does not wait.
-    std::uint64_t substeps_sent() const { return thermal_sent_ + (water_ ? water_->sent() : 0); }
+    std::uint64_t substeps_sent() const;
 
     /// A stroke is one entry of undo; ticks between belong to it.
     void begin_stroke(const std::string& name);
@@ -79,11 +74,9 @@ class Simulation {
     bool awaits_ledger() const { return asked_.sums.pending(); }
     const std::vector<Spring>& springs() const { return moment_.springs; }
     /// What dabs of a stamp press; none: nothing was chosen.
-    const Stamp* stamp() const { return moment_.stamp.get(); }
-    /// Its heights on the device; there must be one.
-    const gpu::Texture& stamp_texture();
-    /// Sub-steps of water so far. Waits for the device.
-    Water::Work water_work() const;
+    const std::shared_ptr<const Stamp>& stamp() const { return moment_.stamp; }
+    /// What the pass of this name did so far. Waits for the device. Throws talus::Error where there is none.
+    PassWork work(const std::string& pass) const;
     /// The whole state. Waits for the device.
     TerrainState read() const;
     /// The state but for its layers: what read() adds to them, without waiting.
@@ -93,7 +86,6 @@ class Simulation {
     void act(const SetParameter& set);
     void act(const PlaceSpring& spring);
     void act(const Dab& dab);
-    void erode(const Dab& dab);
     void act(const Resample& to);
     void act(const Crop& crop);
     void act(const Turn& turn);
@@ -101,46 +93,37 @@ class Simulation {
     void act(const ChooseStamp& choose);
     void act(const MakeMask& make);
     void act(const Blur& blur);
+    void act_by_pass(const PassAct& act);
     /// Does `change` as an entry of undo, or as part of the open one, and records the operation.
     template <typename Change>
     void record(const Operation& operation, Change&& change);
+    /// A terrain with what is made for it.
+    struct Site;
     /// Another terrain in place of this one, recorded as the operation.
     void replace_terrain(const Operation& operation, const TerrainState& next, Parameters parameters);
-    void stand_on(Terrain next);
-    void place(const Spring& spring);
-    /// Throws talus::Error when a tick with these parameters cannot be run.
-    void check_tick(const Grid& grid, const Parameters& parameters) const;
-    using UndoWay = void (Undo::*)(Terrain&, const std::function<Books()>&, Journal&, Moment&,
-                                   const Undo::ExchangeTerrain&);
-    void exchange(UndoWay way);
-    Books books();
-    WaterSettings water_settings() const;
+    void stand_on(Site site);
+    /// Gives parameters that hang on the terrain their values. Throws talus::Error when a tick with them
+    /// cannot be run.
+    void fit(const Grid& grid, Parameters& parameters) const;
+    /// The passes take note of layers that none of them wrote.
+    void observe();
+    void exchange(bool forth);
+    TerrainState with_moment(TerrainState layers) const;
+    std::vector<Book> books();
+    Snapshot snapshot() { return {BookCopies(books()), moment_, {}}; }
     /// Books what a change brings or takes that no pass books. Waits for the device.
     template <typename Change>
     void book(Change&& change);
     /// A change of what a metre of regolith or load counts brings or takes no solid: it is booked.
     void reweigh(const Parameters& changed);
-    /// Whether water is there, or may come in the next tick.
-    bool has_water() const;
-    void add_water();
     void fill_sea_now();
     /// A sea level that is set again at once takes the place of the one before, and its water with it.
     void withdraw_sea(const std::string& level);
     void begin_tick();
 
     Terrain terrain_;
-    Brush brush_;
-    Thermal thermal_;
-    std::unique_ptr<Water> water_;             // none: no water was ever here
-    std::unique_ptr<WaterBrush> water_brush_;  // with it
-    std::unique_ptr<Inundation> inundation_;   // with it
-    std::unique_ptr<ErodeBrush> erode_brush_;  // none: nothing was eroded by hand
-    Paint paint_;
-    Mask mask_;
-    gpu::Texture stamp_texture_;  // of stamp_there_
-    std::shared_ptr<const Stamp> stamp_there_;
+    std::vector<std::unique_ptr<Pass>> passes_;
     int terrain_number_ = 0;
-    bool rain_painted_ = false;       // once, though it may have been undone
     std::unique_ptr<Ledger> ledger_;  // since the sea was filled
     Moment moment_;
     Journal journal_;
@@ -148,7 +131,7 @@ class Simulation {
     bool keeps_undo_;
     // The ledger that was asked for, as it stood then.
     struct AskedLedger {
-        std::vector<gpu::Buffer> books;
+        BookCopies books;
         gpu::Readback sums;
         SolidWeights weights;
         double sea_m3 = 0;
@@ -160,10 +143,7 @@ class Simulation {
     AskedLedger asked_;
 
     bool in_tick_ = false;
-    int thermal_left_ = 0;  // sub-steps of this tick
-    std::uint64_t thermal_sent_ = 0;
-    ThermalStep step_;
-    bool water_begun_ = false;
+    std::size_t pass_ = 0;  // whose part of the tick it is
 };
 
 }  // namespace talus

@@ -1,8 +1,6 @@
 #include "sim/simulation_parameters.h"
 
-#include "sim/passes/sediment_settings.h"
-#include "sim/passes/thermal_settings.h"
-#include "sim/passes/water_settings.h"
+#include "sim/passes/passes.h"
 #include "sim/terrain/generate.h"
 #include "sim/terrain/grid.h"
 
@@ -24,9 +22,8 @@ std::vector<Parameter> simulation_parameters() {
                "has just gone; bowl, Thacker's round wave; wave, a sea with a single wave on its way "
                "eastwards; cloudburst, a quarter of a metre everywhere."),
         number("time.tick_s", 1.0 / 60, 1e-6, 1e9, "s", "Simulated time of one tick.")};
-    declare(all, thermal_parameters());
-    declare(all, sediment_parameters());
-    declare(all, water_parameters());
+    for (const PassKind& kind : pass_kinds())
+        all.insert(all.end(), kind.parameters.begin(), kind.parameters.end());
     return all;
 }
 

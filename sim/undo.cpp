@@ -1,33 +1,21 @@
 #include "sim/undo.h"
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 #include <numeric>
 #include <utility>
 
 namespace talus {
-namespace {
-
-std::vector<gpu::Buffer> copies_of(const Books& books) {
-    std::vector<gpu::Buffer> copies;
-    copies.reserve(books.size());
-    for (const gpu::Buffer* book : books) copies.emplace_back("undo books", book->bytes()).copy_from(*book);
-    return copies;
-}
-
-}  // namespace
-
 std::size_t Undo::Entry::bytes() const {
     // Parameters and what else every entry has.
     constexpr std::size_t moment_bytes = 16U << 10U;
-    std::size_t total = moment_bytes + changes.bytes() + (terrain ? terrain->bytes() : 0);
-    for (const gpu::Buffer& book : books) total += book.bytes();
-    return total;
+    return moment_bytes + changes.bytes() + snapshot.books.bytes() +
+           (snapshot.terrain ? snapshot.terrain->bytes() : 0);
 }
 
-void Undo::open(std::string name, Terrain& terrain, const Books& books, const Journal& journal,
-                Moment before) {
-    done_.push_back({std::move(name), {}, {}, {}, copies_of(books), std::move(before), journal.mark(), {}});
+void Undo::open(std::string name, Terrain& terrain, const Journal& journal, Snapshot before) {
+    done_.push_back({std::move(name), {}, {}, std::move(before), journal.mark(), {}});
     dropped_ = std::exchange(undone_, {});
     open_ = true;
     all_kept_ = false;
@@ -35,7 +23,8 @@ void Undo::open(std::string name, Terrain& terrain, const Books& books, const Jo
 }
 
 bool Undo::extends(const std::string& name) {
-    if (done_.empty() || done_.back().name != name || !done_.back().changes.empty() || done_.back().terrain)
+    if (done_.empty() || done_.back().name != name || !done_.back().changes.empty() ||
+        done_.back().snapshot.terrain)
         return false;
     undone_.clear();
     return true;
@@ -48,7 +37,7 @@ void Undo::set_capacity(std::size_t bytes) {
 
 void Undo::keep(Terrain& terrain, const std::vector<int>& tiles) {
     Entry& entry = done_.back();
-    if (entry.terrain) return;
+    if (entry.snapshot.terrain) return;
     for (const int tile : tiles)
         if (!entry.kept.contains(tile)) entry.kept.emplace(tile, copy_tile(terrain, tile));
 }
@@ -62,7 +51,7 @@ void Undo::keep_all(Terrain& terrain) {
 }
 
 void Undo::keep_terrain(PackedTerrain before) {
-    done_.back().terrain = std::move(before);
+    done_.back().snapshot.terrain = std::move(before);
 }
 
 void Undo::close(Terrain& terrain, const Journal& journal) {
@@ -136,42 +125,27 @@ std::size_t Undo::bytes() const {
     return total;
 }
 
-void Undo::swap(Entry& entry, Terrain& terrain, const std::function<Books()>& books, Moment& now,
-                const ExchangeTerrain& exchange) {
-    std::vector<gpu::Buffer> present = copies_of(books());
-    if (entry.terrain)
-        entry.terrain = exchange(*entry.terrain);
-    else
-        entry.changes.apply(terrain);
-    const Books anew = books();
-    for (std::size_t i = 0; i < anew.size(); ++i) {
-        // A book that was begun after the act held nothing yet.
-        if (i < entry.books.size())
-            anew[i]->copy_from(entry.books[i]);
-        else
-            anew[i]->fill(0);
-    }
-    std::swap(entry.books, present);
-    std::swap(entry.moment, now);
-}
-
-void Undo::undo(Terrain& terrain, const std::function<Books()>& books, Journal& journal, Moment& now,
-                const ExchangeTerrain& exchange) {
+Snapshot Undo::undo(Terrain& terrain, Journal& journal, Snapshot now) {
     Entry& entry = done_.back();
-    swap(entry, terrain, books, now, exchange);
+    assert(entry.snapshot.terrain.has_value() == now.terrain.has_value());
+    if (!entry.snapshot.terrain) entry.changes.apply(terrain);
+    std::swap(entry.snapshot, now);
     entry.tail = journal.cut(entry.mark);
     undone_.push_back(std::move(entry));
     done_.pop_back();
+    return now;
 }
 
-void Undo::redo(Terrain& terrain, const std::function<Books()>& books, Journal& journal, Moment& now,
-                const ExchangeTerrain& exchange) {
+Snapshot Undo::redo(Terrain& terrain, Journal& journal, Snapshot now) {
     Entry& entry = undone_.back();
-    swap(entry, terrain, books, now, exchange);
+    assert(entry.snapshot.terrain.has_value() == now.terrain.has_value());
+    if (!entry.snapshot.terrain) entry.changes.apply(terrain);
+    std::swap(entry.snapshot, now);
     journal.restore(entry.mark, entry.tail);
     entry.tail.clear();
     done_.push_back(std::move(entry));
     undone_.pop_back();
+    return now;
 }
 
 }  // namespace talus

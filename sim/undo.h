@@ -1,36 +1,25 @@
 #pragma once
 #include <deque>
-#include <functional>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "sim/book_copies.h"
 #include "sim/journal.h"
-#include "sim/ledger.h"
+#include "sim/moment.h"
 #include "sim/packed_terrain.h"
-#include "sim/parameters.h"
 #include "sim/terrain/terrain.h"
 #include "sim/tile_changes.h"
 
 namespace talus {
 
-/// What undo restores besides the layers.
-struct Moment {
-    Clock clock;
-    Parameters parameters;
-    std::vector<Spring> springs;
-    double edges_since_s = 0;
-    double sea_m3 = 0;     ///< water that sea levels brought so far
-    double booked_m3 = 0;  ///< solid that changes of porosity and acceleration, and blurs, brought so far
-    LedgerStart ledger;    ///< what it counts from
-    std::optional<Georeference> georeference;
-    std::shared_ptr<const Stamp> stamp;  ///< what dabs of a stamp press; none: nothing was chosen
+/// A simulation beside its layers, and where an act put another terrain in its place, with these.
+struct Snapshot {
+    BookCopies books;
+    Moment moment;
+    std::optional<PackedTerrain> terrain;
 };
-
-/// Books of what passes brought and took, on the device. New ones may be added at the end.
-using Books = std::vector<gpu::Buffer*>;
 
 /// Undo and redo. An entry keeps what an act changed, tile by tile, packed; or, where another terrain took
 /// the place of the one before, the whole of that one. The newest entries that fit into the cap stay.
@@ -40,7 +29,7 @@ class Undo {
     explicit Undo(std::size_t capacity_bytes) : capacity_bytes_(capacity_bytes) {}
 
     /// Opens an entry; what could be redone is dropped when it closes. No entry may be open.
-    void open(std::string name, Terrain& terrain, const Books& books, const Journal& journal, Moment before);
+    void open(std::string name, Terrain& terrain, const Journal& journal, Snapshot before);
     bool is_open() const { return open_; }
     /// True when the newest entry has this name and keeps no tiles, so that another change of the same
     /// parameter belongs to it; what could be redone is dropped then.
@@ -71,14 +60,14 @@ class Undo {
     /// first.
     std::vector<std::string> done() const;
     std::vector<std::string> undone() const;
-    /// Puts the packed terrain in place of the present one and gives that one back.
-    using ExchangeTerrain = std::function<PackedTerrain(const PackedTerrain&)>;
-    /// Both swap the terrain, the books and the moment with the entry's, and cut or restore the
-    /// journal. `books` is asked for after a terrain was exchanged.
-    void undo(Terrain& terrain, const std::function<Books()>& books, Journal& journal, Moment& now,
-              const ExchangeTerrain& exchange);
-    void redo(Terrain& terrain, const std::function<Books()>& books, Journal& journal, Moment& now,
-              const ExchangeTerrain& exchange);
+    /// What undo() or redo() would give back.
+    const Snapshot& before() const { return done_.back().snapshot; }
+    const Snapshot& after() const { return undone_.back().snapshot; }
+    /// Puts the tiles back that the act changed, cuts or restores the journal, and gives back the rest as it
+    /// was, which is the caller's to put back: the other terrain too, where there is one. `now`: the present
+    /// one, with the terrain where that gives one back.
+    Snapshot undo(Terrain& terrain, Journal& journal, Snapshot now);
+    Snapshot redo(Terrain& terrain, Journal& journal, Snapshot now);
 
     /// Memory of all closed entries; the newest one counts as it came until it is packed.
     std::size_t bytes() const;
@@ -88,15 +77,11 @@ class Undo {
         std::string name;
         std::map<int, KeptTile> kept;  // as they were, while the entry is open
         TileChanges changes;           // of a closed one
-        std::optional<PackedTerrain> terrain;
-        std::vector<gpu::Buffer> books;
-        Moment moment;
-        Journal::Mark mark;           // before the act
-        std::vector<Operation> tail;  // of the journal, while undone
+        Snapshot snapshot;             // before the act; while undone, after it
+        Journal::Mark mark;            // before the act
+        std::vector<Operation> tail;   // of the journal, while undone
         std::size_t bytes() const;
     };
-    void swap(Entry& entry, Terrain& terrain, const std::function<Books()>& books, Moment& now,
-              const ExchangeTerrain& exchange);
     void trim();
 
     std::size_t capacity_bytes_;

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "sim/ledger.h"
-#include "sim/passes/brush.h"
 #include "sim/passes/thermal.h"
 
 namespace talus {
@@ -99,7 +98,6 @@ ConeError collapsed_column(int n, double column_radius_m, double height_m) {
     Thermal thermal(terrain);
     Ledger ledger(terrain);
     const LedgerStart begin = ledger.begin(terrain, {});
-    const Brush brush(terrain);
     const ThermalStep step = thermal_step(grid, {33, 0.25}, 1, 1);
     cone.ticks = static_cast<int>(2 * radius * radius);
     for (int i = 0; i < cone.ticks; ++i) thermal.substep(terrain, step);
@@ -129,9 +127,7 @@ ConeError collapsed_column(int n, double column_radius_m, double height_m) {
     cone.peak_m = at(middle, middle);
     ledger.sum(terrain);
     cone.ledger_of_moved =
-        ledger
-            .reading(begin, ledger.tile_sums().read_all<glm::dvec4>(), {}, brush.books, {}, glm::dvec2(0), 0)
-            .closing_error_of_moved();
+        ledger.reading(begin, ledger.tile_sums().read_all<glm::dvec4>(), {}, {}).closing_error_of_moved();
     return cone;
 }
 

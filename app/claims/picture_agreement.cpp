@@ -10,6 +10,7 @@
 #include "render/overview.h"
 #include "render/survey.h"
 #include "sim/gpu/error.h"
+#include "sim/passes/brush.h"
 #include "sim/simulation.h"
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"

@@ -69,7 +69,7 @@ void draw_map_panel(PanelContext& context) {
                session.simulation().stamp() != nullptr)) {
         Parameters tool = view;
         tool.set("brush.tool", std::string("stamp"));
-        Dab dab = tool_dab(tool, {}, session.bounds().x, 0, session.simulation().stamp());
+        Dab dab = tool_dab(tool, {}, session.bounds().x, 0, session.simulation().stamp().get());
         // Whatever its zero is, its lowest sample comes to where the terrain's was.
         dab.target_m += dab.stamp.zero * dab.amount_m;
         const Grid& grid = session.grid();

@@ -13,7 +13,7 @@ std::string key_of(std::size_t tool) {
 }
 
 void draw_stamp(PanelContext& context) {
-    const Stamp* stamp = context.session.simulation().stamp();
+    const Stamp* stamp = context.session.simulation().stamp().get();
     if (stamp)
         ImGui::TextWrapped("%s", fmt::format("{} × {} samples, {} × {} m, {} m high", stamp->grid.nx,
                                              stamp->grid.ny, figure(stamp->grid.width_m(), 4),

@@ -8,6 +8,7 @@
 
 #include "sim/gpu/buffer.h"
 #include "sim/gpu/handle.h"
+#include "sim/gpu/region.h"
 
 namespace talus::gpu {
 
@@ -22,14 +23,6 @@ enum class Access { read, write, read_write };
 
 /// Bytes of one texel.
 std::size_t texel_bytes(Format format);
-
-/// A rectangle of texels: corner, size.
-struct Region {
-    int x = 0;
-    int y = 0;
-    int width = 0;
-    int height = 0;
-};
 
 /// A two-dimensional image on the device, with mip levels where asked for; texels beyond the edge read the
 /// edge's.

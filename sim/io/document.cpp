@@ -10,8 +10,8 @@
 #include "sim/gpu/error.h"
 #include "sim/io/endings.h"
 #include "sim/io/picture.h"
-#include "sim/passes/water.h"
 #include "sim/terrain/layers.h"
+#include "sim/terrain/springs.h"
 
 namespace talus {
 namespace {

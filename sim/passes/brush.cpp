@@ -7,8 +7,6 @@
 #include <utility>
 
 #include "sim/passes/dab_fields.h"
-#include "sim/passes/erode_brush.h"
-#include "sim/passes/paint.h"
 
 namespace talus {
 
@@ -38,18 +36,6 @@ DabStep dab_step(const Grid& grid, const Dab& dab, glm::ivec2 stamp_samples) {
     step.stamp_rows = glm::dvec2(std::sin(turn), std::cos(turn)) * a_metre.y;
     step.stamp_zero = static_cast<float>(dab.stamp.zero);
     return step;
-}
-
-gpu::Region dab_region(const Grid& grid, const Dab& dab) {
-    if (dab.mode == BrushMode::erode) return erode_window(grid, dab);
-    const auto whole = [](double v) { return static_cast<int>(std::clamp(v, -1e6, 1e6)); };
-    const glm::dvec2 low = glm::min(glm::dvec2(0), dab.way_m) - dab.radius_m;
-    const glm::dvec2 high = glm::max(glm::dvec2(0), dab.way_m) + dab.radius_m;
-    const int x0 = whole(std::ceil(grid.column_of(dab.x_m + low.x)));
-    const int x1 = whole(std::floor(grid.column_of(dab.x_m + high.x)));
-    const int y0 = whole(std::ceil(grid.row_of(dab.y_m + high.y)));
-    const int y1 = whole(std::floor(grid.row_of(dab.y_m + low.y)));
-    return {x0, y0, x1 - x0 + 1, y1 - y0 + 1};
 }
 
 TileBlock tile_block(const Tiles& tiles, const std::vector<int>& touched) {
@@ -99,8 +85,19 @@ struct SetUniform {
 }  // namespace
 
 Brush::Brush(const Terrain& terrain)
-    : books("brush books", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(glm::dvec4)) {
-    books.fill(0);
+    : book_("brush books", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(glm::dvec4)) {
+    book_.fill(0);
+}
+
+Book Brush::book() {
+    return {"ground brush", &book_,
+            [](const gpu::Buffer& words, const Grid& grid, const SolidWeights& weights, BudgetTerms& terms) {
+                const double area_m2 = grid.dx * grid.dy;
+                for (const glm::dvec4& tile : words.read_all<glm::dvec4>()) {
+                    terms.solid_in_m3 += (tile.x + weights.regolith * tile.z) * area_m2;
+                    terms.solid_out_m3 += (tile.y + weights.regolith * tile.w) * area_m2;
+                }
+            }};
 }
 
 gpu::Program& Brush::program_of(BrushMode mode) {
@@ -123,7 +120,7 @@ void Brush::run(Terrain& terrain, const Dab& dab, Set&& set) {
     if (low.x > high.x || low.y > high.y) return;
     gpu::Program& program = program_of(dab.mode);
     terrain.bind(program);
-    books.bind_storage(1);
+    book_.bind_storage(1);
     const TileBlock block = tile_block(terrain.tiles, tiles);
     program.set("first_tile", block.first);
     program.set("dab_low", low);

@@ -2,9 +2,11 @@
 #include <map>
 #include <vector>
 
+#include "sim/budget.h"
 #include "sim/gpu/buffer.h"
 #include "sim/gpu/program.h"
 #include "sim/passes/dab.h"
+#include "sim/passes/dab_region.h"
 #include "sim/terrain/terrain.h"
 
 namespace talus {
@@ -31,9 +33,6 @@ struct DabStep {
 /// `stamp_samples`: columns and rows of the stamp, for a dab of it.
 DabStep dab_step(const Grid& grid, const Dab& dab, glm::ivec2 stamp_samples = {2, 2});
 
-/// The samples that a dab can change; may reach beyond the terrain.
-gpu::Region dab_region(const Grid& grid, const Dab& dab);
-
 /// A rectangle of tiles: the first one, and how many across and down.
 struct TileBlock {
     glm::ivec2 first;
@@ -56,8 +55,8 @@ class Brush {
     /// that a metre of its load becomes; 0: the load stays on its way.
     void take_over(Terrain& terrain, const Dab& dab, const Terrain& eroded, double settled);
 
-    /// Metres of bedrock in and out, and of regolith, four doubles a tile.
-    gpu::Buffer books;
+    /// Of solid that came and went.
+    Book book();
 
   private:
     gpu::Program& program_of(BrushMode mode);
@@ -65,6 +64,7 @@ class Brush {
     template <typename Set>
     void run(Terrain& terrain, const Dab& dab, Set&& set);
 
+    gpu::Buffer book_;  // metres of bedrock in and out, and of regolith, four doubles a tile
     std::map<BrushMode, gpu::Program> programs_;
 };
 

@@ -25,22 +25,6 @@ constexpr double steepest_bedrock_deg = 45;
 
 }  // namespace
 
-gpu::Region erode_window(const Grid& grid, const Dab& dab) {
-    // Half a radius beside the brush, and room for the solver's neighbours.
-    const auto half = [&](double spacing_m) {
-        return static_cast<int>(std::min(std::ceil(1.5 * dab.radius_m / spacing_m) + 2, 1e6));
-    };
-    const auto side = [](int half_side, int count) { return std::min(2 * half_side + 1, count); };
-    const auto first = [](double at, int half_side, int size, int count) {
-        const double middle = std::clamp(std::round(at), -1e6, 1e6);
-        return std::clamp(static_cast<int>(middle) - half_side, 0, count - size);
-    };
-    const int width = side(half(grid.dx), grid.nx);
-    const int height = side(half(grid.dy), grid.ny);
-    return {first(grid.column_of(dab.x_m), half(grid.dx), width, grid.nx),
-            first(grid.row_of(dab.y_m), half(grid.dy), height, grid.ny), width, height};
-}
-
 int erode_substeps(const Grid& grid, const Dab& dab) {
     const double needed = dab.erode.time_s * fastest_m_per_s * inverse_cells(grid) / courant;
     return static_cast<int>(std::clamp(std::ceil(needed), 1.0, 1024.0));

@@ -9,10 +9,6 @@
 
 namespace talus {
 
-/// The samples that an erode dab works on, within the map: a square around it, wide enough for what it takes
-/// to settle beside it. As large wherever the dab is.
-gpu::Region erode_window(const Grid& grid, const Dab& dab);
-
 /// Sub-steps of water that an erode dab is given: enough for its time where nothing is faster than 5 m/s;
 /// else less time passes. A number of its own asks the device for nothing.
 int erode_substeps(const Grid& grid, const Dab& dab);

@@ -1,36 +1,6 @@
 #include "sim/passes/mask.h"
 
-#include <fmt/format.h>
-
-#include "sim/gpu/error.h"
-
 namespace talus {
-
-const std::vector<std::string>& mask_source_names() {
-    static const std::vector<std::string> names = {"height", "slope",  "curvature",
-                                                   "depth",  "itself", "everything"};
-    return names;
-}
-
-const std::vector<std::string>& mask_join_names() {
-    static const std::vector<std::string> names = {"replace", "add", "intersect", "subtract"};
-    return names;
-}
-
-void check_mask(const MaskSettings& settings) {
-    const std::string& name = mask_source_names()[static_cast<std::size_t>(settings.source)];
-    constexpr double most = 1e6;
-    const bool slope = settings.source == MaskSource::slope;
-    if (slope && !(settings.low >= 0 && settings.high <= 90))
-        throw Error(fmt::format("a mask by slope cannot go from {} to {} degrees, it must lie within 0 to 90",
-                                settings.low, settings.high));
-    if (!(settings.low >= -most && settings.high <= most && settings.low <= settings.high))
-        throw Error(fmt::format("a mask by {} cannot go from {} to {}, the first must be the lower one", name,
-                                settings.low, settings.high));
-    if (!(settings.fade >= 0 && settings.fade <= most))
-        throw Error(
-            fmt::format("a mask by {} cannot fade over {}, it must be 0 to {}", name, settings.fade, most));
-}
 
 void Mask::make(Terrain& terrain, const MaskSettings& settings) {
     const Grid& grid = terrain.grid();

@@ -3,6 +3,7 @@
 namespace talus {
 
 void Paint::dab(Terrain& terrain, const Dab& dab) {
+    if (dab.material == Material::rain) terrain.rain_painted = true;
     const std::vector<int> reached = terrain.tiles.touched_by(dab_region(terrain.grid(), dab));
     if (reached.empty()) return;
     terrain.add(&Terrain::painted);

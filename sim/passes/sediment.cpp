@@ -32,6 +32,17 @@ Sediment::Sediment(const Grid& grid)
     edge_books.fill(0);
 }
 
+Book Sediment::book() {
+    return {"sediment edges", &edge_books,
+            [](const gpu::Buffer& words, const Grid& grid, const SolidWeights&, BudgetTerms& terms) {
+                const double area_m2 = grid.dx * grid.dy;
+                glm::dvec2 metres(0);
+                for (const glm::dvec2& sample : words.read_all<glm::dvec2>()) metres += sample;
+                terms.solid_edges_in_m3 += metres.x * area_m2;
+                terms.solid_edges_out_m3 += metres.y * area_m2;
+            }};
+}
+
 void Sediment::exchange(Terrain& terrain, const SedimentStep& step, double gravity_m_per_s2, int eulers,
                         const gpu::Buffer& list) {
     gpu::Program& program = terrain.painted ? painted_program_ : program_;

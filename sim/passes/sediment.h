@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 
+#include "sim/budget.h"
 #include "sim/gpu/buffer.h"
 #include "sim/gpu/program.h"
 #include "sim/passes/sediment_settings.h"
@@ -39,6 +40,9 @@ class Sediment {
     /// clock's spans.
     void exchange(Terrain& terrain, const SedimentStep& step, double gravity_m_per_s2, int eulers,
                   const gpu::Buffer& list);
+
+    /// Of solid that passed the edges.
+    Book book();
 
     /// Metres of solid in and out round the map, as they count for the bed, pairs of doubles.
     gpu::Buffer edge_books;

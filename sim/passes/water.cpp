@@ -257,7 +257,7 @@ void Water::substep(Terrain& terrain) {
     if (carried) sediment_.exchange(terrain, sediment, settings_.gravity_m_per_s2, eulers, active_.buffer);
 }
 
-bool Water::advance(Terrain& terrain, int substeps) {
+bool Water::advance(Terrain& terrain, int& substeps) {
     while (true) {
         if (!poll_.pending()) {
             if (substeps <= 0) return false;
@@ -284,25 +284,40 @@ double Water::time_left_s() const {
     return left_s;
 }
 
-WaterBooks Water::read_books(const gpu::Buffer& clock, const gpu::Buffer& edges, const gpu::Buffer& sources,
-                             const Grid& grid) {
-    const double area = grid.dx * grid.dy;
-    const DeviceClock read = read_clock(clock);
-    WaterBooks books;
-    books.rain_m3 = read.rain_m * area * static_cast<double>(grid.count());
-    books.springs_m3 = read.springs_m * area;
-    for (const glm::dvec2& sample : edges.read_all<glm::dvec2>()) {
-        books.edges_in_m3 += sample.x * area;
-        books.edges_out_m3 += sample.y * area;
-    }
-    for (const glm::dvec2& strip : sources.read_all<glm::dvec2>()) {
-        books.losses_m3 += strip.x * area;
-        books.rain_m3 += strip.y * area;
-    }
-    return books;
+std::vector<Book> Water::books() {
+    return {{"water clock", &clock_,
+             [](const gpu::Buffer& words, const Grid& grid, const SolidWeights&, BudgetTerms& terms) {
+                 const DeviceClock clock = read_clock(words);
+                 const double area_m2 = grid.dx * grid.dy;
+                 terms.water.rain_m3 += clock.rain_m * area_m2 * static_cast<double>(grid.count());
+                 terms.water.springs_m3 += clock.springs_m * area_m2;
+             }},
+            {"water edges", &edge_books_,
+             [](const gpu::Buffer& words, const Grid& grid, const SolidWeights&, BudgetTerms& terms) {
+                 const double area_m2 = grid.dx * grid.dy;
+                 for (const glm::dvec2& sample : words.read_all<glm::dvec2>()) {
+                     terms.water.edges_in_m3 += sample.x * area_m2;
+                     terms.water.edges_out_m3 += sample.y * area_m2;
+                 }
+             }},
+            {"water sources", &sources_,
+             [](const gpu::Buffer& words, const Grid& grid, const SolidWeights&, BudgetTerms& terms) {
+                 const double area_m2 = grid.dx * grid.dy;
+                 for (const glm::dvec2& strip : words.read_all<glm::dvec2>()) {
+                     terms.water.losses_m3 += strip.x * area_m2;
+                     terms.water.rain_m3 += strip.y * area_m2;
+                 }
+             }},
+            sediment_.book()};
 }
 
-Water::Work Water::work() const {
+WaterBooks Water::read_books(const Grid& grid) {
+    BudgetTerms terms;
+    for (const Book& book : books()) book.add(*book.words, grid, {}, terms);
+    return terms.water;
+}
+
+PassWork Water::work() const {
     const DeviceClock clock = read_clock(clock_);
     return {static_cast<std::uint64_t>(clock.substeps), static_cast<std::uint64_t>(clock.listed)};
 }

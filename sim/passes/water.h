@@ -6,25 +6,12 @@
 #include "sim/gpu/buffer.h"
 #include "sim/gpu/program.h"
 #include "sim/gpu/readback.h"
+#include "sim/passes/pass_work.h"
 #include "sim/passes/sediment.h"
 #include "sim/passes/water_settings.h"
 #include "sim/terrain/terrain.h"
 
 namespace talus {
-
-/// Where the water came from and went, m³ since the start.
-struct WaterBooks {
-    double rain_m3 = 0;
-    double springs_m3 = 0;
-    double edges_in_m3 = 0;
-    double edges_out_m3 = 0;
-    double losses_m3 = 0;  ///< by infiltration and evaporation
-    double sea_m3 = 0;
-    double brush_in_m3 = 0;
-    double brush_out_m3 = 0;
-    double in_m3() const { return rain_m3 + springs_m3 + edges_in_m3 + sea_m3 + brush_in_m3; }
-    double out_m3() const { return edges_out_m3 + losses_m3 + brush_out_m3; }
-};
 
 /// Moves the water: conservative shallow-water equations in second order (docs/numerics.md, "Water"), by
 /// sub-steps whose length is found on the device from the fastest wave. Only tiles whose water moves, and
@@ -43,29 +30,20 @@ class Water {
                     double tick_s, double start_s);
     /// The next sub-step; nothing after the tick's time is over.
     void substep(Terrain& terrain);
-    /// Runs up to `substeps` of the present tick and says whether its time is over, without waiting for the
-    /// device: where its answer is not there yet, no.
-    bool advance(Terrain& terrain, int substeps);
+    /// Runs up to `substeps` of the present tick, takes those that it ran from them, and says whether the
+    /// tick's time is over. Does not wait for the device: where its answer is not there yet, it is not over.
+    bool advance(Terrain& terrain, int& substeps);
     /// Of the present tick. Waits for the device.
     double time_left_s() const;
     /// Sub-steps that were sent to the device so far, those after a tick's end included. Does not wait.
     std::uint64_t sent() const { return sent_; }
 
     /// Waits for the device. Without what sea and brushes placed.
-    WaterBooks read_books(const Grid& grid) const { return read_books(clock_, edge_books_, sources_, grid); }
-    /// The same from copies of the first three of books().
-    static WaterBooks read_books(const gpu::Buffer& clock, const gpu::Buffer& edges,
-                                 const gpu::Buffer& sources, const Grid& grid);
-    /// Sub-steps so far, and tiles computed in them together. Waits for the device.
-    struct Work {
-        std::uint64_t substeps = 0;
-        std::uint64_t tiles = 0;
-    };
-    Work work() const;
+    WaterBooks read_books(const Grid& grid);
+    PassWork work() const;
 
-    /// The books, for undo and the ledger: clock, edges, sources, and metres of solid that passed the edges,
-    /// in and out, as they count for the bed.
-    std::vector<gpu::Buffer*> books() { return {&clock_, &edge_books_, &sources_, &sediment_.edge_books}; }
+    /// Of the clock, edges, sources, and of solid that passed the edges.
+    std::vector<Book> books();
 
   private:
     gpu::Program& stage_program(int stage);

@@ -3,9 +3,20 @@
 namespace talus {
 
 WaterBrush::WaterBrush(const Terrain& terrain)
-    : books("water brush books", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(glm::dvec2)),
+    : book_("water brush books", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(glm::dvec2)),
       program_("sim/water_brush.comp") {
-    books.fill(0);
+    book_.fill(0);
+}
+
+Book WaterBrush::book() {
+    return {"water brush", &book_,
+            [](const gpu::Buffer& words, const Grid& grid, const SolidWeights&, BudgetTerms& terms) {
+                const double area_m2 = grid.dx * grid.dy;
+                for (const glm::dvec2& tile : words.read_all<glm::dvec2>()) {
+                    terms.water.brush_in_m3 += tile.x * area_m2;
+                    terms.water.brush_out_m3 += tile.y * area_m2;
+                }
+            }};
 }
 
 void WaterBrush::dab(Terrain& terrain, const Dab& dab) {
@@ -13,7 +24,7 @@ void WaterBrush::dab(Terrain& terrain, const Dab& dab) {
     if (tiles.empty()) return;
     terrain.water->front.bind_image(0, gpu::Access::read_write);
     terrain.tiles.bind_for_stamping(program_);
-    books.bind_storage(1);
+    book_.bind_storage(1);
     set_dab(program_, terrain, dab, 1);
     const TileBlock block = tile_block(terrain.tiles, tiles);
     program_.set("first_tile", block.first);

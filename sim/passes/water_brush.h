@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/budget.h"
 #include "sim/gpu/buffer.h"
 #include "sim/gpu/program.h"
 #include "sim/passes/brush.h"
@@ -13,10 +14,11 @@ class WaterBrush {
     /// Raise adds depth, lower takes it. The terrain must have a water layer.
     void dab(Terrain& terrain, const Dab& dab);
 
-    /// Metres of depth in and out, a pair of doubles a tile.
-    gpu::Buffer books;
+    /// Of water that came and went.
+    Book book();
 
   private:
+    gpu::Buffer book_;  // metres of depth in and out, a pair of doubles a tile
     gpu::Program program_;
 };
 

@@ -1,12 +1,8 @@
 #include "sim/passes/water_settings.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "sim/gpu/error.h"
 
 namespace talus {
 namespace {
@@ -35,6 +31,18 @@ const std::string& boundary_parameter(Edge edge) {
     static const std::array<std::string, 4> names = {"water.boundary.north", "water.boundary.south",
                                                      "water.boundary.west", "water.boundary.east"};
     return names[static_cast<std::size_t>(edge)];
+}
+
+void turn_edges(Parameters& parameters, int quarters) {
+    // What was east is north after a quarter.
+    constexpr std::array around = {Edge::east, Edge::north, Edge::west, Edge::south};
+    const Parameters before = parameters;
+    const auto turned = static_cast<std::size_t>((quarters % 4 + 4) % 4);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Value& from = before.value(boundary_parameter(around[i]));
+        const std::string& to = boundary_parameter(around[(i + turned) % 4]);
+        if (from != before.value(to)) parameters.set(to, from);
+    }
 }
 
 const std::vector<BoundParameter<WaterSettings>>& water_parameters() {
@@ -130,17 +138,6 @@ WaterSettings water_settings_of(const Parameters& parameters) {
 const std::vector<std::string>& edge_kinds() {
     static const std::vector<std::string> kinds = {"wall", "open", "level", "inflow", "wave", "periodic"};
     return kinds;
-}
-
-void check_spring(const Grid& grid, const Spring& spring) {
-    const std::string text = fmt::format("spring at {},{}", spring.x_m, spring.y_m);
-    if (!(spring.x_m >= 0 && spring.x_m <= grid.width_m() && spring.y_m >= 0 &&
-          spring.y_m <= grid.height_m()))
-        throw Error(fmt::format("{} m lies off the map, it must lie within 0,0 and {},{} m", text,
-                                grid.width_m(), grid.height_m()));
-    if (!(spring.rate_m3_per_s >= 0 && spring.rate_m3_per_s <= 1e9))
-        throw Error(
-            fmt::format("{} m cannot give {} m³/s, its rate must be 0 to 1e9", text, spring.rate_m3_per_s));
 }
 
 double inflow_at(const WaterSettings& settings, double time_s) {

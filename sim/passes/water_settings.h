@@ -43,9 +43,6 @@ struct WaterSettings {
     bool skips_rest = true;  ///< false: every tile every sub-step, to compare with (law 2)
 };
 
-/// Throws talus::Error when a spring lies off the map, or its rate is not 0 to 1e9 m³/s.
-void check_spring(const Grid& grid, const Spring& spring);
-
 /// Inflow over all inflow edges at a time since the start, m³/s.
 double inflow_at(const WaterSettings& settings, double time_s);
 
@@ -69,5 +66,7 @@ const std::vector<BoundParameter<WaterSettings>>& water_parameters();
 WaterSettings water_settings_of(const Parameters& parameters);
 /// The parameter that says what is beyond an edge.
 const std::string& boundary_parameter(Edge edge);
+/// The kinds of the edges go with a map that turns by quarters of a circle, counterclockwise.
+void turn_edges(Parameters& parameters, int quarters);
 
 }  // namespace talus

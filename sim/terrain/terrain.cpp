@@ -36,6 +36,9 @@ Terrain::Terrain(const TerrainState& state)
     write_solid(state);
     for (const LayerDescription& layer : layers())
         if (layer.is_optional()) write(layer.image, state);
+    constexpr auto rain = static_cast<int>(PaintedLayer::rain);
+    rain_painted = std::any_of(state.painted.begin(), state.painted.end(),
+                               [](const glm::vec4& texel) { return texel[rain] > 0; });
 }
 
 void Terrain::add(std::optional<DeviceLayer> Terrain::*image) {

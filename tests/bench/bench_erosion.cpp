@@ -8,6 +8,7 @@
 #include "app/claims/water_scenes.h"
 #include "app/report.h"
 #include "render/renderer.h"
+#include "sim/passes/thermal.h"
 #include "sim/passes/water_twin.h"
 #include "sim/simulation.h"
 #include "sim/simulation_parameters.h"
@@ -191,7 +192,7 @@ void bench_erosion(double patch_pixels) {
     std::vector<Contestant> contestants;
     std::vector<double> before;
     for (const auto& simulation : cases) {
-        before.push_back(static_cast<double>(simulation->water_work().substeps));
+        before.push_back(static_cast<double>(simulation->work("water").substeps));
         contestants.push_back({"", [s = simulation.get()] { s->apply(Ticks{1}); }});
     }
     constexpr int rounds = 9;
@@ -199,7 +200,8 @@ void bench_erosion(double patch_pixels) {
     std::vector<double> each;
     std::vector<double> substeps;
     for (std::size_t i = 0; i < seconds.size(); ++i) {
-        substeps.push_back((static_cast<double>(cases[i]->water_work().substeps) - before[i]) / (rounds + 1));
+        substeps.push_back((static_cast<double>(cases[i]->work("water").substeps) - before[i]) /
+                           (rounds + 1));
         each.push_back(seconds[i] / substeps[i]);
     }
     fmt::print("{}², a tick of half a second by sub-steps\n", n);

@@ -95,7 +95,7 @@ void check(const Stress& stress, const std::string& name) {
         "{:<44} {:>6} sub-steps, eroded {:.2e} m3, closing error {:.1e} of it, tallest spike {:.1f} m of "
         "{:.1f}, "
         "variation {:.4f} of the start\n",
-        name, simulation.water_work().substeps, ledger.eroded_m3, ledger.closing_error_of_eroded(),
+        name, simulation.work("water").substeps, ledger.eroded_m3, ledger.closing_error_of_eroded(),
         tallest_spike(end), tallest_spike(stress.state), variation_of(end) / variation_of(stress.state));
     EXPECT_LE(ledger.closing_error_of_eroded(), 1e-5);
     EXPECT_LE(std::abs(ledger.water_drift_relative()), 1e-6);

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "sim/gpu/context.h"
+#include "sim/passes/water_settings.h"
 #include "sim/simulation.h"
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/gauge.h"
@@ -87,7 +88,7 @@ void check(const Stress& stress, const std::string& name) {
         most = std::max(most, energy_of(now));
     }
     const LedgerReading ledger = simulation.ledger();
-    const Water::Work work = simulation.water_work();
+    const PassWork work = simulation.work("water");
     fmt::print("{:<28} {:>6} sub-steps, drift {:+.1e}, energy at most {:.6f} of the start\n", name,
                work.substeps, ledger.water_drift_relative(), energy > 0 ? most / energy : 0);
     EXPECT_LE(std::abs(ledger.water_drift_relative()), stress.drift);

@@ -11,6 +11,7 @@
 #include "render/renderer.h"
 #include "sim/gpu/context.h"
 #include "sim/gpu/embedded_text.h"
+#include "sim/passes/stamp_image.h"
 #include "sim/simulation.h"
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"
@@ -98,7 +99,8 @@ TEST(Shaders, AreGlslForTheReferenceCompiler) {
         simulate_everything(simulation);
         Renderer renderer(simulation.terrain(), 8);
         Ring stamped;
-        const gpu::Texture& stamp = simulation.stamp_texture();
+        StampImage image;
+        const gpu::Texture& stamp = image.of(simulation.stamp());
         stamped.radius_m = 80;
         stamped.stamp = &stamp;
         renderer.draw(simulation.terrain(), overview(grid, 0, 300), {}, 64, 48, stamped);

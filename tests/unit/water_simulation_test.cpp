@@ -13,6 +13,7 @@
 #include "sim/gpu/context.h"
 #include "sim/gpu/error.h"
 #include "sim/io/document.h"
+#include "sim/passes/water_settings.h"
 #include "sim/preset.h"
 #include "sim/simulation.h"
 #include "sim/simulation_parameters.h"
@@ -233,7 +234,7 @@ TEST_P(EitherOrder, FrameRateReplayAndSavingMidwayChangeNoBit) {
     play(at_144, 10, 30, 1);
     EXPECT_EQ(hash_of(at_15), hash_of(at_30));
     EXPECT_EQ(hash_of(at_15), hash_of(at_144));
-    EXPECT_GT(at_15.water_work().substeps, 60U) << "ticks must have had several sub-steps";
+    EXPECT_GT(at_15.work("water").substeps, 60U) << "ticks must have had several sub-steps";
 
     // Through a file.
     Simulation first(coast(), parameters_here);

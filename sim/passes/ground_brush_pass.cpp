@@ -1,0 +1,69 @@
+#include <optional>
+
+#include "sim/gpu/error.h"
+#include "sim/passes/brush.h"
+#include "sim/passes/dab_region.h"
+#include "sim/passes/erode_brush.h"
+#include "sim/passes/passes.h"
+#include "sim/passes/stamp_image.h"
+
+namespace talus {
+namespace {
+
+// Dabs that change the ground.
+class GroundBrushPass : public Pass {
+  public:
+    explicit GroundBrushPass(const Terrain& terrain) : brush_(terrain) {}
+
+    std::string name() const override { return "ground brush"; }
+
+    void complete(Dab& dab, const Moment& at) const override {
+        if (dab.mode == BrushMode::erode && !(erode_ && erode_->is_going())) dab.erode.begins = true;
+        if (dab.mode == BrushMode::stamp && !at.stamp)
+            throw Error("there is no stamp yet: choose a file or a piece of the terrain first");
+    }
+
+    bool act(Terrain& terrain, const Moment& at, const PassAct& act) override {
+        const auto* dab = std::get_if<Dab>(&act);
+        if (!dab || dab->is_paint() || dab->is_water()) return false;
+        if (dab->mode == BrushMode::erode)
+            erode(terrain, at.parameters, *dab);
+        else if (!is_masked_out(terrain, *dab))
+            brush_.dab(terrain, *dab, dab->mode == BrushMode::stamp ? &stamp_.of(at.stamp) : nullptr);
+        return true;
+    }
+
+    // The water of an erode stroke belongs to acts that may be undone now.
+    void forget_act() override {
+        if (erode_) erode_->set_going(false);
+    }
+
+    std::vector<Book> books() override { return {brush_.book()}; }
+
+  private:
+    void erode(Terrain& terrain, Parameters parameters, const Dab& dab) {
+        if (!erode_) erode_.emplace();
+        parameters.set("erosion.on", true);
+        std::optional<ThermalSettings> thermal;
+        if (parameters.toggle("thermal.on")) thermal = thermal_settings(parameters);
+        const Terrain& eroded = erode_->erode(terrain, dab, water_settings_of(parameters), thermal);
+        const double settled =
+            dab.erode.ends ? dab.erode.acceleration * bulking_of(parameters.number("erosion.porosity")) : 0;
+        brush_.take_over(terrain, dab, eroded, settled);
+        erode_->set_going(!dab.erode.ends);
+    }
+
+    Brush brush_;
+    StampImage stamp_;
+    std::optional<ErodeBrush> erode_;  // none: nothing was eroded by hand
+};
+
+}  // namespace
+
+PassKind ground_brush_pass() {
+    return {[](const Terrain& terrain) -> std::unique_ptr<Pass> {
+        return std::make_unique<GroundBrushPass>(terrain);
+    }};
+}
+
+}  // namespace talus

@@ -1,0 +1,120 @@
+#include <algorithm>
+#include <optional>
+
+#include "sim/passes/dab_region.h"
+#include "sim/passes/inundation.h"
+#include "sim/passes/passes.h"
+#include "sim/passes/water.h"
+#include "sim/passes/water_brush.h"
+
+namespace talus {
+namespace {
+
+// Water flows, with what it carries, comes by dabs, and is noted where it arrived.
+class WaterPass : public Pass {
+  public:
+    explicit WaterPass(const Terrain& terrain) {
+        if (terrain.water) made_.emplace(terrain);
+    }
+
+    std::string name() const override { return "water"; }
+
+    void turn(Parameters& parameters, int quarters) const override { turn_edges(parameters, quarters); }
+
+    void prepare_tick(Terrain& terrain, const Moment& at) override {
+        flows_ = is_expected(terrain, at);
+        begun_ = false;
+        if (!flows_) return;
+        solver(terrain);
+        if (at.parameters.toggle("erosion.on")) terrain.add(&Terrain::suspended);
+    }
+
+    bool advance(Terrain& terrain, const Moment& at, int& substeps) override {
+        if (!flows_) return true;
+        const double tick_s = at.parameters.number("time.tick_s");
+        if (!begun_)
+            made_->water.begin_tick(terrain, settings_for(terrain, at.parameters), at.springs, tick_s,
+                                    at.clock.simulated_s - at.edges_since_s);
+        begun_ = true;
+        if (!made_->water.advance(terrain, substeps)) return false;
+        made_->inundation.record(terrain, at.clock.simulated_s + tick_s);
+        return true;
+    }
+
+    bool act(Terrain& terrain, const Moment& at, const PassAct& act) override {
+        const auto* dab = std::get_if<Dab>(&act);
+        if (!dab || !dab->is_water()) return false;
+        if (is_masked_out(terrain, *dab)) return true;
+        solver(terrain).brush.dab(terrain, *dab);
+        observe(terrain, at);
+        return true;
+    }
+
+    void observe(Terrain& terrain, const Moment& at) override {
+        if (terrain.water) solver(terrain).inundation.record(terrain, at.clock.simulated_s);
+    }
+
+    std::vector<Book> books() override {
+        if (!made_) return {};
+        std::vector<Book> books = made_->water.books();
+        books.push_back(made_->brush.book());
+        return books;
+    }
+
+    std::uint64_t substeps_sent() const override { return made_ ? made_->water.sent() : 0; }
+    PassWork work() const override { return made_ ? made_->water.work() : PassWork(); }
+
+  private:
+    struct Made {
+        explicit Made(const Terrain& terrain) : water(terrain), brush(terrain), inundation(terrain) {}
+        Water water;
+        WaterBrush brush;
+        Inundation inundation;
+    };
+
+    // Whether water is there, or may come in the next tick.
+    static bool is_expected(const Terrain& terrain, const Moment& at) {
+        const Parameters& parameters = at.parameters;
+        if (!parameters.toggle("water.on")) return false;
+        if (terrain.water || !at.springs.empty() || parameters.number("water.rain_mm_per_h") > 0) return true;
+        if (terrain.rain_painted) return true;
+        const WaterSettings settings = water_settings_of(parameters);
+        return std::any_of(settings.edges.begin(), settings.edges.end(), [](EdgeKind kind) {
+            return kind == EdgeKind::inflow || kind == EdgeKind::level || kind == EdgeKind::wave;
+        });
+    }
+
+    // What the parameters say, as far as the layers that are there let it be.
+    static WaterSettings settings_for(const Terrain& terrain, const Parameters& parameters) {
+        WaterSettings settings = water_settings_of(parameters);
+        settings.rain_masked = settings.rain_masked && settings.rain_m_per_s > 0;
+        // Where nothing was painted the mask is 0, and no rain falls by it.
+        if (settings.rain_masked && !terrain.painted) settings.rain_m_per_s = 0;
+        SedimentSettings& sediment = settings.sediment;
+        sediment.carried = terrain.suspended.has_value();
+        if (sediment.masked && !terrain.painted)
+            sediment.regolith_m_per_s_pa = sediment.bedrock_m_per_s_pa = 0;
+        settings.rain_painted = terrain.rain_painted && terrain.painted.has_value();
+        return settings;
+    }
+
+    Made& solver(Terrain& terrain) {
+        terrain.add(&Terrain::water);
+        if (!made_) made_.emplace(terrain);
+        return *made_;
+    }
+
+    std::optional<Made> made_;  // none: no water was ever here
+    bool flows_ = false;        // in this tick
+    bool begun_ = false;
+};
+
+}  // namespace
+
+PassKind water_pass() {
+    return {
+        [](const Terrain& terrain) -> std::unique_ptr<Pass> { return std::make_unique<WaterPass>(terrain); },
+        declared(sediment_parameters(), water_parameters())};
+}
+
+}  // namespace talus
