@@ -13,7 +13,7 @@
 #include "app/report.h"
 #include "app/window.h"
 #include "sim/gpu/error.h"
-#include "sim/gpu/program.h"
+#include "sim/gpu/shader_text.h"
 #include "sim/io/heightmap_formats.h"
 #include "sim/terrain/layers.h"
 

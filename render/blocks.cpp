@@ -1,13 +1,8 @@
 #include "render/blocks.h"
 
 namespace talus {
-namespace {
-
-// As in shaders/render/block_pixels.glsl.
-constexpr int block_pixels = 32;
-constexpr int large_block = 4;
-
-}  // namespace
+using glsl::block_pixels;
+using glsl::large_block;
 
 glm::ivec2 blocks_of(int width, int height) {
     return (glm::ivec2(width, height) + block_pixels - 1) / block_pixels;
@@ -26,7 +21,7 @@ void draw_blocks(gpu::Program& program, const gpu::Framebuffer& target, glm::ive
     target.bind({0, 0, whole.x, whole.y}, {0, 0, size.x, size.y});
     program.set("blocks", blocks);
     program.set("first_word", static_cast<int>(list.numbers));
-    list.words.bind_storage(6);
+    program.bind_storage("BlockList", list.words);
     program.draw_points_indirect(list.words, list.arguments * sizeof(std::uint32_t), depth);
     target.bind({0, 0, size.x, size.y});
 }

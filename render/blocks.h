@@ -1,10 +1,16 @@
 #pragma once
+#include <cstdint>
 #include <glm/glm.hpp>
 
 #include "sim/gpu/program.h"
 #include "sim/gpu/texture.h"
 
 namespace talus {
+
+namespace glsl {
+using uint = std::uint32_t;
+#include "render/block_pixels.glsl"
+}  // namespace glsl
 
 /// Blocks of a picture in a row and in a column: squares of 32 x 32 pixels, the last ones cut off.
 glm::ivec2 blocks_of(int width, int height);

@@ -60,25 +60,28 @@ const TileList& Pyramid::list_changes(const Terrain& terrain) {
 }
 
 void Pyramid::rebuild(const Terrain& terrain) {
-    surface_of(terrain).bind_sampled(0);
-    dirty_.buffer.bind_storage(1);
-    highest.bind_image(0, gpu::Access::read_write);
-    lowest.bind_image(1, gpu::Access::read_write);
-    for (gpu::Program* program : {&low_levels_, &high_levels_}) {
-        program->set("level_1_size", level_1_size_);
-        program->set("top_level", top_level_);
-        program->set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
-    }
+    const auto prepare = [&](gpu::Program& program) {
+        program.bind_sampled("ground", surface_of(terrain));
+        program.bind_storage("TileList", dirty_.buffer);
+        program.bind_image("highest", highest);
+        program.bind_image("lowest", lowest);
+        program.set("level_1_size", level_1_size_);
+        program.set("top_level", top_level_);
+        program.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
+    };
+    prepare(low_levels_);
     low_levels_.set("patches", glm::ivec2(terrain.grid().nx - 1, terrain.grid().ny - 1));
     low_levels_.dispatch_indirect(dirty_.buffer);
     gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::texture_transfer});
+    prepare(high_levels_);
     high_levels_.dispatch(1);
     gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::texture_transfer});
 }
 
 void Pyramid::bind(gpu::Program& program, const Terrain& terrain) const {
-    surface_of(terrain).bind_sampled(0);
-    highest.bind_sampled(1);
+    program.bind_sampled("ground", surface_of(terrain));
+    program.bind_sampled("tops", highest);
+    program.bind_sampled("bottoms", lowest);
     program.set("top_level", top_level_);
     program.set("level_1_size", level_1_size_);
 }

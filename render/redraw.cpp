@@ -27,7 +27,7 @@ void Redraw::begin(int width, int height) {
 }
 
 void Redraw::bind(gpu::Program& program) const {
-    marks_.bind_storage(5);
+    program.bind_storage("RedrawMarks", marks_);
     program.set("blocks", blocks_);
 }
 
@@ -36,12 +36,11 @@ void Redraw::mark(bool after, const TileList& tiles, const Terrain& terrain, con
     mark_.set("shading_reach", reach);
     mark_.set("after", after ? 1 : 0);
     pyramid.bind(mark_, terrain);
-    pyramid.lowest.bind_sampled(2);
     set_camera(mark_, terrain.grid(), camera, width_, height_);
     mark_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
     mark_.set("sun", glm::vec3(sun));
     bind(mark_);
-    tiles.buffer.bind_storage(1);
+    mark_.bind_storage("TileList", tiles.buffer);
     mark_.dispatch_indirect(tiles.buffer);
     gpu::barrier({gpu::Use::storage, gpu::Use::buffer_transfer});
 }
@@ -50,7 +49,7 @@ void Redraw::list() {
     const std::array<std::uint32_t, head_words> arguments = {0, 1, 0, 0};
     listed_.write(0, std::as_bytes(std::span(arguments)));
     bind(list_);
-    listed_.bind_storage(6);
+    list_.bind_storage("Blocks", listed_);
     list_.dispatch((blocks_.x * blocks_.y + 63) / 64);
     gpu::barrier({gpu::Use::storage, gpu::Use::indirect, gpu::Use::buffer_transfer});
 }

@@ -34,9 +34,9 @@ void Refinement::add(const gpu::Texture& picture, int width, int height) {
     ++samples_;
     add_.set("size", glm::ivec2(width, height));
     add_.set("samples", samples_);
-    picture.bind_sampled(0);
-    sum_.bind_image(0, gpu::Access::read_write);
-    mean_.bind_image(1, gpu::Access::write);
+    add_.bind_sampled("picture", picture);
+    add_.bind_image("sum", sum_);
+    add_.bind_image("mean", mean_);
     add_.dispatch((width + 31) / 32, (height + 7) / 8);
     gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::texture_transfer, gpu::Use::framebuffer});
 }

@@ -210,8 +210,8 @@ void Renderer::draw_ring(const Grid& grid) {
                             std::vector<std::string>{"STAMP 1"});
     gpu::Program& ring = ring_on_.stamp ? *stamp_ring_ : ring_;
     set_camera(ring, grid, picture.camera, picture.width, picture.height);
-    target_.hits().bind_sampled(4);
-    (refined() ? refinement_.mean() : colour_).bind_sampled(5);
+    ring.bind_sampled("hits", target_.hits());
+    ring.bind_sampled("picture_colour", refined() ? refinement_.mean() : colour_);
     // As wide at any resolution, but never thinner than a pixel.
     const double pixels = std::max(1.3 * picture.height / 720, 0.6);
     ring.set("ring_angle",
@@ -219,7 +219,7 @@ void Renderer::draw_ring(const Grid& grid) {
     ring.set("ring_m",
              glm::vec3(glm::dvec2(ring_on_.at_m) - glm::dvec2(picture.camera.eye), ring_on_.radius_m));
     if (ring_on_.stamp) {
-        ring_on_.stamp->bind_sampled(6);
+        ring.bind_sampled("stamp", *ring_on_.stamp);
         ring.set("stamp_columns", glm::vec2(ring_on_.stamp_columns));
         ring.set("stamp_rows", glm::vec2(ring_on_.stamp_rows));
     }

@@ -5,8 +5,8 @@
 namespace talus {
 namespace {
 
-// As in shaders/render/shade_list.comp: two indirect draws.
-constexpr std::size_t head_words = 8;
+// Two draws: of blocks with nothing and with something in them.
+constexpr std::size_t head_words = 2 * glsl::draw_words;
 
 }  // namespace
 
@@ -17,8 +17,8 @@ void ShadeList::make(const gpu::Texture& hits, int width, int height) {
     if (words_.bytes() != bytes) words_ = gpu::Buffer("shading blocks", bytes);
     const std::array<std::uint32_t, head_words> none = {0, 1, 0, 0, 0, 1, 0, 0};
     words_.write(0, std::as_bytes(std::span(none)));
-    hits.bind_sampled(0);
-    words_.bind_storage(6);
+    program_.bind_sampled("hits", hits);
+    program_.bind_storage("ShadeBlocks", words_);
     program_.set("blocks", blocks);
     program_.set("size", glm::ivec2(width, height));
     const glm::ivec2 groups = large_blocks_of(blocks);
@@ -31,7 +31,7 @@ BlockList ShadeList::nothing() const {
 }
 
 BlockList ShadeList::something() const {
-    return {words_, 4, head_words + blocks_};
+    return {words_, glsl::draw_words, head_words + blocks_};
 }
 
 }  // namespace talus

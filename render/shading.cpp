@@ -47,7 +47,17 @@ void Shading::draw(const ShadeFrame& frame, const SkyView& sky, const Redraw* re
     const Terrain& terrain = frame.terrain;
     const Grid& grid = terrain.grid();
     const View& view = view_named(frame.settings.view);
+    const bool there = !view.layer || terrain.*view.layer;
     const auto prepare = [&](gpu::Program& program) {
+        program.bind_sampled("solid", terrain.solid.front);
+        program.bind_sampled("hits", frame.hits);
+        program.bind_sampled("start", terrain.start);
+        program.bind_sampled("grain", grain_);
+        program.bind_sampled("drape", drape_);
+        program.bind_sampled("sky_share", sky.share());
+        // What is absent is not read; another texture stands in for it.
+        program.bind_sampled("layer", view.layer && there ? (terrain.*view.layer)->front : terrain.ground);
+        program.bind_sampled("water", terrain.water ? terrain.water->front : terrain.ground);
         set_camera(program, grid, frame.camera, frame.width, frame.height);
         frame.pyramid.bind(program, terrain);
         program.set("sun", glm::vec3(frame.settings.sun));
@@ -59,25 +69,17 @@ void Shading::draw(const ShadeFrame& frame, const SkyView& sky, const Redraw* re
     };
     const bool skips_sky = !redraw && !view.sky_too;
     if (!redraw) list_.make(frame.hits, frame.width, frame.height);
-    frame.pyramid.lowest.bind_sampled(2);
-    terrain.solid.front.bind_sampled(3);
-    frame.hits.bind_sampled(4);
-    terrain.start.bind_sampled(5);
-    grain_.bind_sampled(6);
-    if (drape_.width() > 0) drape_.bind_sampled(7);
-    sky.share().bind_sampled(8);
-    const bool there = !view.layer || terrain.*view.layer;
-    if (view.layer && there) (terrain.*view.layer)->front.bind_sampled(9);
     gpu::Program& ground = program_of(view, frame.settings, false, there);
-    prepare(ground);
     if (redraw) {
+        prepare(ground);
         redraw->draw(ground, frame.target, gpu::Depth::none);
         return;
     }
     gpu::Program& nothing = skips_sky ? program_of(view, frame.settings, true, false) : ground;
-    if (skips_sky) prepare(nothing);
     const glm::ivec2 size(frame.width, frame.height);
+    prepare(nothing);
     draw_blocks(nothing, frame.target, size, list_.nothing(), gpu::Depth::none);
+    prepare(ground);
     draw_blocks(ground, frame.target, size, list_.something(), gpu::Depth::none);
 }
 

@@ -13,9 +13,8 @@ void SkyView::refresh(const Terrain& terrain, const Pyramid& pyramid) {
     // A square looks at cells that end less than a tile away.
     terrain.tiles.list(Tiles::ground | Tiles::eroded, read_, -1, 1, 1, dirty_);
     pyramid.bind(program_, terrain);
-    pyramid.lowest.bind_sampled(2);
-    share_.bind_image(0, gpu::Access::write);
-    dirty_.buffer.bind_storage(1);
+    program_.bind_image("share", share_);
+    program_.bind_storage("TileList", dirty_.buffer);
     program_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
     program_.set("squares", glm::ivec2(share_.width(), share_.height()));
     program_.set("patches", glm::ivec2(terrain.grid().nx - 1, terrain.grid().ny - 1));

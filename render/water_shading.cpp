@@ -19,20 +19,24 @@ WaterShading::WaterShading()
 void WaterShading::draw(const ShadeFrame& frame, const WaterSurface& water, const gpu::Texture& colours) {
     const Grid& grid = frame.terrain.grid();
     list_.make(water.target().hits(), frame.width, frame.height);
+    const auto bind = [&](gpu::Program& program) {
+        frame.pyramid.bind(program, frame.terrain);
+        program.bind_sampled("level", water.level());
+        program.bind_sampled("hits", frame.hits);
+        program.bind_sampled("water_hits", water.target().hits());
+        program.bind_sampled("colours", colours);
+        program.bind_sampled("water", frame.terrain.water->front);
+    };
     gpu::Program& program = frame.settings.quick ? quick_ : mirroring_;
     set_camera(program, grid, frame.camera, frame.width, frame.height);
-    frame.pyramid.bind(program, frame.terrain);
-    frame.pyramid.lowest.bind_sampled(2);
-    water.level().bind_sampled(3);
-    frame.hits.bind_sampled(4);
-    water.target().hits().bind_sampled(5);
-    colours.bind_sampled(6);
-    frame.terrain.water->front.bind_sampled(9);
     program.set("sun", glm::vec3(frame.settings.sun));
     program.set("extent_m", static_cast<float>(std::max(grid.width_m(), grid.height_m())));
+    program.set("gravity", static_cast<float>(frame.settings.gravity_m_per_s2));
     program.set("pixel_angle", static_cast<float>(pixel_at_one_metre(frame.camera, frame.height)));
     const glm::ivec2 size(frame.width, frame.height);
+    bind(dry_);
     draw_blocks(dry_, frame.target, size, list_.nothing(), gpu::Depth::none);
+    bind(program);
     draw_blocks(program, frame.target, size, list_.something(), gpu::Depth::none);
 }
 

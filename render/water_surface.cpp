@@ -15,10 +15,10 @@ WaterSurface::WaterSurface(const Terrain& terrain)
 
 void WaterSurface::refresh(const Terrain& terrain) {
     const TileList& changed = pyramid_.list_changes(terrain);
-    terrain.water->front.bind_image(0, gpu::Access::read);
-    terrain.ground.bind_image(1, gpu::Access::read);
-    level_.bind_image(2, gpu::Access::write);
-    changed.buffer.bind_storage(1);
+    program_.bind_image("water_in", terrain.water->front);
+    program_.bind_image("ground_in", terrain.ground);
+    program_.bind_image("level_out", level_);
+    program_.bind_storage("TileList", changed.buffer);
     program_.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
     program_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
     program_.set("cell_m", glm::vec2(terrain.grid().dx, terrain.grid().dy));

@@ -67,11 +67,11 @@ LedgerStart Ledger::begin(const Terrain& terrain, const SolidWeights& weights) {
 
 void Ledger::sum(const Terrain& terrain) {
     gpu::Program& program = terrain.suspended ? loaded_program_ : terrain.water ? water_program_ : program_;
-    terrain.solid.front.bind_image(0, gpu::Access::read);
-    terrain.start.bind_image(1, gpu::Access::read);
-    if (terrain.water) terrain.water->front.bind_image(2, gpu::Access::read);
-    if (terrain.suspended) terrain.suspended->front.bind_image(3, gpu::Access::read);
-    tile_sums_.bind_storage(0);
+    program.bind_image("solid_in", terrain.solid.front);
+    program.bind_image("start_in", terrain.start);
+    if (terrain.water) program.bind_image("water_in", terrain.water->front);
+    if (terrain.suspended) program.bind_image("load_in", terrain.suspended->front);
+    program.bind_storage("TileSums", tile_sums_);
     program.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
     program.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
     program.dispatch(terrain.tiles.columns(), terrain.tiles.rows());

@@ -47,9 +47,9 @@ Arithmetic arithmetic_of_device() {
     gpu::Texture chained("arithmetic results, chained", gpu::Format::rgba32f, side, side);
     in.write(in.whole(), std::as_bytes(std::span(operands)));
     gpu::Program program("sim/arithmetic.comp");
-    in.bind_image(0, gpu::Access::read);
-    out.bind_image(1, gpu::Access::write);
-    chained.bind_image(2, gpu::Access::write);
+    program.bind_image("operands", in);
+    program.bind_image("results", out);
+    program.bind_image("chained", chained);
     program.dispatch(side / 64, side);
     gpu::barrier({gpu::Use::texture_transfer});
     const auto results = out.read_all<glm::vec4>();

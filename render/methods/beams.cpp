@@ -3,7 +3,7 @@
 namespace talus {
 namespace {
 
-constexpr int beam_pixels = 8;  // as in shaders/render/beam_pixels.glsl
+#include "render/beam_pixels.glsl"
 
 }  // namespace
 
@@ -15,7 +15,7 @@ Beams::Beams(const std::vector<std::string>& defines)
     : program_({"render/fullscreen.vert", "render/beam.frag"}, defines),
       changes_("render/beam_changes.comp") {}
 
-void Beams::cast(const Frame& frame, double flatness) {
+void Beams::cast(const Frame& frame, double flatness, const std::function<void(gpu::Program&)>& bind) {
     const glm::ivec2 size = count(frame);
     newest_ = 1 - newest_;
     Set& set = sets_[newest_];
@@ -27,7 +27,7 @@ void Beams::cast(const Frame& frame, double flatness) {
     }
     frame.pyramid.bind(program_, frame.terrain);
     set_camera(program_, frame.terrain.grid(), frame.camera, frame.width, frame.height);
-    frame.pyramid.lowest.bind_sampled(2);
+    if (bind) bind(program_);
     program_.set("flatness", static_cast<float>(flatness));
     set.buffer.bind({0, 0, size.x, size.y});
     program_.draw_fullscreen();
@@ -35,8 +35,8 @@ void Beams::cast(const Frame& frame, double flatness) {
 
 void Beams::mark_changes(const Frame& frame) {
     const glm::ivec2 size = count(frame);
-    sets_[newest_].texture.bind_sampled(0);
-    sets_[1 - newest_].texture.bind_sampled(1);
+    changes_.bind_sampled("beams_now", sets_[newest_].texture);
+    changes_.bind_sampled("beams_before", sets_[1 - newest_].texture);
     frame.redraw->bind(changes_);
     changes_.set("beam_count", size);
     changes_.dispatch((size.x + 15) / 16, (size.y + 15) / 16);

@@ -11,11 +11,13 @@ class Beams {
   public:
     /// With defines for shaders/render/beam.frag.
     explicit Beams(const std::vector<std::string>& defines = {});
-    /// flatness: as in shaders/maths/beam.glsl, for programs made with FLAT_ENDS.
-    void cast(const Frame& frame, double flatness = 0);
+    /// flatness: as in shaders/maths/beam.glsl, for programs made with FLAT_ENDS. `bind`: binds what these
+    /// defines need besides.
+    void cast(const Frame& frame, double flatness = 0, const std::function<void(gpu::Program&)>& bind = {});
     /// Marks the blocks where the last two casts, of the same picture, ended in flat cells otherwise.
     void mark_changes(const Frame& frame);
-    void bind(unsigned unit) const { sets_[newest_].texture.bind_sampled(unit); }
+    /// Binds what the last cast found to the program's `beams`.
+    void bind(gpu::Program& program) const { program.bind_sampled("beams", sets_[newest_].texture); }
     /// In a row and in a column.
     static glm::ivec2 count(const Frame& frame);
 

@@ -7,7 +7,7 @@ namespace {
 
 // Cells of 16 x 16 patches, or the coarsest that the pyramid of a small terrain has.
 constexpr int finest_cell_level = 4;
-constexpr int sector_count = 1024;  // as in shaders/render/hybrid_sectors.glsl
+#include "render/sector_count.glsl"
 
 // A patch's pixels are right to 1/64 pixel, and corners snap to 1/256: a finer tolerance asks for rays.
 constexpr double mesh_error_px = 1.0 / 32;
@@ -19,7 +19,15 @@ constexpr double least_gain = 1.0 / 16;
 constexpr int most_cells = 4096;
 
 struct Hybrid {
-    explicit Hybrid(Detail detail) : rays({detail_defines(detail), true, true}) {}
+    explicit Hybrid(Detail detail)
+        : rays({detail_defines(detail), true, [this](gpu::Program& program) { bind_lists(program); }}) {}
+    Hybrid(const Hybrid&) = delete;
+    Hybrid& operator=(const Hybrid&) = delete;
+
+    void bind_lists(gpu::Program& program) const {
+        program.bind_storage("MeshCells", cells);
+        program.bind_storage("Reach", sectors);
+    }
 
     RayCasting rays;
     gpu::Program reach_changes{"render/hybrid_reach_changes.comp"};
@@ -52,17 +60,10 @@ CellRectangle cells_within(const Frame& frame, int level, double distance_m) {
     return {first, (glm::ivec2(glm::ceil(high)) >> level) - first + 1};
 }
 
-// Which cells the mesh draws, and how far it reaches.
-void choose_cells(Hybrid& hybrid, const CellRectangle& cells) {
+void make_room(Hybrid& hybrid, const CellRectangle& cells) {
     const std::size_t bytes =
         (8 + 2 * static_cast<std::size_t>(cells.count.x) * cells.count.y) * sizeof(std::uint32_t);
     if (hybrid.cells.bytes() < bytes) hybrid.cells = gpu::Buffer("mesh cells", bytes);
-    hybrid.choose.set("first_cell", cells.first);
-    hybrid.choose.set("cell_count", cells.count);
-    hybrid.cells.bind_storage(3);
-    hybrid.sectors.bind_storage(4);
-    hybrid.choose.dispatch(1);
-    gpu::barrier({gpu::Use::storage, gpu::Use::indirect, gpu::Use::buffer_transfer});
 }
 
 void draw(Hybrid& hybrid, const Frame& frame) {
@@ -78,24 +79,31 @@ void draw(Hybrid& hybrid, const Frame& frame) {
     CellRectangle cells = cells_within(frame, level, mesh_end_m);
     while (level < frame.pyramid.top_level() && cells.count.x * cells.count.y > most_cells)
         cells = cells_within(frame, ++level, mesh_end_m);
-    for (gpu::Program* program : {&hybrid.choose, &hybrid.patches, &hybrid.patches_behind_rays}) {
-        frame.pyramid.bind(*program, frame.terrain);
-        set_camera(*program, grid, frame.camera, frame.width, frame.height);
-        program->set("cell_level", level);
-        program->set("pixel_m", static_cast<float>(pixel_m));
-        program->set("pixels_per_patch", static_cast<float>(patch_pixels));
-        program->set("mesh_end_m", static_cast<float>(mesh_end_m));
-        program->set("near_m", static_cast<float>(1e-3 * std::min(grid.dx, grid.dy)));
-    }
-    hybrid.choose.set("least_gain", static_cast<float>(least_gain));
-    frame.pyramid.lowest.bind_sampled(2);
+    const auto prepare = [&](gpu::Program& program) {
+        frame.pyramid.bind(program, frame.terrain);
+        hybrid.bind_lists(program);
+        set_camera(program, grid, frame.camera, frame.width, frame.height);
+        program.set("cell_level", level);
+        program.set("pixel_m", static_cast<float>(pixel_m));
+        program.set("pixels_per_patch", static_cast<float>(patch_pixels));
+        program.set("mesh_end_m", static_cast<float>(mesh_end_m));
+        program.set("near_m", static_cast<float>(1e-3 * std::min(grid.dx, grid.dy)));
+    };
     if (frame.redraw) hybrid.sectors_before.copy_from(hybrid.sectors);
-    choose_cells(hybrid, cells);
+    make_room(hybrid, cells);
+    // Which cells the mesh draws, and how far it reaches.
+    prepare(hybrid.choose);
+    hybrid.choose.set("least_gain", static_cast<float>(least_gain));
+    hybrid.choose.set("first_cell", cells.first);
+    hybrid.choose.set("cell_count", cells.count);
+    hybrid.choose.dispatch(1);
+    gpu::barrier({gpu::Use::storage, gpu::Use::indirect, gpu::Use::buffer_transfer});
     hybrid.rays.cast_beams(frame, std::min(largest_flatness, frame.tolerance_px * pixel_m));
 
     const gpu::Region picture{0, 0, frame.width, frame.height};
     if (frame.redraw) {
-        hybrid.sectors_before.bind_storage(6);
+        hybrid.bind_lists(hybrid.reach_changes);
+        hybrid.reach_changes.bind_storage("ReachBefore", hybrid.sectors_before);
         frame.redraw->bind(hybrid.reach_changes);
         hybrid.reach_changes.dispatch((sector_count + 63) / 64);
         gpu::barrier({gpu::Use::storage});
@@ -106,10 +114,10 @@ void draw(Hybrid& hybrid, const Frame& frame) {
         frame.hits.clear_depth();
     }
     frame.hits.bind(picture);
-    frame.terrain.ground.bind_sampled(0);
-    frame.pyramid.highest.bind_sampled(1);
+    prepare(hybrid.patches);
     hybrid.patches.set("second_half", 0);
     hybrid.patches.draw_indirect(hybrid.cells, 0, gpu::Depth::nearest);
+    prepare(hybrid.patches_behind_rays);
     hybrid.patches_behind_rays.set("second_half", 1);
     hybrid.patches_behind_rays.draw_indirect(hybrid.cells, 4 * sizeof(std::uint32_t), gpu::Depth::nearest);
     hybrid.rays.draw(frame);

@@ -46,27 +46,29 @@ Method make_mesh(Detail) {
         const std::array<std::uint32_t, 8> arguments = {
             6U << (2U * static_cast<unsigned>(level)), 0, 0, 0, 0, 0, 0, 0};
         mesh->cells.write(0, std::as_bytes(std::span(arguments)));
-        mesh->cells.bind_storage(3);
-        for (gpu::Program* program : {&mesh->list, &mesh->draw, &mesh->walls, &mesh->below}) {
-            frame.pyramid.bind(*program, frame.terrain);
-            set_camera(*program, grid, frame.camera, frame.width, frame.height);
-            program->set("cell_level", level);
-        }
-        frame.pyramid.lowest.bind_sampled(2);
+        const auto near_m = static_cast<float>(1e-3 * std::min(grid.dx, grid.dy));
+        const auto prepare = [&](gpu::Program& program) {
+            frame.pyramid.bind(program, frame.terrain);
+            program.bind_storage("MeshCells", mesh->cells);
+            set_camera(program, grid, frame.camera, frame.width, frame.height);
+            program.set("cell_level", level);
+            program.set("near_m", near_m);
+        };
+        prepare(mesh->list);
         mesh->list.dispatch((size.x * size.y + 63) / 64);
         gpu::barrier({gpu::Use::storage, gpu::Use::indirect, gpu::Use::buffer_transfer});
-        const auto near_m = static_cast<float>(1e-3 * std::min(grid.dx, grid.dy));
-        mesh->draw.set("near_m", near_m);
-        mesh->walls.set("near_m", near_m);
         const gpu::Region picture{0, 0, frame.width, frame.height};
         frame.hits.clear(0, {HUGE_VALF, 0, 0, 0});
         frame.hits.clear_depth();
         frame.hits.bind(picture);
+        prepare(mesh->draw);
         mesh->draw.draw_indexed_indirect(mesh->indices, mesh->cells, 0, gpu::Depth::nearest);
         const unsigned edge_vertices = 12U * static_cast<unsigned>(grid.nx + grid.ny - 2);
         const std::array<std::uint32_t, 8> edges = {edge_vertices, 1, 0, 0, 3, 1, 0, 0};
         mesh->edges.write(0, std::as_bytes(std::span(edges)));
+        prepare(mesh->walls);
         mesh->walls.draw_indirect(mesh->edges, 0, gpu::Depth::nearest);
+        prepare(mesh->below);
         mesh->below.draw_indirect(mesh->edges, 4 * sizeof(std::uint32_t), gpu::Depth::nearest);
     };
     const auto figures = [mesh] {

@@ -5,10 +5,11 @@
 namespace talus {
 namespace {
 
-// As in shaders/render/ray_blocks.comp: what a block's rays do, each with its list.
-enum BlockKind { kind_nothing, kind_flat, kind_walk, kind_walk_or_flat, kind_count };
-// Four words of an indirect draw of each kind without a mesh, and of each behind one.
-constexpr std::size_t head_words = 4 * 2 * kind_count;
+#include "render/ray_kinds.glsl"
+constexpr std::size_t kind_count = ray_kinds;
+constexpr std::size_t draw_words = glsl::draw_words;
+// A draw of each kind without a mesh, and one of each behind it.
+constexpr std::size_t head_words = draw_words * 2 * kind_count;
 
 std::vector<std::string> with(std::vector<std::string> defines, bool condition, const char* define) {
     if (condition) defines.emplace_back(define);
@@ -16,16 +17,16 @@ std::vector<std::string> with(std::vector<std::string> defines, bool condition, 
 }
 
 std::vector<std::string> beam_defines(const RayOptions& options) {
-    return with(with({}, options.flat_ends, "FLAT_ENDS"), options.behind_mesh, "BEHIND_MESH");
+    return with(with({}, options.flat_ends, "FLAT_ENDS"), bool(options.bind_mesh), "BEHIND_MESH");
 }
 
 }  // namespace
 
 RayCasting::RayCasting(const RayOptions& options)
     : flat_ends_(options.flat_ends),
-      behind_mesh_(options.behind_mesh),
+      bind_mesh_(options.bind_mesh),
       beams_(beam_defines(options)),
-      list_({"render/ray_blocks.comp"}, with({}, options.behind_mesh, "BEHIND_MESH")),
+      list_({"render/ray_blocks.comp"}, with({}, bool(options.bind_mesh), "BEHIND_MESH")),
       nothing_({"render/block.vert", "render/empty.frag"}),
       flat_({"render/block.vert", "render/flat.frag"}, options.defines),
       walk_({"render/block.vert", "render/exact.frag"}, options.defines),
@@ -33,14 +34,15 @@ RayCasting::RayCasting(const RayOptions& options)
                     with(options.defines, options.flat_ends, "FLAT_ENDS")) {}
 
 void RayCasting::cast_beams(const Frame& frame, double flatness) {
-    beams_.cast(frame, flatness);
+    beams_.cast(frame, flatness, bind_mesh_);
     if (frame.redraw) return;  // it has its own list
     const glm::ivec2 blocks = blocks_of(frame.width, frame.height);
     const std::size_t words = head_words + kind_count * static_cast<std::size_t>(blocks.x) * blocks.y;
     if (lists_.bytes() != words * sizeof(std::uint32_t))
         lists_ = gpu::Buffer("ray blocks", words * sizeof(std::uint32_t));
-    beams_.bind(0);
-    lists_.bind_storage(6);
+    beams_.bind(list_);
+    list_.bind_storage("RayBlocks", lists_);
+    if (bind_mesh_) bind_mesh_(list_);
     list_.set("blocks", blocks);
     list_.set("beam_count", Beams::count(frame));
     list_.dispatch(1);
@@ -48,12 +50,12 @@ void RayCasting::cast_beams(const Frame& frame, double flatness) {
 }
 
 void RayCasting::draw(const Frame& frame) {
-    const gpu::Depth depth = behind_mesh_ ? gpu::Depth::behind : gpu::Depth::none;
+    const gpu::Depth depth = bind_mesh_ ? gpu::Depth::behind : gpu::Depth::none;
     const auto prepare = [&](gpu::Program& program) {
         frame.pyramid.bind(program, frame.terrain);
+        beams_.bind(program);
         set_camera(program, frame.terrain.grid(), frame.camera, frame.width, frame.height);
     };
-    beams_.bind(4);
     if (frame.redraw) {
         prepare(walk_or_flat_);
         frame.redraw->draw(walk_or_flat_, frame.hits, depth);
@@ -65,11 +67,12 @@ void RayCasting::draw(const Frame& frame) {
         if (!flat_ends_ && (kind == kind_flat || kind == kind_walk_or_flat)) continue;
         prepare(*programs[kind]);
         const std::size_t numbers = head_words + kind * static_cast<std::size_t>(blocks.x) * blocks.y;
-        draw_blocks(*programs[kind], frame.hits, {frame.width, frame.height}, {lists_, 4 * kind, numbers},
-                    gpu::Depth::none);
-        if (behind_mesh_)
-            draw_blocks(*programs[kind], frame.hits, {frame.width, frame.height},
-                        {lists_, 4 * (kind_count + kind), numbers}, gpu::Depth::behind);
+        draw_blocks(*programs[kind], frame.hits, {frame.width, frame.height},
+                    {lists_, draw_words * kind, numbers}, gpu::Depth::none);
+        if (!bind_mesh_) continue;
+        prepare(*programs[kind]);
+        draw_blocks(*programs[kind], frame.hits, {frame.width, frame.height},
+                    {lists_, draw_words * (kind_count + kind), numbers}, gpu::Depth::behind);
     }
 }
 

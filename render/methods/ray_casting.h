@@ -8,7 +8,9 @@ namespace talus {
 struct RayOptions {
     std::vector<std::string> defines;  ///< for shaders/render/exact.frag
     bool flat_ends = false;            ///< end in cells that their beam found flat
-    bool behind_mesh = false;          ///< fill what a mesh left; shaders/render/hybrid_list.glsl is bound
+    /// Set: fill what a mesh left. Binds the buffers of shaders/render/hybrid_list.glsl and
+    /// hybrid_sectors.glsl.
+    std::function<void(gpu::Program&)> bind_mesh = {};
 };
 
 /// Casts rays for a picture: from where beams end, and only where one of these found ground to look at.
@@ -28,7 +30,7 @@ class RayCasting {
 
   private:
     bool flat_ends_;
-    bool behind_mesh_;
+    std::function<void(gpu::Program&)> bind_mesh_;  // none: there is no mesh
     Beams beams_;
     gpu::Program list_;
     gpu::Program nothing_;

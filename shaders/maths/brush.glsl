@@ -1,7 +1,7 @@
 // One dab of a brush on one sample. The including side gives real4 load_solid(int2), repeating the edge, real
 // load_stamp(int2), repeating the edge, what maths/brush_weight.glsl and maths/brush_noise.glsl need, and
 //   samples         int2, columns and rows of the terrain
-//   dab_mode        int: 0 raise, 1 lower, 2 smooth, 3 flatten, 4 ramp, 5 noise, 6 terrace, 7 stamp
+//   dab_mode        int, of maths/brush_modes.glsl, which the including side includes
 //   dab_amount_m    real, raise and lower: metres at full weight; noise and stamp: the height of 1
 //   dab_blend       real, smooth, flatten, ramp, terrace, stamp: share of the way at full weight
 //   dab_target_m    real2, flatten: the height to reach, two words; ramp: at its beginning; terrace: of a step; stamp:
@@ -11,7 +11,7 @@
 //   noise_wavelength_m    real, noise: the wavelength
 //   terrace_step_m  real, terrace: height of a step; terrace_flat real, 0 to 1: share of it that is level
 //   stamp_samples   int2, columns and rows of the stamp; stamp_columns, stamp_rows real2: of them, a metre along the
-//                   terrain's columns and rows; stamp_mode int: 0 add, 1 higher, 2 lower, 3 replace; stamp_zero
+//                   terrain's columns and rows; stamp_mode int, as dab_mode; stamp_zero
 //                   real: which of its heights, 0 to 1, stands on the ground
 #include "maths/brush_noise.glsl"
 #include "maths/brush_weight.glsl"
@@ -65,10 +65,10 @@ real stamp_change(real4 c, real2 offset_m) {
     real stamp = stamp_at(offset_m);
     if (stamp < real(0)) return real(0);
     precise real height_m = (stamp - stamp_zero) * dab_amount_m;
-    if (stamp_mode == 0) return height_m * dab_blend;
+    if (stamp_mode == stamp_add) return height_m * dab_blend;
     precise real to_stamp = rise_to_target(c) + height_m;
-    if (stamp_mode == 1) to_stamp = max(to_stamp, real(0));
-    if (stamp_mode == 2) to_stamp = min(to_stamp, real(0));
+    if (stamp_mode == stamp_higher) to_stamp = max(to_stamp, real(0));
+    if (stamp_mode == stamp_lower) to_stamp = min(to_stamp, real(0));
     return to_stamp * dab_blend;
 }
 
@@ -77,8 +77,8 @@ real brush_change(int2 at, real4 c) {
     real weight = brush_weight_at(at);
     if (weight == real(0)) return real(0);
     precise real change = weight * dab_amount_m;
-    if (dab_mode == 1) change = -change;
-    if (dab_mode == 2) {
+    if (dab_mode == brush_mode_lower) change = -change;
+    if (dab_mode == brush_mode_smooth) {
         // Half way to the four neighbours at most, each axis by the inverse square of its spacing: isotropic, stable.
         precise real xx = cell_m.x * cell_m.x;
         precise real yy = cell_m.y * cell_m.y;
@@ -87,14 +87,14 @@ real brush_change(int2 at, real4 c) {
         precise real mean = (rises_x * yy + rises_y * xx) / (real(2) * (xx + yy));
         change = (weight * dab_blend) * mean;
     }
-    if (dab_mode == 3) change = (weight * dab_blend) * rise_to_target(c);
-    if (dab_mode == 4) {
+    if (dab_mode == brush_mode_flatten) change = (weight * dab_blend) * rise_to_target(c);
+    if (dab_mode == brush_mode_ramp) {
         precise real to_ramp = rise_to_target(c) + dab_along(dab_offset_m(at)) * ramp_rise_m;
         change = (weight * dab_blend) * to_ramp;
     }
-    if (dab_mode == 5) change = change * noise_at(at);
-    if (dab_mode == 6) change = (weight * dab_blend) * terrace_rise(rise_to_target(c));
-    if (dab_mode == 7) change = weight * stamp_change(c, dab_offset_m(at));
+    if (dab_mode == brush_mode_noise) change = change * noise_at(at);
+    if (dab_mode == brush_mode_terrace) change = (weight * dab_blend) * terrace_rise(rise_to_target(c));
+    if (dab_mode == brush_mode_stamp) change = weight * stamp_change(c, dab_offset_m(at));
     return change;
 }
 

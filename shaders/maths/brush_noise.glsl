@@ -1,5 +1,5 @@
 // The relief that a noise brush raises, about -1 to 1. The including side gives
-//   noise_kind    int, 0 fBm, 1 ridged, 2 billow
+//   noise_kind    int, of maths/brush_modes.glsl
 //   noise_octaves int
 //   noise_gain    real, an octave against the one before it
 //   noise_warp    real, how far the plane is bent first, in wavelengths
@@ -16,8 +16,8 @@ real brush_noise_sum(real2 from, uint seed, int kind) {
     for (int octave = 0; octave < noise_octaves; ++octave) {
         precise real n = real(1.45) * gradient_noise(p, seed + uint(octave));
         precise real shape = n;
-        if (kind == 1) shape = real(1) - real(2) * abs(n);
-        if (kind == 2) shape = real(2) * abs(n) - real(1);
+        if (kind == noise_ridged) shape = real(1) - real(2) * abs(n);
+        if (kind == noise_billow) shape = real(2) * abs(n) - real(1);
         sum = sum + weight * shape;
         weights = weights + weight;
         weight = weight * noise_gain;
@@ -33,7 +33,7 @@ real brush_noise_sum(real2 from, uint seed, int kind) {
 // At a place in wavelengths.
 real brush_noise(real2 p) {
     if (noise_warp == real(0)) return brush_noise_sum(p, noise_seed, noise_kind);
-    precise real x = p.x + noise_warp * brush_noise_sum(p, noise_seed + 101u, 0);
-    precise real y = p.y + noise_warp * brush_noise_sum(p, noise_seed + 131u, 0);
+    precise real x = p.x + noise_warp * brush_noise_sum(p, noise_seed + 101u, noise_fbm);
+    precise real y = p.y + noise_warp * brush_noise_sum(p, noise_seed + 131u, noise_fbm);
     return brush_noise_sum(real2(x, y), noise_seed, noise_kind);
 }

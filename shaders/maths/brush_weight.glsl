@@ -4,7 +4,7 @@
 //   dab_offset    real2, the centre's offset from that sample in spacings, 0 to 1
 //   dab_radius_m  real
 //   dab_falloff   real, 0 (hard edge) to 1 (soft all the way): the share of the radius over which it fades
-//   dab_curve     int, how it fades: 0 smooth, 1 linear, 2 round, 3 sharp
+//   dab_curve     int, how it fades: of maths/brush_modes.glsl
 //   dab_length_m  real2, from the centre to the other end, metres (column, row): a dab along a line; 0: a round one
 // and real load_mask(int2), how far the mask lets it act, 0 to 1.
 
@@ -15,12 +15,12 @@ real brush_weight(real2 offset_m) {
     precise real edge = (dab_radius_m - distance_m) / max(dab_radius_m * dab_falloff, real(1e-30));
     precise real s = min(max(edge, real(0)), real(1));
     precise real weight = s * s * (real(3) - real(2) * s);
-    if (dab_curve == 1) weight = s;
-    if (dab_curve == 2) {
+    if (dab_curve == falloff_linear) weight = s;
+    if (dab_curve == falloff_round) {
         precise real square_left = s * (real(2) - s);
         weight = sqrt(square_left);
     }
-    if (dab_curve == 3) weight = s * s;
+    if (dab_curve == falloff_sharp) weight = s * s;
     return distance_m < dab_radius_m ? weight : real(0);
 }
 

@@ -1,7 +1,6 @@
 // A mask made of the terrain. The including side gives real load_ground(int2), repeating the edge, and
 //   cell_m       real2, spacing, metres
-//   mask_source  int: 0 height (m), 1 slope (degrees), 2 curvature (1/km, crests positive), 3 depth of water (m),
-//                4 the mask itself, 5 everything
+//   mask_source  int, of maths/mask_kinds.glsl, which the including side includes
 //   mask_low, mask_high  real: from here to there it is 1
 //   mask_fade    real: and over so much beyond each it falls to 0
 
@@ -59,18 +58,18 @@ real mask_band(real value) {
 
 // `water`: its depth there; `mask`: what was painted.
 real mask_value(int2 at, real water, real mask) {
-    if (mask_source == 0) return mask_band(load_ground(at));
-    if (mask_source == 1) return mask_band(mask_slope(at));
-    if (mask_source == 2) return mask_band(mask_curvature(at));
-    if (mask_source == 3) return mask_band(water);
-    if (mask_source == 4) return mask;
+    if (mask_source == mask_source_height) return mask_band(load_ground(at));
+    if (mask_source == mask_source_slope) return mask_band(mask_slope(at));
+    if (mask_source == mask_source_curvature) return mask_band(mask_curvature(at));
+    if (mask_source == mask_source_depth) return mask_band(water);
+    if (mask_source == mask_source_itself) return mask;
     return real(1);
 }
 
-// How what was painted and what was made become the mask: 0 takes its place, 1 adds, 2 keeps what both have, 3 takes away.
+// How what was painted and what was made become the mask.
 real mask_joined(real painted, real made, int join) {
-    if (join == 1) return max(painted, made);
-    if (join == 2) return min(painted, made);
+    if (join == mask_join_add) return max(painted, made);
+    if (join == mask_join_intersect) return min(painted, made);
     precise real rest = min(painted, real(1) - made);
-    return join == 3 ? rest : made;
+    return join == mask_join_subtract ? rest : made;
 }

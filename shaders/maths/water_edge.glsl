@@ -5,12 +5,7 @@
 //   edge_wave_m      real, the wave's height above the still level at wave edges
 //   edge_series_steps  int, and real load_edge_series(int): two tables over the tick, of one point more each
 
-const int edge_wall = 0;
-const int edge_open = 1;
-const int edge_level = 2;
-const int edge_inflow_kind = 3;
-const int edge_wave = 4;
-const int edge_periodic = 5;
+#include "maths/edge_kinds.glsl"
 
 // A table's value at a share of the tick: 0 inflow, 1 wave.
 real edge_series_at(int table, real share) {

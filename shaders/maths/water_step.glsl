@@ -1,7 +1,7 @@
 // The length of the next sub-step. Needs cell_m, real2, metres.
 
 // Courant number by the sum over both axes, dt (s/dx + s/dy); on squares 0.25 of each.
-const real water_courant = real(0.5);
+#include "maths/courant.glsl"
 
 real water_inverse_cells() {
     precise real sum = real(1) / cell_m.x + real(1) / cell_m.y;

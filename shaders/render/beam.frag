@@ -8,7 +8,7 @@ const bool flat_ends = true;
 #else
 const bool flat_ends = false;
 #endif
-layout(binding = 2) uniform sampler2D bottoms;
+uniform sampler2D bottoms;
 real load_bottom(int2 cell, int level) {
     return (texelFetch(bottoms, pyramid_texel(cell, level), 0).r - origin_height_m.x) - origin_height_m.y;
 }

@@ -4,8 +4,8 @@ layout(local_size_x = 16, local_size_y = 16) in;
 #include "render/redraw_marks.glsl"
 #include "render/beam_pixels.glsl"
 
-layout(binding = 0) uniform sampler2D beams_now;
-layout(binding = 1) uniform sampler2D beams_before;
+uniform sampler2D beams_now;
+uniform sampler2D beams_before;
 
 uniform int2 beam_count;
 

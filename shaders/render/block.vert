@@ -3,7 +3,7 @@
 #include "maths/glsl_types.glsl"
 #include "render/block_pixels.glsl"
 
-layout(binding = 6, std430) readonly buffer BlockList { uint block_words[]; };
+layout(std430) readonly buffer BlockList { uint block_words[]; };
 
 uniform int2 blocks;
 uniform int first_word;  // of the list's numbers

@@ -1,6 +1,6 @@
 // A cell of the pyramid as a box before the eye. The including side has surface.glsl and camera.glsl.
 
-layout(binding = 2) uniform sampler2D bottoms;
+uniform sampler2D bottoms;
 
 // The cell's box, metres from the eye: east, north, up. Its footprint ends with the terrain.
 struct CellBox {

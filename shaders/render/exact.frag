@@ -10,7 +10,7 @@ const bool count_steps = false;
 #include "maths/cast.glsl"
 
 layout(location = 0) out vec2 hit_out;  // distance along the ray in metres (infinity: nothing hit), detail
-layout(binding = 4) uniform sampler2D beams;
+uniform sampler2D beams;
 
 void main() {
 #ifdef NO_BEAMS

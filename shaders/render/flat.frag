@@ -3,7 +3,7 @@
 #include "render/beam_pixels.glsl"
 
 layout(location = 0) out vec2 hit_out;
-layout(binding = 4) uniform sampler2D beams;
+uniform sampler2D beams;
 
 void main() {
     real2 beam = texelFetch(beams, ivec2(gl_FragCoord.xy) / beam_pixels, 0).rg;

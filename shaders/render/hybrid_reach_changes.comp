@@ -4,7 +4,7 @@ layout(local_size_x = 64) in;
 #include "render/redraw_marks.glsl"
 #include "render/hybrid_sectors.glsl"
 
-layout(binding = 6, std430) readonly buffer ReachBefore { uint reach_before_m[]; };
+layout(std430) readonly buffer ReachBefore { uint reach_before_m[]; };
 
 void main() {
     int sector = int(gl_GlobalInvocationID.x);

@@ -1,12 +1,12 @@
 // How far around the eye the mesh reaches: by sectors of direction, the distance over ground of the nearest cell that
 // rays draw. A pixel whose patch lies nearer than that can have no such cell in front of it.
-const int sector_count = 1024;
+#include "render/sector_count.glsl"
 
 // Bits of floats above 0 order as they do. One shader finds them, the others read them.
 #ifdef MAKES_MESH_CELLS
-layout(binding = 4, std430) coherent buffer Reach { uint reach_m[]; };
+layout(std430) coherent buffer Reach { uint reach_m[]; };
 #else
-layout(binding = 4, std430) readonly buffer Reach { uint reach_m[]; };
+layout(std430) readonly buffer Reach { uint reach_m[]; };
 #endif
 
 // From 0 to sector_count around the circle, growing with the angle from west over south: the diamond's angle, which

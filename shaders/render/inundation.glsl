@@ -1,6 +1,6 @@
 // The inundation map at a place of the picture. The including side has surface.glsl.
-#include "render/seen_depth.glsl"
-layout(binding = 9) uniform sampler2D layer;  // largest depth, arrival
+#include "sim/water_layout.glsl"
+uniform sampler2D layer;  // largest depth, arrival
 
 // The inundation map between its samples, m and s: of those where water arrived.
 vec2 inundation_at(vec2 place) {

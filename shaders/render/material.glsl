@@ -1,7 +1,7 @@
 // What the ground is made of: meadow, forest, heath, rock, scree and snow by height, steepness, curvature and loose cover;
 // or an image draped over it. Albedo, linear. The including side has footprint.glsl.
-layout(binding = 6) uniform sampler2D grain;  // render/grain.h: broad, middle, fine, finest
-layout(binding = 7) uniform sampler2D drape;
+uniform sampler2D grain;  // render/grain.h: broad, middle, fine, finest
+uniform sampler2D drape;
 
 // The grain over absolute columns and rows: one texture at two scales, turned against each other, so that it does not repeat
 // before the eye.

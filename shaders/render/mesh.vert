@@ -2,7 +2,7 @@
 #include "render/surface.glsl"
 #include "render/camera.glsl"
 
-layout(binding = 3, std430) readonly buffer MeshCells { uint draw_arguments[8]; uint mesh_cells[]; };
+layout(std430) readonly buffer MeshCells { uint draw_arguments[8]; uint mesh_cells[]; };
 
 uniform int cell_level;
 uniform real near_m;

@@ -4,7 +4,7 @@ layout(local_size_x = 64) in;
 #include "render/camera.glsl"
 #include "render/cell_box.glsl"
 
-layout(binding = 3, std430) buffer MeshCells { uint draw_arguments[8]; uint mesh_cells[]; };
+layout(std430) buffer MeshCells { uint draw_arguments[8]; uint mesh_cells[]; };
 
 uniform int cell_level;
 

@@ -1,6 +1,6 @@
 // How much of the sky's light a place gets past the ground around it (render/sky_view.h). place: absolute columns and rows.
 #ifdef OCCLUSION
-layout(binding = 8) uniform sampler2D sky_share;
+uniform sampler2D sky_share;
 
 float sky_share_at(vec2 place) {
     vec2 at = 0.25 * place - 0.5;

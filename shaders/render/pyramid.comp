@@ -2,10 +2,10 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "render/pyramid_layout.glsl"
 
-layout(binding = 0) uniform sampler2D ground;
-layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
-layout(binding = 0, r32f) uniform writeonly image2D highest;
-layout(binding = 1, r32f) uniform writeonly image2D lowest;
+uniform sampler2D ground;
+layout(std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
+layout(r32f) uniform writeonly image2D highest;
+layout(r32f) uniform writeonly image2D lowest;
 
 uniform int2 patches;
 uniform int2 tiles;

@@ -1,11 +1,12 @@
 // Levels above 6 over the listed tiles, each from the one below, then the bounds of the whole terrain: one group does
 // it all, because a dispatch costs more than this work.
 layout(local_size_x = 256) in;
+#include "sim/tile_samples.glsl"
 #include "render/pyramid_layout.glsl"
 
-layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
-layout(binding = 0, r32f) coherent uniform image2D highest;
-layout(binding = 1, r32f) coherent uniform image2D lowest;
+layout(std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
+layout(r32f) coherent uniform image2D highest;
+layout(r32f) coherent uniform image2D lowest;
 
 uniform int2 tiles;
 uniform int top_level;
@@ -16,10 +17,10 @@ shared real bottoms[256];
 void main() {
     int me = int(gl_LocalInvocationIndex);
     int count = int(list_arguments[1]);
-    for (int level = 7; level <= top_level; ++level) {
+    for (int level = tile_level + 1; level <= top_level; ++level) {
         for (int i = me; i < count; i += 256) {
             int tile = int(listed_tiles[i]);
-            int2 cell = int2(tile % tiles.x, tile / tiles.x) >> (level - 6);
+            int2 cell = int2(tile % tiles.x, tile / tiles.x) >> (level - tile_level);
             if (!has_cell(cell, level)) continue;
             real top = uintBitsToFloat(0xff800000u);
             real bottom = uintBitsToFloat(0x7f800000u);

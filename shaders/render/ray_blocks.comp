@@ -4,27 +4,23 @@ layout(local_size_x = 64) in;
 #include "maths/glsl_types.glsl"
 #include "render/beam_pixels.glsl"
 #include "render/block_pixels.glsl"
+#include "render/ray_kinds.glsl"
 #ifdef BEHIND_MESH
 #include "render/hybrid_list.glsl"
 #else
 bool mesh_is_drawn() { return false; }
 #endif
 
-layout(binding = 0) uniform sampler2D beams;
-// As render/methods/ray_casting.cpp says: draws of four words each, then the blocks of each kind.
-layout(binding = 6, std430) buffer RayBlocks { uint block_words[]; };
+uniform sampler2D beams;
+// A draw of each kind without a mesh, then one of each behind a mesh, then the blocks of each kind.
+layout(std430) buffer RayBlocks { uint block_words[]; };
 
 uniform int2 blocks;
 uniform int2 beam_count;
 
-const int kind_nothing = 0;
-const int kind_flat = 1;
-const int kind_walk = 2;
-const int kind_walk_or_flat = 3;
-const int kinds = 4;
-const int head_words = 4 * 2 * kinds;
+const int head_words = draw_words * 2 * ray_kinds;
 
-shared uint counts[kinds];
+shared uint counts[ray_kinds];
 
 // Of the beams of a square: bit 0 where one walks, bit 1 where one ends in flat ground.
 int look(int2 first, int side) {
@@ -44,7 +40,7 @@ void list(int seen, uint block) {
 
 void main() {
     int me = int(gl_LocalInvocationIndex);
-    if (me < kinds) counts[me] = 0u;
+    if (me < ray_kinds) counts[me] = 0u;
     barrier();
     const int side = block_pixels / beam_pixels;
     int2 large = (blocks + large_block - 1) / large_block;
@@ -71,10 +67,10 @@ void main() {
     barrier();
     if (me > 0) return;
     bool mesh = mesh_is_drawn();
-    for (int i = 0; i < 2 * kinds; ++i) {
-        block_words[4 * i] = mesh == (i >= kinds) ? counts[i % kinds] : 0u;
-        block_words[4 * i + 1] = 1u;
-        block_words[4 * i + 2] = 0u;
-        block_words[4 * i + 3] = 0u;
+    for (int i = 0; i < 2 * ray_kinds; ++i) {
+        block_words[draw_words * i] = mesh == (i >= ray_kinds) ? counts[i % ray_kinds] : 0u;
+        block_words[draw_words * i + 1] = 1u;
+        block_words[draw_words * i + 2] = 0u;
+        block_words[draw_words * i + 3] = 0u;
     }
 }

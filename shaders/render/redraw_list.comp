@@ -3,7 +3,7 @@ layout(local_size_x = 64) in;
 #include "maths/glsl_types.glsl"
 #include "render/redraw_marks.glsl"
 
-layout(binding = 6, std430) buffer Blocks { uint block_arguments[4]; uint listed_blocks[]; };
+layout(std430) buffer Blocks { uint block_arguments[4]; uint listed_blocks[]; };
 
 void main() {
     int index = int(gl_GlobalInvocationID.x);

@@ -1,12 +1,13 @@
 // Marks the blocks of the picture that a listed tile may touch: its own ground, the ground around it whose filtered
 // normals look at it, and its shadow.
 layout(local_size_x = 1) in;
+#include "sim/tile_samples.glsl"
 #include "render/surface.glsl"
 #include "render/camera.glsl"
 #include "render/cell_box.glsl"
 #include "render/redraw_marks.glsl"
 
-layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
+layout(std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 
 uniform int2 tiles;
 uniform int after;   // 0 before the pyramid is rebuilt, 1 after
@@ -28,9 +29,9 @@ void main() {
     }
 
     // The tile's box with its neighbours' heights, as far as shading looks.
-    int level = min(6, top_level);
-    int2 first = max((at - 1) << (6 - level), int2(0));
-    int2 last = min(((at + 2) << (6 - level)) - 1, (level_1_size >> (level - 1)) - 1);
+    int level = min(tile_level, top_level);
+    int2 first = max((at - 1) << (tile_level - level), int2(0));
+    int2 last = min(((at + 2) << (tile_level - level)) - 1, (level_1_size >> (level - 1)) - 1);
     CellBox box;
     box.low.z = uintBitsToFloat(0x7f800000u);
     box.high.z = uintBitsToFloat(0xff800000u);
@@ -41,13 +42,13 @@ void main() {
             box.high.z = max(box.high.z, cell.high.z);
         }
     if (!(box.low.z <= box.high.z)) return;
-    real2 west_north = (real2(max(at * 64 - shading_reach, int2(0)) - origin_cell) - origin_fraction) * cell_m;
-    real2 east_south = (real2(min((at + 1) * 64 + shading_reach, patches) - origin_cell) - origin_fraction) * cell_m;
+    real2 west_north = (real2(max(at * tile_samples - shading_reach, int2(0)) - origin_cell) - origin_fraction) * cell_m;
+    real2 east_south = (real2(min((at + 1) * tile_samples + shading_reach, patches) - origin_cell) - origin_fraction) * cell_m;
     box.low.xy = real2(west_north.x, -east_south.y);
     box.high.xy = real2(east_south.x, -west_north.y);
     // The side of the terrain is cut down to below everything.
     real floor_m = uintBitsToFloat(lowest_bits) - origin_height_m.x - 1.0;
-    if (at.x == 0 || at.y == 0 || (at.x + 1) * 64 >= patches.x || (at.y + 1) * 64 >= patches.y) box.low.z = min(box.low.z, floor_m);
+    if (at.x == 0 || at.y == 0 || (at.x + 1) * tile_samples >= patches.x || (at.y + 1) * tile_samples >= patches.y) box.low.z = min(box.low.z, floor_m);
 
     // Away from the sun down to the lowest ground.
     real3 shadow = real3(0.0);

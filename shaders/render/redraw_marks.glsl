@@ -1,7 +1,7 @@
 // Blocks of the picture that must be drawn again.
 #include "render/block_pixels.glsl"
 
-layout(binding = 5, std430) buffer RedrawMarks {
+layout(std430) buffer RedrawMarks {
     uint lowest_before;    // bits of the terrain's bounds before the change
     uint highest_before;
     uint redraw_all;       // not 0: every block

@@ -3,9 +3,9 @@
 layout(local_size_x = 32, local_size_y = 8) in;
 #include "maths/glsl_types.glsl"
 
-layout(binding = 0) uniform sampler2D picture;
-layout(binding = 0, rgba32f) uniform image2D sum;
-layout(binding = 1, rgba8) uniform writeonly image2D mean;
+uniform sampler2D picture;
+layout(rgba32f) uniform image2D sum;
+layout(rgba8) uniform writeonly image2D mean;
 
 uniform int2 size;
 uniform int samples;  // with this one; 1: it is the first

@@ -4,11 +4,11 @@
 
 layout(location = 0) out vec4 colour_out;
 
-layout(binding = 4) uniform sampler2D hits;
-layout(binding = 5) uniform sampler2D picture_colour;
+uniform sampler2D hits;
+uniform sampler2D picture_colour;
 
 #ifdef STAMP
-layout(binding = 6) uniform sampler2D stamp;
+uniform sampler2D stamp;
 uniform vec2 stamp_columns;  // of the stamp, a metre east and north, from its middle
 uniform vec2 stamp_rows;
 #endif

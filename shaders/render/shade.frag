@@ -8,10 +8,10 @@ const bool count_steps = false;
 
 layout(location = 0) out vec4 colour_out;
 
-layout(binding = 2) uniform sampler2D bottoms;
-layout(binding = 3) uniform sampler2D solid;  // bedrock, its low word, regolith, its low word
-layout(binding = 4) uniform sampler2D hits;
-layout(binding = 5) uniform sampler2D start;  // the ground when the terrain was made, two words
+uniform sampler2D bottoms;
+uniform sampler2D solid;  // bedrock, its low word, regolith, its low word
+uniform sampler2D hits;
+uniform sampler2D start;  // the ground when the terrain was made, two words
 
 uniform real3 sun;         // towards it: east, north, up
 uniform real extent_m;     // of the terrain, sets the haze

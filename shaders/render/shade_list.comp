@@ -4,19 +4,19 @@ layout(local_size_x = 16, local_size_y = 16) in;
 #include "maths/glsl_types.glsl"
 #include "render/block_pixels.glsl"
 
-layout(binding = 0) uniform sampler2D hits;
-// Two draws of four words each, of nothing and of something, then the blocks of each.
-layout(binding = 6, std430) buffer ShadeBlocks { uint block_words[]; };
+uniform sampler2D hits;
+// Two draws, of blocks with nothing and with something in them, then the blocks of each.
+layout(std430) buffer ShadeBlocks { uint block_words[]; };
 
 uniform int2 blocks;
 uniform int2 size;  // of the picture
 
-const int head_words = 8;
+const int head_words = 2 * draw_words;
 
 shared uint seen[large_block * large_block];
 
 void list(uint kind, uint block) {
-    uint place = atomicAdd(block_words[4 * int(kind)], 1u);
+    uint place = atomicAdd(block_words[draw_words * int(kind)], 1u);
     block_words[head_words + int(kind) * blocks.x * blocks.y + int(place)] = block;
 }
 

@@ -2,10 +2,10 @@
 layout(local_size_x = 16, local_size_y = 16) in;
 #include "render/pyramid_layout.glsl"
 
-layout(binding = 1) uniform sampler2D tops;
-layout(binding = 2) uniform sampler2D bottoms;
-layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
-layout(binding = 0, r32f) uniform writeonly image2D share;
+uniform sampler2D tops;
+uniform sampler2D bottoms;
+layout(std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
+layout(r32f) uniform writeonly image2D share;
 
 uniform int2 tiles;
 uniform int2 squares;

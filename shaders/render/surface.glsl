@@ -1,8 +1,8 @@
 // The surface as shaders of render read it: ground samples and the max pyramid over the patches between them.
 #include "render/pyramid_layout.glsl"
 
-layout(binding = 0) uniform sampler2D ground;
-layout(binding = 1) uniform sampler2D tops;
+uniform sampler2D ground;
+uniform sampler2D tops;
 
 uniform int2 patches;
 uniform int top_level;

@@ -6,15 +6,16 @@ const bool count_steps = false;
 
 layout(location = 0) out vec4 colour_out;
 
-layout(binding = 2) uniform sampler2D bottoms;
-layout(binding = 3) uniform sampler2D level;
-layout(binding = 4) uniform sampler2D hits;
-layout(binding = 5) uniform sampler2D water_hits;
-layout(binding = 6) uniform sampler2D colours;
+uniform sampler2D bottoms;
+uniform sampler2D level;
+uniform sampler2D hits;
+uniform sampler2D water_hits;
+uniform sampler2D colours;
 
 uniform real3 sun;  // towards it: east, north, up
 uniform real extent_m;
 uniform real pixel_angle;
+uniform real gravity;  // m/s²
 
 #include "render/relief.glsl"
 #include "render/sky.glsl"
@@ -127,7 +128,7 @@ void main() {
     // White water where it shoots (Froude number above 1) down a slope of its own, deep enough to break, and on the steep
     // front of a wave that runs.
     Flow flow = flow_at(place);
-    float froude = length(flow.velocity) / sqrt(9.81 * max(flow.depth_m, seen_depth_m));
+    float froude = length(flow.velocity) / sqrt(gravity * max(flow.depth_m, wet_depth_m));
     float foam = smoothstep(0.9, 1.8, froude) * smoothstep(0.05, 0.4, flow.depth_m) * smoothstep(0.03, 0.25, length(slope));
     float front = smoothstep(0.08, 0.25, length(slope)) * smoothstep(0.12, 0.35, froude) * smoothstep(0.3, 1.5, flow.depth_m);
     if (!through_side) colour = mix(colour, vec3(0.75, 0.80, 0.83) * light, 0.75 * max(foam, front));

@@ -1,17 +1,18 @@
 // The level that rays are cast onto, over the listed tiles, a group a tile (render/water_surface.h).
 layout(local_size_x = 64) in;
+#include "sim/tile_samples.glsl"
 #include "maths/glsl_types.glsl"
 
-layout(binding = 0, rgba32f) uniform readonly image2D water_in;  // with ghost samples beyond the edges
-layout(binding = 1, r32f) uniform readonly image2D ground_in;
-layout(binding = 2, r32f) uniform writeonly image2D level_out;
-layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
+layout(rgba32f) uniform readonly image2D water_in;  // with ghost samples beyond the edges
+layout(r32f) uniform readonly image2D ground_in;
+layout(r32f) uniform writeonly image2D level_out;
+layout(std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 
 uniform int2 samples;
 uniform int2 tiles;
 uniform real2 cell_m;
 
-const int water_ghosts = 2;
+#include "sim/water_layout.glsl"
 #include "render/film.glsl"
 // How far below the ground the surface lies where no water is near, m: no ray looks for it there.
 const real far_below_m = real(1e4);
@@ -62,14 +63,14 @@ real level_beside(Beside water) {
 
 void main() {
     int tile = int(listed_tiles[gl_WorkGroupID.y]);
-    int2 first = int2(tile % tiles.x, tile / tiles.x) * 64 + int2(int(gl_LocalInvocationIndex), 0);
+    int2 first = int2(tile % tiles.x, tile / tiles.x) * tile_samples + int2(int(gl_LocalInvocationIndex), 0);
     if (first.x >= samples.x) return;
     // Levels are summed above the tile's own height, which leaves them their digits.
     real datum = imageLoad(ground_in, first).x;
     // The rows before, at and after the sample, so that each is looked at once.
     Beside north = beside_in(first.x, first.y - 1, datum);
     Beside here = beside_in(first.x, first.y, datum);
-    for (int row = 0; row < min(64, samples.y - first.y); ++row) {
+    for (int row = 0; row < min(tile_samples, samples.y - first.y); ++row) {
         int2 at = first + int2(0, row);
         Beside south = beside_in(at.x, at.y + 1, datum);
         real ground = imageLoad(ground_in, at).x;

@@ -2,9 +2,9 @@
 layout(local_size_x = 64) in;
 #include "maths/glsl_types.glsl"
 
-layout(binding = 0, rgba32f) uniform readonly image2D operands;
-layout(binding = 1, rgba32f) uniform writeonly image2D results;   // sum, product, quotient, square root
-layout(binding = 2, rgba32f) uniform writeonly image2D chained;   // product and sum in one expression
+layout(rgba32f) uniform readonly image2D operands;
+layout(rgba32f) uniform writeonly image2D results;   // sum, product, quotient, square root
+layout(rgba32f) uniform writeonly image2D chained;   // product and sum in one expression
 
 void main() {
     int2 at = int2(gl_GlobalInvocationID.xy);

@@ -1,19 +1,21 @@
 // One dab on a rectangle of tiles, a group per tile, and what it added and took, booked per tile in double.
 layout(local_size_x = 16, local_size_y = 16) in;
+#include "sim/tile_samples.glsl"
 #include "sim/samples.glsl"
 #include "maths/solid.glsl"
 
-layout(binding = 1, std430) buffer TileBooks { dvec4 tile_books[]; };  // metres of bedrock in, out, of regolith in, out
+layout(std430) buffer TileBooks { dvec4 tile_books[]; };  // metres of bedrock in, out, of regolith in, out
 
 uniform int2 dab_low;   // samples that it can change, both included
 uniform int2 dab_high;
 // Software runs what a branch leaves out: a program for each mode.
 const int dab_mode = DAB_MODE;
 
-#if DAB_MODE == 8
+#ifdef ERODED
+#include "sim/water_layout.glsl"
 // The window around the dab as it was eroded, and its load, which has two ghost samples around.
-layout(binding = 4, rgba32f) uniform readonly image2D eroded;
-layout(binding = 5, rg32f) uniform readonly image2D eroded_load;
+layout(rgba32f) uniform readonly image2D eroded;
+layout(rg32f) uniform readonly image2D eroded_load;
 uniform int2 first_tile;
 uniform real erode_settled;  // metres of regolith that a metre of load becomes
 
@@ -29,13 +31,13 @@ real4 after_dab(int2 at, real4 before) {
     real highest = max(max(eroded_ground(there + int2(-1, 0), last), eroded_ground(there + int2(1, 0), last)),
                        max(eroded_ground(there + int2(0, -1), last), eroded_ground(there + int2(0, 1), last)));
     precise real rise = max(highest - eroded_ground(there, last), real(0)) * real(0.5);
-    precise real load = imageLoad(eroded_load, there + 2).x * erode_settled;
+    precise real load = imageLoad(eroded_load, there + water_ghosts).x * erode_settled;
     real settled = min(load, rise);
     return settled > real(0) ? change_ground(after, settled, true) : after;
 }
 #else
-layout(binding = 3, rgba32f) uniform readonly image2D painted;
-layout(binding = 4, r32f) uniform readonly image2D stamp;
+layout(rgba32f) uniform readonly image2D painted;
+layout(r32f) uniform readonly image2D stamp;
 real painted_mask(int2 at) { return imageLoad(painted, at).y; }
 #include "sim/dab.glsl"
 
@@ -82,7 +84,7 @@ void main() {
     dvec4 book = dvec4(0.0);
     bool changed = false;
     for (int block = 0; block < 16; ++block) {
-        int2 corner = tile * 64 + int2(block & 3, block >> 2) * 16;
+        int2 corner = tile * tile_samples + int2(block & 3, block >> 2) * 16;
         if (any(lessThan(corner + 15, dab_low)) || any(greaterThan(corner, dab_high))) continue;
         int2 at = corner + int2(gl_LocalInvocationID.xy);
         if (at.x >= samples.x || at.y >= samples.y) continue;
@@ -95,7 +97,7 @@ void main() {
         }
         imageStore(solid_out, at, after);
     }
-    if (changed) mark_tile(tile * 64);
+    if (changed) mark_tile(tile * tile_samples);
     sample_books[gl_LocalInvocationIndex] = book;
     barrier();
     if (gl_LocalInvocationID.y == 0u) {

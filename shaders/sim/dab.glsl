@@ -1,5 +1,7 @@
 // Where a dab is and how strongly it acts, as uniforms (sim/passes/brush.h, set_dab). The including shader gives real
 // painted_mask(int2): the mask as it was painted.
+#include "maths/brush_modes.glsl"
+
 uniform int2 first_tile;
 uniform real2 cell_m;
 uniform int2 dab_sample;

@@ -2,8 +2,8 @@
 layout(local_size_x = 16, local_size_y = 16) in;
 #include "sim/samples.glsl"
 
-layout(binding = 3, rgba32f) uniform readonly image2D painted;
-layout(binding = 4, rgba32f) uniform writeonly image2D painted_out;
+layout(rgba32f) uniform readonly image2D painted;
+layout(rgba32f) uniform writeonly image2D painted_out;
 
 uniform int2 window_corner;   // on the map
 uniform int2 window_samples;

@@ -1,32 +1,33 @@
 // Sums of a tile in double, metres: of bedrock, regolith, suspended solid and water, and of ground that is lower and higher
 // than at the start.
 layout(local_size_x = 64) in;
+#include "sim/tile_samples.glsl"
 #include "maths/glsl_types.glsl"
 
-layout(binding = 0, rgba32f) uniform readonly image2D solid_in;
-layout(binding = 1, rg32f) uniform readonly image2D start_in;   // ground at the start, two words
-const int water_ghosts = 2;
+layout(rgba32f) uniform readonly image2D solid_in;
+layout(rg32f) uniform readonly image2D start_in;   // ground at the start, two words
+#include "sim/water_layout.glsl"
 #ifdef WATER
-layout(binding = 2, rgba32f) uniform readonly image2D water_in;
+layout(rgba32f) uniform readonly image2D water_in;
 #endif
 #ifdef SEDIMENT
-layout(binding = 3, rg32f) uniform readonly image2D load_in;
+layout(rg32f) uniform readonly image2D load_in;
 #endif
-layout(binding = 0, std430) writeonly buffer TileSums { dvec4 tile_sums[]; };  // stores, changes; two a tile
+layout(std430) writeonly buffer TileSums { dvec4 tile_sums[]; };  // stores, changes; two a tile
 
 uniform int2 samples;
 uniform int2 tiles;
 
-shared dvec4 column_stores[64];
-shared dvec2 column_changes[64];
+shared dvec4 column_stores[tile_samples];
+shared dvec2 column_changes[tile_samples];
 
 void main() {
     int2 tile = int2(gl_WorkGroupID.xy);
-    int column = tile.x * 64 + int(gl_LocalInvocationIndex);
+    int column = tile.x * tile_samples + int(gl_LocalInvocationIndex);
     dvec4 stores = dvec4(0.0);
     dvec2 changes = dvec2(0.0);
     if (column < samples.x) {
-        for (int row = tile.y * 64; row < min(tile.y * 64 + 64, samples.y); ++row) {
+        for (int row = tile.y * tile_samples; row < min(tile.y * tile_samples + tile_samples, samples.y); ++row) {
             int2 at = int2(column, row);
             dvec4 words = dvec4(imageLoad(solid_in, at));
             dvec2 start = dvec2(imageLoad(start_in, at).xy);
@@ -49,7 +50,7 @@ void main() {
     if (gl_LocalInvocationIndex == 0u) {
         stores = dvec4(0.0);
         changes = dvec2(0.0);
-        for (int i = 0; i < 64; ++i) {
+        for (int i = 0; i < tile_samples; ++i) {
             stores += column_stores[i];
             changes += column_changes[i];
         }

@@ -1,11 +1,13 @@
 // The mask of the whole terrain anew, a group per tile, an invocation per column.
 layout(local_size_x = 64) in;
+#include "sim/tile_samples.glsl"
 #include "maths/glsl_types.glsl"
+#include "maths/mask_kinds.glsl"
 
-const int water_ghosts = 2;
-layout(binding = 0, rgba32f) uniform image2D painted;
-layout(binding = 1, r32f) uniform readonly image2D ground;
-layout(binding = 2, rgba32f) uniform readonly image2D water;
+#include "sim/water_layout.glsl"
+layout(rgba32f) uniform image2D painted;
+layout(r32f) uniform readonly image2D ground;
+layout(rgba32f) uniform readonly image2D water;
 #include "sim/tile_stamps.glsl"
 
 uniform int2 samples;
@@ -24,10 +26,10 @@ real load_ground(int2 at) { return imageLoad(ground, clamp(at, int2(0), samples 
 
 void main() {
     int2 tile = int2(gl_WorkGroupID.xy);
-    int2 first = tile * 64 + int2(int(gl_LocalInvocationIndex), 0);
+    int2 first = tile * tile_samples + int2(int(gl_LocalInvocationIndex), 0);
     bool changed = false;
     if (first.x < samples.x) {
-        for (int row = 0; row < min(64, samples.y - first.y); ++row) {
+        for (int row = 0; row < min(tile_samples, samples.y - first.y); ++row) {
             int2 at = first + int2(0, row);
             real4 value = imageLoad(painted, at);
             real depth = has_water != 0 ? imageLoad(water, at + water_ghosts).x : real(0);

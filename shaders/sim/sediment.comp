@@ -1,20 +1,21 @@
 // After a sub-step: the water's load and the bed exchange solid, on the listed tiles, 4 groups of 16 rows a tile. Of its
 // neighbours a sample looks at the bed alone, so that all else is in place.
 layout(local_size_x = 64) in;
+#include "sim/tile_samples.glsl"
 #include "sim/water_images.glsl"
 
-layout(binding = 0, rgba32f) uniform readonly image2D water_in;
-layout(binding = 1, rg32f) uniform image2D load;
-layout(binding = 2, r32f) uniform readonly image2D bed;  // the ground before, which sediment_bed.comp brings up to it
+layout(rgba32f) uniform readonly image2D water_in;
+layout(rg32f) uniform image2D load;
+layout(r32f) uniform readonly image2D bed;  // the ground before, which sediment_bed.comp brings up to it
 #ifdef PAINTED
-layout(binding = 3, rgba32f) uniform readonly image2D painted;
+layout(rgba32f) uniform readonly image2D painted;
 #endif
-layout(binding = 4, rgba32f) uniform image2D solid;
-layout(binding = 5, r32f) uniform writeonly image2D ground;
+layout(rgba32f) uniform image2D solid;
+layout(r32f) uniform writeonly image2D ground;
 #include "sim/tile_stamps.glsl"
-layout(binding = 5, std430) buffer WaterActivity { uint water_activity[]; };
+layout(std430) buffer WaterActivity { uint water_activity[]; };
 #include "sim/water_activity.glsl"
-layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
+layout(std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 
 uniform int2 samples;
 uniform int2 tiles;
@@ -59,7 +60,7 @@ void main() {
     int tile = int(listed_tiles[gl_WorkGroupID.y]);
     int column = int(gl_LocalInvocationIndex);
     int first_row = int(gl_WorkGroupID.x) * 16;
-    int2 first = int2(tile % tiles.x, tile / tiles.x) * 64 + int2(column, first_row);
+    int2 first = int2(tile % tiles.x, tile / tiles.x) * tile_samples + int2(column, first_row);
     if (first.x >= samples.x) return;
     uint awake = 0u;  // what exchanges keeps the water awake
     bool loads = false;
@@ -103,9 +104,9 @@ void main() {
         if (height == before_here) continue;
         imageStore(ground, at, real4(height));
         awake |= first_row + row < water_reach ? wet_north : 0u;
-        awake |= first_row + row >= 64 - water_reach ? wet_south : 0u;
+        awake |= first_row + row >= tile_samples - water_reach ? wet_south : 0u;
         awake |= column < water_reach ? wet_west : 0u;
-        awake |= column >= 64 - water_reach ? wet_east : 0u;
+        awake |= column >= tile_samples - water_reach ? wet_east : 0u;
     }
     if (awake != 0u && (water_activity[tile] & awake) != awake) atomicOr(water_activity[tile], awake);
     if (loads) stamp_tile(tile, tile_load);

@@ -1,17 +1,18 @@
 // After an exchange: the water's bed follows the ground on the listed tiles, 4 groups of 16 rows a tile.
 layout(local_size_x = 64) in;
+#include "sim/tile_samples.glsl"
 #include "sim/water_images.glsl"
 
-layout(binding = 0, r32f) uniform readonly image2D ground;
-layout(binding = 1, r32f) uniform writeonly image2D bed;
-layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
+layout(r32f) uniform readonly image2D ground;
+layout(r32f) uniform writeonly image2D bed;
+layout(std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 
 uniform int2 samples;
 uniform int2 tiles;
 
 void main() {
     int tile = int(listed_tiles[gl_WorkGroupID.y]);
-    int2 first = int2(tile % tiles.x, tile / tiles.x) * 64 + int2(int(gl_LocalInvocationIndex), int(gl_WorkGroupID.x) * 16);
+    int2 first = int2(tile % tiles.x, tile / tiles.x) * tile_samples + int2(int(gl_LocalInvocationIndex), int(gl_WorkGroupID.x) * 16);
     if (first.x >= samples.x) return;
     for (int row = 0; row < min(16, samples.y - first.y); ++row) {
         int2 at = first + int2(0, row);

@@ -1,8 +1,9 @@
 // One sub-step of thermal erosion on the listed tiles: 16 groups of 16 x 16 samples a tile.
 layout(local_size_x = 16, local_size_y = 16) in;
+#include "sim/tile_samples.glsl"
 #include "sim/samples.glsl"
 
-layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
+layout(std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 
 uniform real2 cell_m;
 uniform real repose_slope;  // of regolith, dry
@@ -13,13 +14,14 @@ uniform real thermal_bulking;
 uniform real weathering;
 
 #ifdef WET
-layout(binding = 3, rgba32f) uniform readonly image2D water;  // with two ghost samples around
-real load_repose(int2 at) { return imageLoad(water, at + 2).x >= real(0.01) ? wet_slope : repose_slope; }
+#include "sim/water_layout.glsl"
+layout(rgba32f) uniform readonly image2D water;  // with two ghost samples around
+real load_repose(int2 at) { return imageLoad(water, at + water_ghosts).x >= wet_depth_m ? wet_slope : repose_slope; }
 #else
 real load_repose(int2 at) { return repose_slope; }
 #endif
 #ifdef MASKED
-layout(binding = 4, rgba32f) uniform readonly image2D painted;
+layout(rgba32f) uniform readonly image2D painted;
 real load_mask(int2 at) { return imageLoad(painted, clamp(at, int2(0), samples - 1)).y; }
 #else
 real load_mask(int2 at) { return real(1); }
@@ -29,7 +31,7 @@ real load_mask(int2 at) { return real(1); }
 void main() {
     int tile = int(listed_tiles[gl_WorkGroupID.y]);
     int block = int(gl_WorkGroupID.x);
-    int2 at = int2(tile % tiles.x, tile / tiles.x) * 64 + int2(block & 3, block >> 2) * 16 + int2(gl_LocalInvocationID.xy);
+    int2 at = int2(tile % tiles.x, tile / tiles.x) * tile_samples + int2(block & 3, block >> 2) * 16 + int2(gl_LocalInvocationID.xy);
     if (at.x >= samples.x || at.y >= samples.y) return;
     real4 before = load_solid(at);
     real4 after = thermal_sample(at);

@@ -6,8 +6,8 @@ layout(local_size_x = 256) in;
 
 #include "sim/tile_changes.glsl"
 
-layout(binding = 0, std430) readonly buffer TileStamps { uint tile_stamps[]; };
-layout(binding = 1, std430) buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
+layout(std430) readonly buffer TileStamps { uint tile_stamps[]; };
+layout(std430) buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 
 uniform int2 tiles;
 uniform uint changes;  // a bit for each kind that is of interest

@@ -2,7 +2,7 @@
 // writer knows the readers (sim/terrain/tiles.h).
 #include "sim/tile_changes.glsl"
 
-layout(binding = 0, std430) buffer TileStamps { uint tile_stamps[]; };  // the last change of each kind, tile after tile
+layout(std430) buffer TileStamps { uint tile_stamps[]; };  // the last change of each kind, tile after tile
 uniform uint stamp_now;
 
 // Invocations of one dispatch write the same number.

@@ -3,33 +3,34 @@
 // STAGE. ORDER 2: STAGE 1
 // writes the Euler step to `back`; STAGE 2 reads it there and completes `front` in place (each texel by its owner).
 layout(local_size_x = 64) in;
+#include "sim/tile_samples.glsl"
 #include "sim/water_images.glsl"
 
-layout(binding = 0, rgba32f) uniform readonly image2D water_in;
+layout(rgba32f) uniform readonly image2D water_in;
 #if ORDER == 2 && STAGE == 2
-layout(binding = 1, rgba32f) uniform image2D water_out;
+layout(rgba32f) uniform image2D water_out;
 #else
-layout(binding = 1, rgba32f) uniform writeonly image2D water_out;
+layout(rgba32f) uniform writeonly image2D water_out;
 #endif
-layout(binding = 2, r32f) uniform readonly image2D bed_in;
+layout(r32f) uniform readonly image2D bed_in;
 #include "sim/tile_stamps.glsl"
-layout(binding = 5, std430) buffer WaterActivity { uint water_activity[]; };
+layout(std430) buffer WaterActivity { uint water_activity[]; };
 #include "sim/water_activity.glsl"
-layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
-layout(binding = 3, std430) buffer TileSpeeds { uint tile_speeds[]; };
+layout(std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
+layout(std430) buffer TileSpeeds { uint tile_speeds[]; };
 #ifdef SEDIMENT
-layout(binding = 4, rg32f) uniform readonly image2D load_in;
+layout(rg32f) uniform readonly image2D load_in;
 #if ORDER == 2 && STAGE == 2
-layout(binding = 5, rg32f) uniform image2D load_out;
+layout(rg32f) uniform image2D load_out;
 #else
-layout(binding = 5, rg32f) uniform writeonly image2D load_out;
+layout(rg32f) uniform writeonly image2D load_out;
 #endif
 #endif
 #ifdef SOURCES
-layout(binding = 4, std430) buffer TileSources { dvec2 tile_sources[]; };  // metres of loss and of rain by the map, per tile and strip
-shared dvec2 column_sources[64];
+layout(std430) buffer TileSources { dvec2 tile_sources[]; };  // metres of loss and of rain by the map, per tile and strip
+shared dvec2 column_sources[tile_samples];
 #ifdef RAIN_MAP
-layout(binding = 3, rgba32f) uniform readonly image2D painted;
+layout(rgba32f) uniform readonly image2D painted;
 #endif
 #endif
 
@@ -78,7 +79,7 @@ WaterFace face_between(WaterCell before, WaterCell a, WaterSlope slope_a, WaterC
 
 void main() {
     int tile = int(listed_tiles[gl_WorkGroupID.y]);
-    int2 first = int2(tile % tiles.x, tile / tiles.x) * 64 + int2(int(gl_LocalInvocationIndex), int(gl_WorkGroupID.x) * 16);
+    int2 first = int2(tile % tiles.x, tile / tiles.x) * tile_samples + int2(int(gl_LocalInvocationIndex), int(gl_WorkGroupID.x) * 16);
     int rows = min(16, samples.y - first.y);
     real dt = clock_dt_s;
     bool moved = false;
@@ -156,7 +157,7 @@ void main() {
             moved = moved || moves;
             int row_in_tile = int(gl_WorkGroupID.x) * 16 + row;
             moved_high = moved_high || (moves && row_in_tile < water_reach);
-            moved_low = moved_low || (moves && row_in_tile >= 64 - water_reach);
+            moved_low = moved_low || (moves && row_in_tile >= tile_samples - water_reach);
             imageStore(water_out, at + water_ghosts, after);
 #ifdef SEDIMENT
             real flux_south = sediment_flux(face_south.mass, solid_south, solid_here);
@@ -190,7 +191,7 @@ void main() {
     if (moved) {
         int column = int(gl_LocalInvocationIndex);
         uint awake = wet | (moved_high ? wet_north : 0u) | (moved_low ? wet_south : 0u) |
-                     (column < water_reach ? wet_west : 0u) | (column >= 64 - water_reach ? wet_east : 0u);
+                     (column < water_reach ? wet_west : 0u) | (column >= tile_samples - water_reach ? wet_east : 0u);
         if ((water_activity[tile] & awake) != awake) atomicOr(water_activity[tile], awake);
         stamp_tile(tile, tile_water);
     }
@@ -202,7 +203,7 @@ void main() {
     barrier();
     if (gl_LocalInvocationIndex == 0u) {
         dvec2 sum = dvec2(0.0);
-        for (int i = 0; i < 64; ++i) sum += column_sources[i];
+        for (int i = 0; i < tile_samples; ++i) sum += column_sources[i];
         tile_sources[tile * 4 + int(gl_WorkGroupID.x)] += sum;
     }
 #endif

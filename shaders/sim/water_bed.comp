@@ -1,20 +1,21 @@
 // Where the ground or the water was changed by others: the bed follows the ground, both images of the water and of its load agree, the
 // tile's fastest wave is found anew, and its water wakes. A group per listed tile.
 layout(local_size_x = 64) in;
+#include "sim/tile_samples.glsl"
 #include "sim/water_images.glsl"
 
-layout(binding = 0, rgba32f) uniform readonly image2D water_in;
-layout(binding = 1, rgba32f) uniform writeonly image2D water_out;
-layout(binding = 2, r32f) uniform writeonly image2D bed_out;
-layout(binding = 3, r32f) uniform readonly image2D ground_in;
+layout(rgba32f) uniform readonly image2D water_in;
+layout(rgba32f) uniform writeonly image2D water_out;
+layout(r32f) uniform writeonly image2D bed_out;
+layout(r32f) uniform readonly image2D ground_in;
 #ifdef SEDIMENT
-layout(binding = 4, rg32f) uniform readonly image2D load_in;
-layout(binding = 5, rg32f) uniform writeonly image2D load_out;
+layout(rg32f) uniform readonly image2D load_in;
+layout(rg32f) uniform writeonly image2D load_out;
 #endif
-layout(binding = 0, std430) buffer WaterActivity { uint water_activity[]; };
+layout(std430) buffer WaterActivity { uint water_activity[]; };
 #include "sim/water_activity.glsl"
-layout(binding = 1, std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
-layout(binding = 3, std430) buffer TileSpeeds { uint tile_speeds[]; };
+layout(std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
+layout(std430) buffer TileSpeeds { uint tile_speeds[]; };
 
 uniform int2 samples;
 uniform int2 tiles;
@@ -33,12 +34,12 @@ shared uint fastest;
 
 void main() {
     int tile = int(listed_tiles[gl_WorkGroupID.y]);
-    int2 first = int2(tile % tiles.x, tile / tiles.x) * 64 + int2(int(gl_LocalInvocationIndex), 0);
+    int2 first = int2(tile % tiles.x, tile / tiles.x) * tile_samples + int2(int(gl_LocalInvocationIndex), 0);
     if (gl_LocalInvocationIndex == 0u) fastest = 0u;
     barrier();
     real mine = real(0);
     if (first.x < samples.x) {
-        for (int row = 0; row < min(64, samples.y - first.y); ++row) {
+        for (int row = 0; row < min(tile_samples, samples.y - first.y); ++row) {
             int2 at = first + int2(0, row);
             real4 water = imageLoad(water_in, at + water_ghosts);
             imageStore(water_out, at + water_ghosts, water);

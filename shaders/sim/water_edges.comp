@@ -1,25 +1,26 @@
 // Before a stage: the ghost samples beyond the map's edges, what passes the edges in this stage, booked in double, and
 // the springs. One group goes round the map; after the tick's time is over it does nothing.
 layout(local_size_x = 256) in;
+#include "sim/tile_samples.glsl"
 #include "sim/water_images.glsl"
 
-layout(binding = 0, rgba32f) coherent uniform image2D water_state;
-layout(binding = 2, r32f) uniform image2D bed;
+layout(rgba32f) coherent uniform image2D water_state;
+layout(r32f) uniform image2D bed;
 #include "sim/tile_stamps.glsl"
-layout(binding = 5, std430) readonly buffer Springs { vec4 springs[]; };          // column, row, m/s
-layout(binding = 6, std430) readonly buffer EdgeSeries { float edge_series[]; };  // inflow, m²/s; then wave, m
+layout(std430) readonly buffer Springs { vec4 springs[]; };          // column, row, m/s
+layout(std430) readonly buffer EdgeSeries { float edge_series[]; };  // inflow, m²/s; then wave, m
 #ifdef SEDIMENT
-layout(binding = 3, rg32f) coherent uniform image2D load_state;
-layout(binding = 4, std430) buffer EdgeSolidBooks { dvec2 edge_solid_books[]; };  // metres in, out, as they count for the bed
+layout(rg32f) coherent uniform image2D load_state;
+layout(std430) buffer EdgeSolidBooks { dvec2 edge_solid_books[]; };  // metres in, out, as they count for the bed
 uniform real edge_concentration;  // of what flows in by edges of kind inflow
 uniform real sediment_speedup;
 #endif
-layout(binding = 7, std430) buffer EdgeBooks { dvec2 edge_books[]; };             // metres in, out, round the map
+layout(std430) buffer EdgeBooks { dvec2 edge_books[]; };             // metres in, out, round the map
 
 uniform int2 samples;
 uniform int2 tiles;
 uniform int stage;          // 0: of the sub-step's start, 1: of its second half
-uniform int kind_north;     // numbers of maths/water_edge.glsl
+uniform int kind_north;     // of maths/edge_kinds.glsl
 uniform int kind_south;
 uniform int kind_west;
 uniform int kind_east;
@@ -111,7 +112,7 @@ void main() {
             imageStore(water_state, at, real4(depth.x, depth.y, water.z, water.w));
             book_springs_m += double(gain);
             // Also where so little comes that it rests.
-            int2 tile = int2(springs[i].xy) / 64;
+            int2 tile = int2(springs[i].xy) / tile_samples;
             stamp_tile(tile.y * tiles.x + tile.x, tile_water);
         }
     memoryBarrierImage();

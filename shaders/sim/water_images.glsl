@@ -1,23 +1,9 @@
 // Water on the device: images with two ghost samples beyond every edge, so that no load asks where it is.
 #include "maths/glsl_types.glsl"
 
-const int water_ghosts = 2;
+#include "sim/water_layout.glsl"
 
 // What the step pass decides for the passes of a sub-step; time lives here (law 7).
-layout(binding = 2, std430) buffer WaterClock {
-    float clock_left_s;      // of the tick
-    float clock_dt_s;        // this sub-step; 0: the tick is done
-    float clock_share_x;     // dt / dx, s/m
-    float clock_share_y;
-    float clock_drain;       // m/s
-    float clock_friction;    // dt g n²
-    float clock_at;          // share of the tick that is past, before this sub-step
-    float clock_share;       // this sub-step's share of the tick
-    float clock_fastest;     // m/s, over all tiles
-    uint clock_edge_fastest; // bits of the fastest wave beyond the edges in this tick's last sub-step, m/s
-    float clock_pad[2];
-    double book_rain_m;      // metres of rain on one sample, since the start
-    double book_springs_m;   // metres from all springs
-    double total_substeps;
-    double total_listed;     // tiles, in all sub-steps together
+layout(std430) buffer WaterClock {
+#include "sim/water_clock.glsl"
 };

@@ -1,13 +1,14 @@
 // Begins a sub-step of water: its length from the fastest wave, and the list of the tiles that have work. One group,
 // because a dispatch costs more than this work. After the tick's time is over it lists none and leaves the marks.
 layout(local_size_x = 256) in;
+#include "sim/tile_samples.glsl"
 #include "sim/water_images.glsl"
 
-layout(binding = 0, std430) coherent buffer WaterActivity { uint water_activity[]; };
+layout(std430) coherent buffer WaterActivity { uint water_activity[]; };
 #include "sim/water_activity.glsl"
-layout(binding = 1, std430) buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
-layout(binding = 3, std430) buffer TileSpeeds { uint tile_speeds[]; };
-layout(binding = 5, std430) readonly buffer Springs { vec4 springs[]; };  // column, row, m/s
+layout(std430) buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
+layout(std430) buffer TileSpeeds { uint tile_speeds[]; };
+layout(std430) readonly buffer Springs { vec4 springs[]; };  // column, row, m/s
 
 uniform int2 tiles;
 uniform int2 samples;
@@ -63,7 +64,7 @@ void main() {
         }
         atomicMax(fastest, mine);
         for (int i = me; i < spring_count; i += 256) {
-            int2 tile = int2(springs[i].xy) / 64;
+            int2 tile = int2(springs[i].xy) / tile_samples;
             atomicOr(water_activity[tile.y * tiles.x + tile.x], wet_all);
         }
     }

@@ -69,7 +69,6 @@ void Buffer::copy_part(std::size_t offset, const Buffer& other, std::size_t othe
 }
 
 void Buffer::bind_storage(unsigned index) const {
-    hazards::bound_storage(index, handle_);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, index, handle_);
 }
 

@@ -15,7 +15,7 @@ void delete_buffer(unsigned name);
 ///
 ///     Buffer flags("tile flags", count * sizeof(std::uint32_t));
 ///     flags.fill(1);
-///     flags.bind_storage(0);
+///     program.bind_storage("Flags", flags);
 class Buffer {
   public:
     Buffer() = default;
@@ -50,6 +50,7 @@ class Buffer {
     /// The same for so many bytes of another buffer, each at its own offset.
     void copy_part(std::size_t offset, const Buffer& other, std::size_t other_offset, std::size_t bytes);
 
+    /// Where a program finds it; Program::bind_storage() knows the index.
     void bind_storage(unsigned index) const;
 
   private:

@@ -1,6 +1,5 @@
 #include "sim/gpu/hazards.h"
 
-#include <epoxy/gl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,9 +7,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <map>
-#include <regex>
-#include <set>
-#include <sstream>
 
 #include "sim/gpu/error.h"
 
@@ -28,9 +24,6 @@ struct Book {
     std::uint64_t now = 0;
     std::array<std::uint64_t, use_count> ordered{};  // number of the run before the last barrier
     std::map<std::pair<Kind, unsigned>, Object> objects;
-    std::map<unsigned, unsigned> images;
-    std::map<unsigned, unsigned> samplers;
-    std::map<unsigned, unsigned> storages;
     std::vector<unsigned> targets;
 };
 
@@ -73,47 +66,6 @@ void check(Kind kind, unsigned name, Use use, std::string_view by) {
                     by, kind == Kind::texture ? "texture" : "buffer", object.label, name_of(use), object.by));
 }
 
-// The text without the branches of #ifdef and #ifndef that its defines leave out. What stands under #if
-// stays: which of its branches holds is not known here.
-std::string active_lines(std::string_view text) {
-    std::istringstream lines{std::string(text)};
-    std::set<std::string> defined;
-    struct Branch {
-        bool known;
-        bool active;
-    };
-    std::vector<Branch> branches;
-    std::string kept_lines;
-    std::string line;
-    while (std::getline(lines, line)) {
-        std::istringstream words(line);
-        std::string word;
-        std::string name;
-        words >> word >> name;
-        const bool active = std::all_of(branches.begin(), branches.end(),
-                                        [](const Branch& b) { return !b.known || b.active; });
-        if (word == "#version") defined.clear();  // another shader begins
-        if (word == "#ifdef" || word == "#ifndef")
-            branches.push_back({true, defined.contains(name) == (word == "#ifdef")});
-        else if (word == "#if")
-            branches.push_back({false, true});
-        else if (word == "#else" && !branches.empty())
-            branches.back().active = !branches.back().active;
-        else if (word == "#endif" && !branches.empty())
-            branches.pop_back();
-        else if (active && word == "#define")
-            defined.insert(name);
-        else if (active)
-            kept_lines += line + '\n';
-    }
-    return kept_lines;
-}
-
-unsigned bound_at(const std::map<unsigned, unsigned>& places, unsigned place) {
-    const auto found = places.find(place);
-    return found == places.end() ? 0 : found->second;
-}
-
 }  // namespace
 
 void keep(bool on) {
@@ -132,66 +84,23 @@ void made(Kind kind, unsigned name, const std::string& label) {
     if (kept()) book().objects[{kind, name}] = {label, 0, {}};
 }
 
-void bound_image(unsigned unit, unsigned texture) {
-    if (kept()) book().images[unit] = texture;
-}
-
-void bound_sampler(unsigned unit, unsigned texture) {
-    if (kept()) book().samplers[unit] = texture;
-}
-
-void bound_storage(unsigned index, unsigned buffer) {
-    if (kept()) book().storages[index] = buffer;
-}
-
 void bound_targets(const std::vector<unsigned>& textures) {
     if (kept()) book().targets = textures;
 }
 
-std::vector<Access> accesses_of(unsigned program, std::string_view text) {
-    std::vector<Access> accesses;
-    if (!kept()) return accesses;
-    const auto add = [&](Use use, const std::string& binding, const std::string& words) {
-        const bool only_read = words.find("readonly") != std::string::npos || use == Use::sampler;
-        const bool only_written = words.find("writeonly") != std::string::npos;
-        accesses.push_back({use, static_cast<unsigned>(std::stoul(binding)), !only_written, !only_read});
-    };
-    static const std::regex declaration(
-        R"(layout\(binding = (\d+)(?:, (\w+))?\)([a-z ]*?)(?:uniform([a-z ]*?)(image2D|sampler2D)\s+(\w+)|buffer\s+(\w+)))");
-    const std::string all = active_lines(text);
-    for (std::sregex_iterator at(all.begin(), all.end(), declaration), end; at != end; ++at) {
-        const std::smatch& match = *at;
-        if (match[7].matched) {
-            const std::string block = match[7];
-            if (glGetProgramResourceIndex(program, GL_SHADER_STORAGE_BLOCK, block.c_str()) !=
-                GL_INVALID_INDEX)
-                add(Use::storage, match[1], match[3]);
-        } else if (glGetUniformLocation(program, match[6].str().c_str()) >= 0) {
-            add(match[5] == "image2D" ? Use::image : Use::sampler, match[1], match[3].str() + match[4].str());
-        }
-    }
-    return accesses;
-}
-
-void run(const std::string& program, const std::vector<Access>& accesses) {
+void run(const std::string& program, const std::vector<Place>& places) {
     if (!kept()) return;
     Book& b = book();
     const auto each = [&](auto&& act) {
-        for (const Access& access : accesses) {
-            const bool is_buffer = access.use == Use::storage;
-            const unsigned name = bound_at(is_buffer                    ? b.storages
-                                           : access.use == Use::sampler ? b.samplers
-                                                                        : b.images,
-                                           access.binding);
-            if (name != 0) act(access, is_buffer ? Kind::buffer : Kind::texture, name);
-        }
+        for (const Place& place : places)
+            if (place.object != 0) act(place, place.use == Use::storage ? Kind::buffer : Kind::texture);
     };
     // What is written is ordered against what was written before, too.
-    each([&](const Access& access, Kind kind, unsigned name) { check(kind, name, access.use, program); });
+    each([&](const Place& place, Kind kind) { check(kind, place.object, place.use, program); });
     ++b.now;
-    each([&](const Access& access, Kind kind, unsigned name) {
-        if (!access.writes) return;
-        Object& object = b.objects[{kind, name}];
+    each([&](const Place& place, Kind kind) {
+        if (!place.writes) return;
+        Object& object = b.objects[{kind, place.object}];
         object.stored = b.now;
         object.by = program;
     });

@@ -1,9 +1,9 @@
 #pragma once
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "sim/gpu/barrier.h"
+#include "sim/gpu/program_interface.h"
 
 /// A book of what shaders stored and how it is used next: a use without the barrier for it throws, naming
 /// both. Kept in debug builds, where TALUS_HAZARDS is set, and where a test turns it on; else every call here
@@ -20,25 +20,11 @@ void context_made();
 
 /// An object was made: nothing is known of it but its label.
 void made(Kind kind, unsigned name, const std::string& label);
-/// It is bound where shaders find it.
-void bound_image(unsigned unit, unsigned texture);
-void bound_sampler(unsigned unit, unsigned texture);
-void bound_storage(unsigned index, unsigned buffer);
 /// Draws go into these textures from now on.
 void bound_targets(const std::vector<unsigned>& textures);
 
-/// A place of a program's interface, and what its shaders do there.
-struct Access {
-    Use use = Use::image;  ///< image, sampler or storage
-    unsigned binding = 0;
-    bool reads = false;
-    bool writes = false;
-};
-/// What a program's shaders, as text with their includes, declare; of what the linked program uses.
-std::vector<Access> accesses_of(unsigned program, std::string_view text);
-
 /// A program is run or drawn with what is bound now. Throws talus::Error where a barrier is missing.
-void run(const std::string& program, const std::vector<Access>& accesses);
+void run(const std::string& program, const std::vector<Place>& places);
 /// A draw goes into the targets that are bound. Throws as run() does.
 void draws(const std::string& program);
 /// A call uses an object. Throws as run() does.

@@ -4,111 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <fstream>
-#include <regex>
-#include <sstream>
+#include <atomic>
 
 #include "sim/gpu/debug.h"
-#include "sim/gpu/embedded_text.h"
 #include "sim/gpu/error.h"
+#include "sim/gpu/hazards.h"
 #include "sim/gpu/profile.h"
+#include "sim/gpu/shader_text.h"
 
 namespace talus::gpu {
 namespace {
-
-namespace fs = std::filesystem;
-
-struct Folder {
-    fs::path root;
-    unsigned generation = 1;
-    fs::file_time_type newest{};
-    std::function<void(const std::string&)> receive = [](const std::string& message) {
-        fmt::print(stderr, "{}\n", message);
-    };
-};
-
-Folder& folder() {
-    static Folder instance;
-    return instance;
-}
-
-fs::file_time_type newest_below(const fs::path& root) {
-    fs::file_time_type newest = fs::file_time_type::min();  // the type's zero lies in the future
-    // Editors replace files while we look: what vanishes is skipped.
-    std::error_code gone;
-    for (fs::recursive_directory_iterator at(root, gone), end; !gone && at != end; at.increment(gone)) {
-        std::error_code failed;
-        const fs::file_time_type time = at->last_write_time(failed);
-        if (!failed && at->is_regular_file(failed) && !failed) newest = std::max(newest, time);
-    }
-    return newest;
-}
-
-std::string load_text(const std::string& path) {
-    if (!folder().root.empty()) {
-        std::ifstream file(folder().root / path, std::ios::binary);
-        if (!file)
-            throw Error(fmt::format("shader '{}' is not in the folder {}", path, folder().root.string()));
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
-    const auto found = embedded_shaders().find(path);
-    if (found == embedded_shaders().end()) throw Error(fmt::format("shader '{}' was not built in", path));
-    return std::string(found->second);
-}
-
-// The path that an #include names: in double quotes, or by a define whose value it is. Empty: none.
-std::string included_path(const std::string& line, const std::vector<std::string>& defines) {
-    const auto first = line.find('"');
-    const auto last = line.rfind('"');
-    if (first != std::string::npos && last > first) return line.substr(first + 1, last - first - 1);
-    const std::string name = line.substr(std::min(line.find_first_not_of(' ', 8), line.size())) + ' ';
-    const auto define = std::find_if(defines.begin(), defines.end(),
-                                     [&](const std::string& one) { return one.starts_with(name); });
-    return define == defines.end() ? "" : define->substr(name.size());
-}
-
-// Expands includes. #line directives carry a number per file, so that messages can be led back to it.
-void expand(const std::string& path, const std::vector<std::string>& defines, std::vector<std::string>& files,
-            std::string& out) {
-    const auto number = files.size();
-    files.push_back(path);
-    out += fmt::format("#line 1 {}\n", number);
-    std::istringstream lines(load_text(path));
-    std::string line;
-    for (int at = 1; std::getline(lines, line); ++at) {
-        if (!line.starts_with("#include")) {
-            out += line + '\n';
-            continue;
-        }
-        const std::string included = included_path(line, defines);
-        if (included.empty())
-            throw Error(fmt::format("{}:{}: #include needs a path in double quotes", path, at));
-        if (std::find(files.begin(), files.end(), included) == files.end())
-            expand(included, defines, files, out);
-        out += fmt::format("#line {} {}\n", at + 1, number);
-    }
-}
-
-// Drivers write "2:17(5): error: …" (Mesa) or "2(17) : error …" (NVIDIA); people want "maths/patch.glsl:17:
-// …".
-std::string name_files(const std::string& log, const std::vector<std::string>& files) {
-    static const std::regex place(R"(^(\d+)(?::(\d+)\(\d+\)|\((\d+)\)) ?: ?)");
-    std::istringstream lines(log);
-    std::string line;
-    std::string out;
-    while (std::getline(lines, line)) {
-        std::smatch match;
-        if (std::regex_search(line, match, place)) {
-            const std::size_t file = std::stoul(match[1]);
-            const std::string at = match[2].matched ? match[2] : match[3];
-            if (file < files.size())
-                line = fmt::format("shaders/{}:{}: {}", files[file], at, std::string(match.suffix()));
-        }
-        if (line.find_first_not_of(" \r\n\t") != std::string::npos) out += (out.empty() ? "" : "\n") + line;
-    }
-    return out;
-}
 
 GLenum stage_of(const std::string& path) {
     if (path.ends_with(".comp")) return GL_COMPUTE_SHADER;
@@ -139,40 +44,32 @@ void delete_shader(unsigned name) {
     glDeleteShader(name);
 }
 
-fs::path& kept_shaders() {
-    static fs::path folder;
-    return folder;
-}
-
-// sim/brush.comp becomes sim_brush.1a2b3c4d.comp: one file for each set of defines.
-void keep(const std::string& path, const std::string& text) {
-    std::string name = path;
-    std::replace(name.begin(), name.end(), '/', '_');
-    name.insert(name.rfind('.'), fmt::format(".{:08x}", std::hash<std::string>()(text) & 0xffffffffU));
-    std::ofstream(kept_shaders() / name, std::ios::binary) << text;
-}
-
 Handle<delete_shader> compile(const std::string& path, const std::vector<std::string>& defines,
                               std::string& assembled) {
-    std::vector<std::string> files;
-    std::string body;
-    expand(path, defines, files, body);
-    std::string text = "#version 450 core\n";
-    for (const std::string& define : defines) text += "#define " + define + "\n";
-    text += body;
-    assembled += text;
-    if (!kept_shaders().empty()) keep(path, text);
+    const ShaderText given = shader_text(path, defines);
+    assembled += given.text;
     Handle<delete_shader> shader(glCreateShader(stage_of(path)));
-    const char* source = text.c_str();
+    const char* source = given.text.c_str();
     glShaderSource(shader, 1, &source, nullptr);
     glCompileShader(shader);
     GLint ok = 0;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
     if (!ok) {
         forget_errors();
-        throw Error(name_files(shader_log(shader), files));
+        throw Error(name_files(shader_log(shader), given.files));
     }
     return shader;
+}
+
+// Number of the program that bound last: what another one bound before may be bound over.
+std::uint64_t& binder() {
+    static thread_local std::uint64_t number = 0;
+    return number;
+}
+
+std::uint64_t next_number() {
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
 }
 
 }  // namespace
@@ -181,45 +78,13 @@ void delete_program(unsigned name) {
     glDeleteProgram(name);
 }
 
-void use_shader_folder(const fs::path& root) {
-    if (!fs::is_directory(root / "maths"))
-        throw Error(fmt::format(
-            "--shader-dir '{}' is not a folder of Talus shaders: it has no folder 'maths'", root.string()));
-    folder().root = root;
-    folder().newest = newest_below(root);
-    ++folder().generation;
-}
-
-void use_built_in_shaders() {
-    folder().root.clear();
-    ++folder().generation;
-}
-
-bool poll_shader_folder() {
-    Folder& watched = folder();
-    if (watched.root.empty()) return false;
-    const auto newest = newest_below(watched.root);
-    if (newest == watched.newest) return false;
-    watched.newest = newest;
-    ++watched.generation;
-    return true;
-}
-
-void keep_assembled_shaders(const fs::path& folder) {
-    kept_shaders() = folder;
-}
-
-void on_shader_message(std::function<void(const std::string&)> receive) {
-    folder().receive = std::move(receive);
-}
-
 Program::Program(std::vector<std::string> paths, std::vector<std::string> defines)
-    : paths_(std::move(paths)), defines_(std::move(defines)) {
+    : number_(next_number()), paths_(std::move(paths)), defines_(std::move(defines)) {
     build();
 }
 
 void Program::build() {
-    generation_ = folder().generation;
+    generation_ = shader_generation();
     Handle<delete_program> fresh(glCreateProgram());
     std::vector<Handle<delete_shader>> shaders;
     std::string text;
@@ -235,23 +100,69 @@ void Program::build() {
         throw Error(fmt::format("shaders/{}: {}", paths_.back(), program_log(fresh)));
     }
     glObjectLabel(GL_PROGRAM, fresh, static_cast<GLsizei>(paths_.back().size()), paths_.back().data());
-    accesses_ = hazards::accesses_of(fresh, text);
+    places_ = places_of(fresh, text);
     handle_ = std::move(fresh);
     locations_.clear();
     for (const auto& [name, value] : values_) upload(name, value);
     raise_errors();
 }
 
-void Program::use() {
-    if (generation_ != folder().generation) {
-        try {
-            build();
-        } catch (const Error& error) {
-            folder().receive(fmt::format("kept the old program: {}", error.what()));
-        }
+void Program::follow_files() {
+    if (generation_ == shader_generation()) return;
+    try {
+        build();
+    } catch (const Error& error) {
+        report_shader(fmt::format("kept the old program: {}", error.what()));
     }
+}
+
+Place* Program::place(Use use, std::string_view name) {
+    follow_files();
+    const auto found = std::find_if(places_.begin(), places_.end(),
+                                    [&](const Place& one) { return one.use == use && one.name == name; });
+    if (found == places_.end()) return nullptr;
+    // Another program's objects are bound in this one's places.
+    if (binder() != number_)
+        for (Place& one : places_) one.bound = false;
+    binder() = number_;
+    found->bound = true;
+    return &*found;
+}
+
+void Program::bind_image(std::string_view name, const Texture& texture) {
+    Place* const at = place(Use::image, name);
+    if (!at) return;
+    at->object = texture.name();
+    texture.bind_image(at->unit,
+                       at->writes ? (at->reads ? Access::read_write : Access::write) : Access::read);
+}
+
+void Program::bind_sampled(std::string_view name, const Texture& texture) {
+    Place* const at = place(Use::sampler, name);
+    if (!at) return;
+    at->object = texture.name();
+    texture.bind_sampled(at->unit);
+}
+
+void Program::bind_storage(std::string_view name, const Buffer& buffer) {
+    Place* const at = place(Use::storage, name);
+    if (!at) return;
+    at->object = buffer.name();
+    buffer.bind_storage(at->unit);
+}
+
+void Program::use() {
+    follow_files();
+    for (const Place& one : places_)
+        if (!one.bound || binder() != number_)
+            throw Error(fmt::format("shaders/{} is run without its {} '{}'", paths_.back(),
+                                    one.use == Use::storage   ? "buffer"
+                                    : one.use == Use::sampler ? "texture"
+                                                              : "image",
+                                    one.name));
     glUseProgram(handle_);
-    hazards::run(paths_.back(), accesses_);
+    hazards::run(paths_.back(), places_);
+    for (Place& one : places_) one.bound = false;
 }
 
 void Program::upload(std::string_view name, const Value& value) {

@@ -1,7 +1,6 @@
 #pragma once
 #include <array>
-#include <filesystem>
-#include <functional>
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <map>
 #include <string>
@@ -10,31 +9,12 @@
 
 #include "sim/gpu/buffer.h"
 #include "sim/gpu/handle.h"
-#include "sim/gpu/hazards.h"
+#include "sim/gpu/program_interface.h"
+#include "sim/gpu/texture.h"
 
 namespace talus::gpu {
 
 void delete_program(unsigned name);
-
-/// Where shader text comes from: the files built in or, after use_shader_folder(), a folder that is watched.
-/// A program built from a folder follows its files: the next use after a change rebuilds it, and keeps the
-/// old program when the new one does not compile.
-void use_shader_folder(const std::filesystem::path& folder);
-
-/// Back to the files built in.
-void use_built_in_shaders();
-
-/// Looks at the watched folder's files once; cheap, for the window's idle moments. True when any file
-/// changed.
-bool poll_shader_folder();
-
-/// Messages of programs that could not be rebuilt go here (default: stderr), one line each: file, line,
-/// message.
-void on_shader_message(std::function<void(const std::string&)> receive);
-
-/// From now on every shader is also written to this folder as the driver gets it, with its includes and
-/// defines, for other compilers to look at; empty: no more.
-void keep_assembled_shaders(const std::filesystem::path& folder);
 
 /// What a draw does with the depth of its target: 1 at the near plane, 0 at infinity.
 enum class Depth {
@@ -66,6 +46,13 @@ class Program {
     void set(std::string_view name, glm::vec4 value);
     void set(std::string_view name, glm::ivec2 value);
 
+    /// Binds an object for the next run, by the name that the shader gives it; of a buffer, the name of its
+    /// block. A name that the shader does not use is ignored. Between a program's binds and its run no other
+    /// program may bind. A run throws talus::Error where something that the shader uses was not bound for it.
+    void bind_image(std::string_view name, const Texture& texture);
+    void bind_sampled(std::string_view name, const Texture& texture);
+    void bind_storage(std::string_view block, const Buffer& buffer);
+
     /// Runs compute groups. What they store is there for who uses it after a gpu::barrier() that names the
     /// use.
     void dispatch(int groups_x, int groups_y = 1, int groups_z = 1);
@@ -92,17 +79,20 @@ class Program {
     };
 
     void build();
+    void follow_files();
+    Place* place(Use use, std::string_view name);
     void use();
     void upload(std::string_view name, const Value& value);
     void remember(std::string_view name, const Value& value);
 
+    std::uint64_t number_ = 0;  // of this program alone
     std::vector<std::string> paths_;
     std::vector<std::string> defines_;
     Handle<delete_program> handle_;
     unsigned generation_ = 0;
     std::map<std::string, int, std::less<>> locations_;
     std::map<std::string, Value, std::less<>> values_;
-    std::vector<hazards::Access> accesses_;
+    std::vector<Place> places_;
 };
 
 }  // namespace talus::gpu

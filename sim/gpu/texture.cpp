@@ -145,16 +145,14 @@ void Texture::copy_from(const Texture& other, const Region& region) {
 }
 
 void Texture::bind_sampled(unsigned unit) const {
-    hazards::bound_sampler(unit, handle_);
     glBindTextureUnit(unit, handle_);
 }
 
-void Texture::bind_image(unsigned unit, Access access, int level) const {
+void Texture::bind_image(unsigned unit, Access access) const {
     const GLenum mode = access == Access::read    ? GL_READ_ONLY
                         : access == Access::write ? GL_WRITE_ONLY
                                                   : GL_READ_WRITE;
-    hazards::bound_image(unit, handle_);
-    glBindImageTexture(unit, handle_, level, GL_FALSE, 0, mode, layout_of(format_).internal);
+    glBindImageTexture(unit, handle_, 0, GL_FALSE, 0, mode, layout_of(format_).internal);
 }
 
 Framebuffer::Framebuffer(const std::string& label, std::span<const Texture* const> colours,

@@ -61,8 +61,9 @@ class Texture {
 
     /// Makes the smaller levels from the first one, and reads smooth between texels and levels from then on.
     void filter(Wrap wrap);
+    /// Where a program finds it; Program::bind_image() and the like know the unit.
     void bind_sampled(unsigned unit) const;
-    void bind_image(unsigned unit, Access access, int level = 0) const;
+    void bind_image(unsigned unit, Access access) const;
 
   private:
     Handle<delete_texture> handle_;

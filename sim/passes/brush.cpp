@@ -44,7 +44,7 @@ TileBlock tile_block(const Tiles& tiles, const std::vector<int>& touched) {
     return {first, place(touched.back()) - first + 1};
 }
 
-void set_dab(gpu::Program& program, const Terrain& terrain, const Dab& dab, unsigned mask_unit) {
+void set_dab(gpu::Program& program, const Terrain& terrain, const Dab& dab) {
     const DabStep step = dab_step(terrain.grid(), dab);
     program.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
     program.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
@@ -56,7 +56,8 @@ void set_dab(gpu::Program& program, const Terrain& terrain, const Dab& dab, unsi
     program.set("dab_curve", step.curve);
     program.set("dab_length_m", step.length_m);
     program.set("dab_masked", dab.masked ? 1 : 0);
-    if (dab.masked && terrain.painted) terrain.painted->front.bind_image(mask_unit, gpu::Access::read);
+    // Where nothing was painted another image stands in for it, unread.
+    program.bind_image("painted", terrain.painted ? terrain.painted->front : terrain.solid.front);
 }
 
 namespace {
@@ -103,7 +104,9 @@ Book Brush::book() {
 gpu::Program& Brush::program_of(BrushMode mode) {
     const auto found = programs_.find(mode);
     if (found != programs_.end()) return found->second;
-    gpu::Program program({"sim/brush.comp"}, {fmt::format("DAB_MODE {}", static_cast<int>(mode))});
+    std::vector<std::string> defines = {fmt::format("DAB_MODE {}", static_cast<int>(mode))};
+    if (mode == BrushMode::erode) defines.emplace_back("ERODED 1");
+    gpu::Program program({"sim/brush.comp"}, defines);
     return programs_.emplace(mode, std::move(program)).first->second;
 }
 
@@ -120,7 +123,7 @@ void Brush::run(Terrain& terrain, const Dab& dab, Set&& set) {
     if (low.x > high.x || low.y > high.y) return;
     gpu::Program& program = program_of(dab.mode);
     terrain.bind(program);
-    book_.bind_storage(1);
+    program.bind_storage("TileBooks", book_);
     const TileBlock block = tile_block(terrain.tiles, tiles);
     program.set("first_tile", block.first);
     program.set("dab_low", low);
@@ -136,15 +139,16 @@ void Brush::dab(Terrain& terrain, const Dab& dab, const gpu::Texture* stamp) {
     run(terrain, dab, [&](gpu::Program& program) {
         const glm::ivec2 stamp_samples = stamp ? glm::ivec2(stamp->width(), stamp->height()) : glm::ivec2(2);
         const DabStep step = dab_step(terrain.grid(), dab, stamp_samples);
-        set_dab(program, terrain, dab, 3);
+        set_dab(program, terrain, dab);
         program.set("dab_amount_m", step.amount_m);
         program.set("dab_blend", step.blend);
         program.set("dab_target_m", step.target_m);
         program.set("dab_on_regolith", step.on_regolith);
         visit_own(dab, dab.mode,
                   SetUniform{program, brush_mode_names()[static_cast<std::size_t>(dab.mode)] + "_"});
+        // Where there is no stamp another image stands in for it, unread.
+        program.bind_image("stamp", stamp ? *stamp : terrain.ground);
         if (dab.mode == BrushMode::stamp && stamp) {
-            stamp->bind_image(4, gpu::Access::read);
             program.set("stamp_samples", stamp_samples);
             program.set("stamp_columns", step.stamp_columns);
             program.set("stamp_rows", step.stamp_rows);
@@ -154,8 +158,8 @@ void Brush::dab(Terrain& terrain, const Dab& dab, const gpu::Texture* stamp) {
 
 void Brush::take_over(Terrain& terrain, const Dab& dab, const Terrain& eroded, double settled) {
     run(terrain, dab, [&](gpu::Program& program) {
-        eroded.solid.front.bind_image(4, gpu::Access::read);
-        eroded.suspended->front.bind_image(5, gpu::Access::read);
+        program.bind_image("eroded", eroded.solid.front);
+        program.bind_image("eroded_load", eroded.suspended->front);
         program.set("erode_settled", static_cast<float>(settled));
     });
 }

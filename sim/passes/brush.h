@@ -42,8 +42,8 @@ struct TileBlock {
 TileBlock tile_block(const Tiles& tiles, const std::vector<int>& touched);
 
 /// Sets what every pass of a dab needs (shaders/sim/dab.glsl): the grid, and where and how wide the dab is;
-/// binds the painted layer to the image unit where the dab is masked.
-void set_dab(gpu::Program& program, const Terrain& terrain, const Dab& dab, unsigned mask_unit);
+/// binds the painted layer. A dab by the mask needs one that was painted.
+void set_dab(gpu::Program& program, const Terrain& terrain, const Dab& dab);
 
 /// Applies dabs, and books per tile what they add and take (law 3).
 class Brush {

@@ -6,6 +6,8 @@
 
 namespace talus::maths {
 
+using namespace glsl;  // the numbers of modes
+
 /// The CPU twin of shaders/sim/brush.comp: one dab over the whole terrain.
 template <typename Real>
 struct BrushTwin {

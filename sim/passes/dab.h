@@ -9,7 +9,21 @@
 
 namespace talus {
 
-enum class BrushMode { raise = 0, lower, smooth, flatten, ramp, noise, terrace, stamp, erode };
+namespace glsl {
+#include "maths/brush_modes.glsl"
+}
+
+enum class BrushMode {
+    raise = glsl::brush_mode_raise,
+    lower = glsl::brush_mode_lower,
+    smooth = glsl::brush_mode_smooth,
+    flatten = glsl::brush_mode_flatten,
+    ramp = glsl::brush_mode_ramp,
+    noise = glsl::brush_mode_noise,
+    terrace = glsl::brush_mode_terrace,
+    stamp = glsl::brush_mode_stamp,
+    erode = glsl::brush_mode_erode
+};
 /// Their names as journals have them.
 const std::vector<std::string>& brush_mode_names();
 /// What raise adds; lower takes regolith before bedrock, or water alone. Hardness, mask and rain are painted:
@@ -18,12 +32,17 @@ enum class Material { bedrock = 0, regolith = 1, water = 2, hardness = 3, mask =
 /// Their names as parameters and journals have them.
 const std::vector<std::string>& material_names();
 /// How a dab fades from its middle to its edge: by a cubic, straight, like a ball, like a thorn.
-enum class FalloffCurve { smooth = 0, linear, round, sharp };
+enum class FalloffCurve {
+    smooth = glsl::falloff_smooth,
+    linear = glsl::falloff_linear,
+    round = glsl::falloff_round,
+    sharp = glsl::falloff_sharp
+};
 const std::vector<std::string>& falloff_curve_names();
 
 /// The relief of a noise brush (shaders/maths/brush_noise.glsl).
 struct NoiseSettings {
-    int kind = 0;  ///< 0 fBm, 1 ridged, 2 billow
+    int kind = glsl::noise_fbm;  ///< or noise_ridged, noise_billow
     double wavelength_m = 100;
     int octaves = 6;
     double gain = 0.5;  ///< an octave against the one before it
@@ -35,7 +54,12 @@ const std::vector<std::string>& noise_kind_names();
 
 /// What a stamp brush does with the ground: adds, lifts what is lower, lowers what is higher, or takes its
 /// place.
-enum class StampMode { add = 0, higher, lower, replace };
+enum class StampMode {
+    add = glsl::stamp_add,
+    higher = glsl::stamp_higher,
+    lower = glsl::stamp_lower,
+    replace = glsl::stamp_replace
+};
 const std::vector<std::string>& stamp_mode_names();
 
 /// How a stamp lies: half its width and height, how it is turned, counterclockwise, and which of its heights,

@@ -15,7 +15,8 @@ double inverse_cells(const Grid& grid) {
     return 1 / grid.dx + 1 / grid.dy;
 }
 
-constexpr double courant = 0.5;  // shaders/maths/water_step.glsl
+using real = double;
+#include "maths/courant.glsl"
 // Rain runs off rough ground slowly and subcritically: Manning's n of sheet flow is 0.1 to 0.4 s/m^(1/3)
 // (Engman 1986). A torrent would hack steps across steep slopes instead of valleys along them.
 constexpr double manning_of_sheets = 0.3;
@@ -26,7 +27,7 @@ constexpr double steepest_bedrock_deg = 45;
 }  // namespace
 
 int erode_substeps(const Grid& grid, const Dab& dab) {
-    const double needed = dab.erode.time_s * fastest_m_per_s * inverse_cells(grid) / courant;
+    const double needed = dab.erode.time_s * fastest_m_per_s * inverse_cells(grid) / water_courant;
     return static_cast<int>(std::clamp(std::ceil(needed), 1.0, 1024.0));
 }
 
@@ -34,7 +35,7 @@ double erode_longest_s(const Grid& grid, const Dab& dab) {
     const gpu::Region window = erode_window(grid, dab);
     const double samples = static_cast<double>(window.width) * window.height;
     const double substeps = std::clamp(12.0 * 128 * 128 / samples, 1.0, 12.0);
-    return substeps * courant / (fastest_m_per_s * inverse_cells(grid));
+    return substeps * water_courant / (fastest_m_per_s * inverse_cells(grid));
 }
 
 ErodeBrush::Patch::Patch(const Grid& grid)
@@ -74,13 +75,12 @@ void ErodeBrush::place(const Terrain& terrain, const Dab& dab) {
     }
     corner_ = {window.x, window.y};
 
-    terrain.solid.front.bind_image(0, gpu::Access::read);
-    patch.solid.front.bind_image(1, gpu::Access::write);
-    patch.ground.bind_image(2, gpu::Access::write);
-    // Where nothing was painted another image stands in for it, unread.
-    (terrain.painted ? terrain.painted->front : terrain.solid.front).bind_image(3, gpu::Access::read);
-    patch.painted->front.bind_image(4, gpu::Access::write);
-    set_dab(program_, terrain, dab, 3);
+    program_.bind_image("solid_in", terrain.solid.front);
+    program_.bind_image("solid_out", patch.solid.front);
+    program_.bind_image("ground_out", patch.ground);
+    program_.bind_image("painted_out", patch.painted->front);
+    patch.tiles.bind_for_stamping(program_);
+    set_dab(program_, terrain, dab);
     program_.set("window_corner", corner_);
     program_.set("window_samples", glm::ivec2(grid.nx, grid.ny));
     program_.set("is_painted", terrain.painted ? 1 : 0);

@@ -4,9 +4,6 @@
 
 namespace talus {
 
-/// Water that is less deep than this, m, has not arrived; it is not drawn either.
-constexpr double arrived_m = 0.01;
-
 /// Keeps the inundation map: the largest depth so far, and when water arrived.
 class Inundation {
   public:

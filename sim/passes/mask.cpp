@@ -5,9 +5,10 @@ namespace talus {
 void Mask::make(Terrain& terrain, const MaskSettings& settings) {
     const Grid& grid = terrain.grid();
     terrain.add(&Terrain::painted);
-    terrain.painted->front.bind_image(0, gpu::Access::read_write);
-    terrain.ground.bind_image(1, gpu::Access::read);
-    if (terrain.water) terrain.water->front.bind_image(2, gpu::Access::read);
+    program_.bind_image("painted", terrain.painted->front);
+    program_.bind_image("ground", terrain.ground);
+    // Where there is no water another image stands in for it, unread.
+    program_.bind_image("water", terrain.water ? terrain.water->front : terrain.solid.front);
     terrain.tiles.bind_for_stamping(program_);
     program_.set("samples", glm::ivec2(grid.nx, grid.ny));
     program_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));

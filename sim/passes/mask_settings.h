@@ -4,12 +4,28 @@
 
 namespace talus {
 
+namespace glsl {
+#include "maths/mask_kinds.glsl"
+}
+
 /// What a mask is made of: height (m), slope (degrees), curvature (1/km: crests positive, hollows negative),
 /// depth of water (m), itself (to invert it), everything.
-enum class MaskSource { height = 0, slope, curvature, depth, itself, everything };
+enum class MaskSource {
+    height = glsl::mask_source_height,
+    slope = glsl::mask_source_slope,
+    curvature = glsl::mask_source_curvature,
+    depth = glsl::mask_source_depth,
+    itself = glsl::mask_source_itself,
+    everything = glsl::mask_source_everything
+};
 const std::vector<std::string>& mask_source_names();
 /// How it meets what is painted: takes its place, adds to it, keeps what both have, takes it away.
-enum class MaskJoin { replace = 0, add, intersect, subtract };
+enum class MaskJoin {
+    replace = glsl::mask_join_replace,
+    add = glsl::mask_join_add,
+    intersect = glsl::mask_join_intersect,
+    subtract = glsl::mask_join_subtract
+};
 const std::vector<std::string>& mask_join_names();
 
 /// The mask is 1 from `low` to `high` and falls to 0 over `fade` beyond each.

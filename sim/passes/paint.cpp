@@ -7,9 +7,9 @@ void Paint::dab(Terrain& terrain, const Dab& dab) {
     const std::vector<int> reached = terrain.tiles.touched_by(dab_region(terrain.grid(), dab));
     if (reached.empty()) return;
     terrain.add(&Terrain::painted);
-    terrain.painted->front.bind_image(0, gpu::Access::read_write);
+    program_.bind_image("painted", terrain.painted->front);
     terrain.tiles.bind_for_stamping(program_);
-    set_dab(program_, terrain, dab, 1);
+    set_dab(program_, terrain, dab);
     program_.set("painted_layer", static_cast<int>(painted_layer(dab.material)));
     program_.set("dab_blend", static_cast<float>(dab.blend));
     program_.set("dab_target", static_cast<float>(dab.target_m));

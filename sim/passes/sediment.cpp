@@ -44,14 +44,17 @@ Book Sediment::book() {
 }
 
 void Sediment::exchange(Terrain& terrain, const SedimentStep& step, double gravity_m_per_s2, int eulers,
-                        const gpu::Buffer& list) {
+                        const gpu::Buffer& list, const gpu::Buffer& activity, const gpu::Buffer& clock) {
     gpu::Program& program = terrain.painted ? painted_program_ : program_;
-    terrain.water->front.bind_image(0, gpu::Access::read);
-    terrain.suspended->front.bind_image(1, gpu::Access::read_write);
-    terrain.water_bed.bind_image(2, gpu::Access::read);
-    if (terrain.painted) terrain.painted->front.bind_image(3, gpu::Access::read);
-    terrain.solid.front.bind_image(4, gpu::Access::read_write);
-    terrain.ground.bind_image(5, gpu::Access::write);
+    program.bind_image("water_in", terrain.water->front);
+    program.bind_image("load", terrain.suspended->front);
+    program.bind_image("bed", terrain.water_bed);
+    if (terrain.painted) program.bind_image("painted", terrain.painted->front);
+    program.bind_image("solid", terrain.solid.front);
+    program.bind_image("ground", terrain.ground);
+    program.bind_storage("TileList", list);
+    program.bind_storage("WaterActivity", activity);
+    program.bind_storage("WaterClock", clock);
     terrain.tiles.bind_for_stamping(program);
     program.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
     program.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
@@ -73,8 +76,10 @@ void Sediment::exchange(Terrain& terrain, const SedimentStep& step, double gravi
     gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
                   gpu::Use::buffer_transfer});
 
-    terrain.ground.bind_image(0, gpu::Access::read);
-    terrain.water_bed.bind_image(1, gpu::Access::write);
+    bed_program_.bind_image("ground", terrain.ground);
+    bed_program_.bind_image("bed", terrain.water_bed);
+    bed_program_.bind_storage("TileList", list);
+    bed_program_.bind_storage("WaterClock", clock);
     bed_program_.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
     bed_program_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
     bed_program_.dispatch_indirect(list);

@@ -36,10 +36,10 @@ class Sediment {
   public:
     explicit Sediment(const Grid& grid);
 
-    /// On the tiles of the list; the water's clock must be bound to storage 2. `eulers`: how many of the
-    /// clock's spans.
+    /// On the tiles of the list, for so many of the spans of the water's clock. `activity`: the water's,
+    /// which it wakes where the bed moves.
     void exchange(Terrain& terrain, const SedimentStep& step, double gravity_m_per_s2, int eulers,
-                  const gpu::Buffer& list);
+                  const gpu::Buffer& list, const gpu::Buffer& activity, const gpu::Buffer& clock);
 
     /// Of solid that passed the edges.
     Book book();

@@ -74,10 +74,10 @@ void Thermal::substep(Terrain& terrain, const ThermalStep& step) {
         Tiles::ground | Tiles::eroded | Tiles::placed | Tiles::painted | (wet ? Tiles::water : 0U);
     terrain.tiles.list(changes, read_, -1, 1, 16, active_);
     gpu::Program& program = program_of(wet, step.masked);
-    if (wet) terrain.water->front.bind_image(3, gpu::Access::read);
-    if (step.masked) terrain.painted->front.bind_image(4, gpu::Access::read);
+    if (wet) program.bind_image("water", terrain.water->front);
+    if (step.masked) program.bind_image("painted", terrain.painted->front);
     terrain.bind(program);
-    active_.buffer.bind_storage(1);
+    program.bind_storage("TileList", active_.buffer);
     program.set("cell_m", step.cell_m);
     program.set("repose_slope", step.repose_slope);
     program.set("wet_slope", step.wet_slope);

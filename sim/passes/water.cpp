@@ -12,21 +12,13 @@
 namespace talus {
 namespace {
 
-// The buffer that shaders/sim/water_images.glsl calls WaterClock.
-struct DeviceClock {
-    float left_s;
-    float dt_s;
-    float unread[7];
-    std::uint32_t edge_fastest;
-    float padding[2];
-    double rain_m;
-    double springs_m;
-    double substeps;
-    double listed;
+using uint = std::uint32_t;
+struct WaterClock {
+#include "sim/water_clock.glsl"
 };
 
-DeviceClock read_clock(const gpu::Buffer& buffer) {
-    DeviceClock clock{};
+WaterClock read_clock(const gpu::Buffer& buffer) {
+    WaterClock clock{};
     buffer.read(0, std::as_writable_bytes(std::span(&clock, 1)));
     return clock;
 }
@@ -48,7 +40,7 @@ Water::Water(const Terrain& terrain)
       bed_program_("sim/water_bed.comp"),
       loaded_bed_program_({"sim/water_bed.comp"}, {"SEDIMENT 1"}),
       active_(terrain.tiles.count()),
-      clock_("water clock", sizeof(DeviceClock)),
+      clock_("water clock", sizeof(WaterClock)),
       activity_("water activity", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(std::uint32_t)),
       speeds_("water speeds", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(std::uint32_t)),
       sources_("water sources", static_cast<std::size_t>(terrain.tiles.count()) * 4 * sizeof(glm::dvec2)),
@@ -83,6 +75,18 @@ gpu::Program& Water::stage_program(int stage) {
     return found->second;
 }
 
+// Binds those of the buffers that the program uses.
+void Water::bind_buffers(gpu::Program& program) const {
+    program.bind_storage("WaterActivity", activity_);
+    program.bind_storage("TileList", active_.buffer);
+    program.bind_storage("WaterClock", clock_);
+    program.bind_storage("TileSpeeds", speeds_);
+    program.bind_storage("TileSources", sources_);
+    program.bind_storage("Springs", springs_);
+    program.bind_storage("EdgeSeries", series_);
+    program.bind_storage("EdgeBooks", edge_books_);
+}
+
 gpu::Program& Water::edge_program() {
     const bool carried = settings_.sediment.carried;
     const int key = settings_.order + (carried ? 16 : 0);
@@ -105,7 +109,7 @@ void Water::begin_tick(Terrain& terrain, const WaterSettings& settings, const st
     clock_.write(0, std::as_bytes(std::span(&time, 1)));
     // A tick begins from the water alone, so that one that was saved and loaded goes on the same way.
     const std::uint32_t none = 0;
-    clock_.write(offsetof(DeviceClock, edge_fastest), std::as_bytes(std::span(&none, 1)));
+    clock_.write(offsetof(WaterClock, clock_edge_fastest), std::as_bytes(std::span(&none, 1)));
 
     const std::vector<float> series = edge_series(settings, grid, tick_s, start_s);
     series_.write_all(series);
@@ -126,18 +130,15 @@ void Water::begin_tick(Terrain& terrain, const WaterSettings& settings, const st
 
     terrain.tiles.list(Tiles::ground | Tiles::placed | Tiles::painted, read_, 0, 0, 1, active_);
     DeviceLayer& water = *terrain.water;
-    water.front.bind_image(0, gpu::Access::read);
-    water.back.bind_image(1, gpu::Access::write);
-    terrain.water_bed.bind_image(2, gpu::Access::write);
-    terrain.ground.bind_image(3, gpu::Access::read);
-    activity_.bind_storage(0);
-    active_.buffer.bind_storage(1);
-    clock_.bind_storage(2);
-    speeds_.bind_storage(3);
     gpu::Program& bed = terrain.suspended ? loaded_bed_program_ : bed_program_;
+    bed.bind_image("water_in", water.front);
+    bed.bind_image("water_out", water.back);
+    bed.bind_image("bed_out", terrain.water_bed);
+    bed.bind_image("ground_in", terrain.ground);
+    bind_buffers(bed);
     if (terrain.suspended) {
-        terrain.suspended->front.bind_image(4, gpu::Access::read);
-        terrain.suspended->back.bind_image(5, gpu::Access::write);
+        bed.bind_image("load_in", terrain.suspended->front);
+        bed.bind_image("load_out", terrain.suspended->back);
     }
     bed.set("samples", glm::ivec2(grid.nx, grid.ny));
     bed.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
@@ -161,15 +162,6 @@ void Water::substep(Terrain& terrain) {
         return kind == EdgeKind::inflow || kind == EdgeKind::wave ? 1 : 0;
     };
 
-    activity_.bind_storage(0);
-    active_.buffer.bind_storage(1);
-    clock_.bind_storage(2);
-    speeds_.bind_storage(3);
-    sources_.bind_storage(4);
-    springs_.bind_storage(5);
-    series_.bind_storage(6);
-    edge_books_.bind_storage(7);
-
     step_program_.set("tiles", tiles);
     step_program_.set("samples", samples);
     step_program_.set("cell_m", glm::vec2(grid.dx, grid.dy));
@@ -187,6 +179,7 @@ void Water::substep(Terrain& terrain) {
     step_program_.set("every_tile",
                       !settings_.skips_rest || periodic || (rain > 0 && !settings_.rain_masked) ? 1 : 0);
     step_program_.set("spring_count", spring_count_);
+    bind_buffers(step_program_);
     step_program_.dispatch(1);
     gpu::barrier({gpu::Use::storage, gpu::Use::indirect, gpu::Use::buffer_transfer});
 
@@ -208,10 +201,7 @@ void Water::substep(Terrain& terrain) {
         if (carried) {
             load_from = stage == 1 ? &terrain.suspended->front : &terrain.suspended->back;
             load_to = stage == 1 ? &terrain.suspended->back : &terrain.suspended->front;
-            load_from->bind_image(3, gpu::Access::read_write);
         }
-        from.bind_image(0, gpu::Access::read_write);
-        terrain.water_bed.bind_image(2, gpu::Access::read_write);
         ghosts.set("samples", samples);
         ghosts.set("tiles", tiles);
         ghosts.set("stage", stage - 1);
@@ -224,37 +214,42 @@ void Water::substep(Terrain& terrain) {
         ghosts.set("gravity", gravity);
         ghosts.set("spring_count", spring_count_);
         ghosts.set("eulers", eulers);
-        // In the place of the sources, which the stage needs later: OpenGL promises eight bindings.
-        if (carried) sediment_.edge_books.bind_storage(4);
-        springs_.bind_storage(5);
+        ghosts.bind_image("water_state", from);
+        ghosts.bind_image("bed", terrain.water_bed);
+        if (carried) {
+            ghosts.bind_image("load_state", *load_from);
+            ghosts.bind_storage("EdgeSolidBooks", sediment_.edge_books);
+        }
+        bind_buffers(ghosts);
         terrain.tiles.bind_for_stamping(ghosts);
         ghosts.dispatch(1);
         gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
                       gpu::Use::buffer_transfer});
-        sources_.bind_storage(4);
-        activity_.bind_storage(5);
 
         gpu::Program& program = stage_program(stage);
         terrain.tiles.bind_for_stamping(program);
-        from.bind_image(0, gpu::Access::read);
-        to.bind_image(1, gpu::Access::read_write);
-        terrain.water_bed.bind_image(2, gpu::Access::read);
+        bind_buffers(program);
+        program.bind_image("water_in", from);
+        program.bind_image("water_out", to);
+        program.bind_image("bed_in", terrain.water_bed);
         program.set("samples", samples);
         program.set("tiles", tiles);
         program.set("gravity", gravity);
         program.set("rain_m_per_s", rain);
         program.set("rain_masked", settings_.rain_masked ? 1 : 0);
-        if (rain_map) terrain.painted->front.bind_image(3, gpu::Access::read);
+        if (rain_map) program.bind_image("painted", terrain.painted->front);
         if (carried) {
-            load_from->bind_image(4, gpu::Access::read);
-            load_to->bind_image(5, gpu::Access::read_write);
+            program.bind_image("load_in", *load_from);
+            program.bind_image("load_out", *load_to);
         }
         program.set("loss_m_per_s", static_cast<float>(loss));
         program.dispatch_indirect(active_.buffer);
         gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
                       gpu::Use::buffer_transfer});
     }
-    if (carried) sediment_.exchange(terrain, sediment, settings_.gravity_m_per_s2, eulers, active_.buffer);
+    if (carried)
+        sediment_.exchange(terrain, sediment, settings_.gravity_m_per_s2, eulers, active_.buffer, activity_,
+                           clock_);
 }
 
 bool Water::advance(Terrain& terrain, int& substeps) {
@@ -287,10 +282,10 @@ double Water::time_left_s() const {
 std::vector<Book> Water::books() {
     return {{"water clock", &clock_,
              [](const gpu::Buffer& words, const Grid& grid, const SolidWeights&, BudgetTerms& terms) {
-                 const DeviceClock clock = read_clock(words);
+                 const WaterClock clock = read_clock(words);
                  const double area_m2 = grid.dx * grid.dy;
-                 terms.water.rain_m3 += clock.rain_m * area_m2 * static_cast<double>(grid.count());
-                 terms.water.springs_m3 += clock.springs_m * area_m2;
+                 terms.water.rain_m3 += clock.book_rain_m * area_m2 * static_cast<double>(grid.count());
+                 terms.water.springs_m3 += clock.book_springs_m * area_m2;
              }},
             {"water edges", &edge_books_,
              [](const gpu::Buffer& words, const Grid& grid, const SolidWeights&, BudgetTerms& terms) {
@@ -318,8 +313,8 @@ WaterBooks Water::read_books(const Grid& grid) {
 }
 
 PassWork Water::work() const {
-    const DeviceClock clock = read_clock(clock_);
-    return {static_cast<std::uint64_t>(clock.substeps), static_cast<std::uint64_t>(clock.listed)};
+    const WaterClock clock = read_clock(clock_);
+    return {static_cast<std::uint64_t>(clock.total_substeps), static_cast<std::uint64_t>(clock.total_listed)};
 }
 
 }  // namespace talus

@@ -48,6 +48,7 @@ class Water {
   private:
     gpu::Program& stage_program(int stage);
     gpu::Program& edge_program();
+    void bind_buffers(gpu::Program& program) const;
 
     gpu::Program step_program_;
     gpu::Program bed_program_;

@@ -22,10 +22,10 @@ Book WaterBrush::book() {
 void WaterBrush::dab(Terrain& terrain, const Dab& dab) {
     const std::vector<int> tiles = terrain.tiles.touched_by(dab_region(terrain.grid(), dab));
     if (tiles.empty()) return;
-    terrain.water->front.bind_image(0, gpu::Access::read_write);
+    program_.bind_image("water", terrain.water->front);
     terrain.tiles.bind_for_stamping(program_);
-    book_.bind_storage(1);
-    set_dab(program_, terrain, dab, 1);
+    program_.bind_storage("TileBooks", book_);
+    set_dab(program_, terrain, dab);
     const TileBlock block = tile_block(terrain.tiles, tiles);
     program_.set("first_tile", block.first);
     program_.set("dab_amount_m", static_cast<float>(dab.amount_m));

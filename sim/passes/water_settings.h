@@ -9,8 +9,19 @@
 
 namespace talus {
 
-/// What is beyond an edge of the map. The numbers are those of shaders/maths/water_edge.glsl.
-enum class EdgeKind { wall = 0, open = 1, level = 2, inflow = 3, wave = 4, periodic = 5 };
+namespace glsl {
+#include "maths/edge_kinds.glsl"
+}
+
+/// What is beyond an edge of the map.
+enum class EdgeKind {
+    wall = glsl::edge_wall,
+    open = glsl::edge_open,
+    level = glsl::edge_level,
+    inflow = glsl::edge_inflow_kind,
+    wave = glsl::edge_wave,
+    periodic = glsl::edge_periodic
+};
 
 /// Their names as parameters have them.
 const std::vector<std::string>& edge_kinds();

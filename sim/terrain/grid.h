@@ -7,8 +7,12 @@ namespace talus {
 constexpr int min_samples = 2;
 constexpr int max_samples = 8192;
 
+namespace glsl {
+#include "sim/tile_samples.glsl"
+}
+
 /// Samples of a tile in a row and in a column: the one unit of dirtiness, activity and undo.
-constexpr int tile_samples = 64;
+constexpr int tile_samples = glsl::tile_samples;
 
 /// Where the samples lie: nx columns (west to east) by ny rows (row 0 is the north row), spacing in metres.
 /// The south-west sample is at world (0, 0).

@@ -78,9 +78,9 @@ void Terrain::write(std::optional<DeviceLayer> Terrain::*image, const TerrainSta
 }
 
 void Terrain::bind(gpu::Program& program) {
-    solid.front.bind_image(0, gpu::Access::read);
-    solid.back.bind_image(1, gpu::Access::write);
-    ground.bind_image(2, gpu::Access::write);
+    program.bind_image("solid_in", solid.front);
+    program.bind_image("solid_out", solid.back);
+    program.bind_image("ground_out", ground);
     tiles.bind_for_stamping(program);
     program.set("samples", glm::ivec2(grid_.nx, grid_.ny));
     program.set("tiles", glm::ivec2(tiles.columns(), tiles.rows()));

@@ -14,8 +14,12 @@ struct Layer {
     gpu::Texture back;
 };
 
+namespace glsl {
+#include "sim/water_layout.glsl"
+}
+
 /// Samples around the water, its bed and its load, beyond the map's edges.
-constexpr int water_ghosts = 2;
+constexpr int water_ghosts = glsl::water_ghosts;
 
 /// A layer that is there once something needs it; it is 0 before. As LayerDescription says, it has a back
 /// image, and ghost samples around.

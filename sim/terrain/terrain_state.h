@@ -24,8 +24,12 @@ struct Spring {
     bool operator==(const Spring&) const = default;
 };
 
+namespace glsl {
+#include "sim/painted_layers.glsl"
+}
+
 /// Components of the painted layer: hardness and mask, 0 to 1, and rain, mm/h.
-enum class PaintedLayer { hardness = 0, mask = 1, rain = 2 };
+enum class PaintedLayer { hardness = glsl::layer_hardness, mask = glsl::layer_mask, rain = glsl::layer_rain };
 
 /// The largest value of a painted layer; the smallest is 0.
 double most_painted(PaintedLayer layer);

@@ -49,7 +49,7 @@ std::uint32_t Tiles::next() {
 
 void Tiles::bind_for_stamping(gpu::Program& program) {
     program.set("stamp_now", next());
-    stamps_.bind_storage(0);
+    program.bind_storage("TileStamps", stamps_);
 }
 
 void Tiles::mark_all() {
@@ -58,8 +58,8 @@ void Tiles::mark_all() {
 
 void Tiles::list(std::uint32_t changes, Reader& reader, int reach_low, int reach_high, int groups_per_tile,
                  TileList& list) const {
-    stamps_.bind_storage(0);
-    list.buffer.bind_storage(1);
+    list_program_.bind_storage("TileStamps", stamps_);
+    list_program_.bind_storage("TileList", list.buffer);
     list_program_.set("tiles", glm::ivec2(columns_, rows_));
     list_program_.set("changes", changes);
     list_program_.set("since", since(reader));

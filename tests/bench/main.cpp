@@ -7,7 +7,7 @@
 
 #include "app/calibration.h"
 #include "sim/gpu/context.h"
-#include "sim/gpu/program.h"
+#include "sim/gpu/shader_text.h"
 #include "tests/bench/measure.h"
 
 int main(int argc, char** argv) {

@@ -10,6 +10,7 @@
 #include "sim/gpu/error.h"
 #include "sim/gpu/program.h"
 #include "sim/gpu/readback.h"
+#include "sim/gpu/shader_text.h"
 #include "sim/gpu/texture.h"
 #include "sim/terrain/generate.h"
 #include "sim/terrain/terrain.h"
@@ -28,24 +29,24 @@ class Hazards : public ::testing::Test {
         const auto write = [&](const char* name, const char* text) { std::ofstream(folder_ / name) << text; };
         write("store.comp",
               "layout(local_size_x = 1) in;\n"
-              "layout(binding = 0, r32f) uniform writeonly image2D stored;\n"
-              "layout(binding = 0, std430) writeonly buffer Words { uint words[]; };\n"
+              "layout(r32f) uniform writeonly image2D stored;\n"
+              "layout(std430) writeonly buffer Words { uint words[]; };\n"
               "void main() { imageStore(stored, ivec2(0), vec4(7.0)); words[0] = 1u; words[1] = 1u; words[2] "
               "= 1u; }\n");
         write("by_image.comp",
               "layout(local_size_x = 1) in;\n"
-              "layout(binding = 0, r32f) uniform readonly image2D stored;\n"
-              "layout(binding = 1, std430) writeonly buffer Sum { float sum[]; };\n"
+              "layout(r32f) uniform readonly image2D stored;\n"
+              "layout(std430) writeonly buffer Sum { float sum[]; };\n"
               "void main() { sum[0] = imageLoad(stored, ivec2(0)).x; }\n");
         write("by_sampler.comp",
               "layout(local_size_x = 1) in;\n"
-              "layout(binding = 3) uniform sampler2D stored;\n"
-              "layout(binding = 1, std430) writeonly buffer Sum { float sum[]; };\n"
+              "uniform sampler2D stored;\n"
+              "layout(std430) writeonly buffer Sum { float sum[]; };\n"
               "void main() { sum[0] = texelFetch(stored, ivec2(0), 0).x; }\n");
         write("by_buffer.comp",
               "layout(local_size_x = 1) in;\n"
-              "layout(binding = 0, std430) readonly buffer Words { uint words[]; };\n"
-              "layout(binding = 1, std430) writeonly buffer Sum { float sum[]; };\n"
+              "layout(std430) readonly buffer Words { uint words[]; };\n"
+              "layout(std430) writeonly buffer Sum { float sum[]; };\n"
               "void main() { sum[0] = float(words[0]); }\n");
         hazards::keep(true);
         context_.emplace();
@@ -53,10 +54,6 @@ class Hazards : public ::testing::Test {
         image = Texture("a stored image", Format::r32f, 4, 4);
         words = Buffer("stored words", 12);
         sum = Buffer("sum", 16);
-        image.bind_image(0, Access::read_write);
-        image.bind_sampled(3);
-        words.bind_storage(0);
-        sum.bind_storage(1);
     }
     void TearDown() override {
         use_built_in_shaders();
@@ -64,7 +61,16 @@ class Hazards : public ::testing::Test {
         fs::remove_all(folder_);
     }
 
-    void store() { Program("store.comp").dispatch(1); }
+    // A program with all that it may need bound.
+    Program program(const char* path) {
+        Program made(path);
+        made.bind_image("stored", image);
+        made.bind_sampled("stored", image);
+        made.bind_storage("Words", words);
+        made.bind_storage("Sum", sum);
+        return made;
+    }
+    void store() { program("store.comp").dispatch(1); }
     // Throws without a barrier for one of these uses, and says who stored what; goes through with it.
     template <typename Act>
     void expect_needed(Use use, const char* object, Act&& act) {
@@ -99,20 +105,20 @@ class Hazards : public ::testing::Test {
 };
 
 TEST_F(Hazards, ImageToImage) {
-    expect_needed(Use::image, "a stored image", [] { Program("by_image.comp").dispatch(1); });
+    expect_needed(Use::image, "a stored image", [&] { program("by_image.comp").dispatch(1); });
 }
 
 TEST_F(Hazards, ImageToSampler) {
-    expect_needed(Use::sampler, "a stored image", [] { Program("by_sampler.comp").dispatch(1); });
+    expect_needed(Use::sampler, "a stored image", [&] { program("by_sampler.comp").dispatch(1); });
 }
 
 TEST_F(Hazards, BufferToBuffer) {
-    expect_needed(Use::storage, "stored words", [] { Program("by_buffer.comp").dispatch(1); });
+    expect_needed(Use::storage, "stored words", [&] { program("by_buffer.comp").dispatch(1); });
 }
 
 TEST_F(Hazards, BufferToIndirect) {
     expect_needed(Use::indirect, "stored words",
-                  [&] { Program("by_sampler.comp").dispatch_indirect(words); });
+                  [&] { program("by_sampler.comp").dispatch_indirect(words); });
 }
 
 TEST_F(Hazards, WriteToReadBack) {

@@ -10,6 +10,7 @@
 #include "sim/gpu/embedded_text.h"
 #include "sim/gpu/error.h"
 #include "sim/gpu/program.h"
+#include "sim/gpu/shader_text.h"
 #include "sim/gpu/texture.h"
 
 namespace talus::gpu {
@@ -38,12 +39,65 @@ TEST(Context, RefusesADeviceThatIsNotThere) {
     EXPECT_THROW(Context(ContextChoice{99, false}), Error);
 }
 
+// What shaders use is bound by name before each run; anything else would be what another program left.
+TEST(Program, RefusesToRunWithoutWhatItsShadersUse) {
+    const Context context;
+    const fs::path folder = fs::temp_directory_path() / ("talus_bound_" + std::to_string(::getpid()));
+    write(folder / "maths/value.glsl", "");
+    write(folder / "add.comp",
+          "layout(local_size_x = 1) in;\nlayout(r32f) uniform readonly image2D from;\n"
+          "uniform sampler2D besides;\nlayout(std430) buffer Sum { float sum[]; };\n"
+          "void main() { sum[0] += imageLoad(from, ivec2(0)).x + texelFetch(besides, ivec2(0), 0).x; }\n");
+    use_shader_folder(folder);
+    struct BuiltInAfterwards {
+        ~BuiltInAfterwards() { use_built_in_shaders(); }
+    } const afterwards;
+    Texture two("two", Format::r32f, 1, 1);
+    Texture five("five", Format::r32f, 1, 1);
+    two.fill(2);
+    five.fill(5);
+    Buffer sum("sum", sizeof(float));
+    sum.fill(0);
+    Program first("add.comp");
+    Program second("add.comp");
+    const auto bind = [&](Program& program, bool image, bool sampler, bool storage) {
+        if (image) program.bind_image("from", two);
+        if (sampler) program.bind_sampled("besides", five);
+        if (storage) program.bind_storage("Sum", sum);
+        program.bind_image("nothing of this name", two);
+    };
+    const auto refusal = [&](Program& program) -> std::string {
+        try {
+            program.dispatch(1);
+            barrier({Use::storage, Use::buffer_transfer});
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    };
+    bind(first, false, true, true);
+    EXPECT_EQ(refusal(first), "shaders/add.comp is run without its image 'from'");
+    bind(first, true, false, true);
+    EXPECT_EQ(refusal(first), "");  // the texture is still bound: the run before did not happen
+    bind(first, true, false, true);
+    EXPECT_EQ(refusal(first), "shaders/add.comp is run without its texture 'besides'");
+    bind(second, true, true, false);
+    EXPECT_EQ(refusal(second), "shaders/add.comp is run without its buffer 'Sum'");
+    // Another program binds in between.
+    bind(first, true, true, true);
+    bind(second, true, true, true);
+    EXPECT_NE(refusal(first), "");
+    EXPECT_EQ(refusal(second), "");
+    EXPECT_EQ(sum.read_all<float>()[0], 14.0F);
+    fs::remove_all(folder);
+}
+
 TEST(Program, FollowsItsFolderAndKeepsTheOldOneWhenTheNewDoesNotCompile) {
     const Context context;
     const fs::path folder = fs::temp_directory_path() / ("talus_shaders_" + std::to_string(::getpid()));
     write(folder / "maths/value.glsl", "float value() { return 1.0; }\n");
     const char* body =
-        "layout(local_size_x = 1) in;\n#include \"maths/value.glsl\"\nlayout(binding = 0, r32f) uniform "
+        "layout(local_size_x = 1) in;\n#include \"maths/value.glsl\"\nlayout(r32f) uniform "
         "writeonly image2D target;\n"
         "void main() { imageStore(target, ivec2(0), vec4(value())); }\n";
     write(folder / "sim/store.comp", body);
@@ -56,7 +110,7 @@ TEST(Program, FollowsItsFolderAndKeepsTheOldOneWhenTheNewDoesNotCompile) {
     const Texture target("target", Format::r32f, 1, 1);
     Program program("sim/store.comp");
     const auto run = [&] {
-        target.bind_image(0, Access::write);
+        program.bind_image("target", target);
         program.dispatch(1);
         barrier({Use::texture_transfer, Use::image});
         return target.read_all<float>()[0];

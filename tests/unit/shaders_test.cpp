@@ -11,6 +11,7 @@
 #include "render/renderer.h"
 #include "sim/gpu/context.h"
 #include "sim/gpu/embedded_text.h"
+#include "sim/gpu/shader_text.h"
 #include "sim/passes/stamp_image.h"
 #include "sim/simulation.h"
 #include "sim/simulation_parameters.h"

@@ -4,6 +4,6 @@ uniform real depth_scale_m;
 
 vec3 view_colour(ViewPoint point) {
     Flow flow = flow_at(point.place);
-    if (flow.depth_m < seen_depth_m) return bare * point.lit;
+    if (flow.depth_m < wet_depth_m) return bare * point.lit;
     return colour_map(flow.depth_m / depth_scale_m);
 }

@@ -5,6 +5,6 @@ uniform real gravity;  // m/s²
 
 vec3 view_colour(ViewPoint point) {
     Flow flow = flow_at(point.place);
-    if (flow.depth_m < seen_depth_m) return bare * point.lit;
+    if (flow.depth_m < wet_depth_m) return bare * point.lit;
     return colour_map(length(flow.velocity) / sqrt(gravity * flow.depth_m) / froude_scale);
 }

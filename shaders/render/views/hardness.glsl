@@ -1,5 +1,5 @@
 // Painted hardness.
-layout(binding = 9) uniform sampler2D layer;  // hardness, mask, rain
+uniform sampler2D layer;  // hardness, mask, rain
 
 vec3 view_colour(ViewPoint point) {
     float share = layer_at(layer, point.place, 0).x;

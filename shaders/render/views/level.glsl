@@ -5,7 +5,7 @@ uniform real level_scale_m;  // from the middle to the ends
 
 vec3 view_colour(ViewPoint point) {
     Flow flow = flow_at(point.place);
-    if (flow.depth_m < seen_depth_m) return bare * point.lit;
+    if (flow.depth_m < wet_depth_m) return bare * point.lit;
     float level = (height_at(point.place) + flow.depth_m) + (origin_height_m.x - level_middle_m);
     return difference_map(0.5 + 0.5 * level / level_scale_m);
 }

@@ -1,5 +1,5 @@
 // Painted rain.
-layout(binding = 9) uniform sampler2D layer;  // hardness, mask, rain
+uniform sampler2D layer;  // hardness, mask, rain
 uniform real rain_scale;  // mm/h
 
 vec3 view_colour(ViewPoint point) {

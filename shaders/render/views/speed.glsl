@@ -12,7 +12,7 @@ float streaks(vec2 place, vec2 velocity) {
 
 vec3 view_colour(ViewPoint point) {
     Flow flow = flow_at(point.place);
-    if (flow.depth_m < seen_depth_m) return bare * point.lit;
+    if (flow.depth_m < wet_depth_m) return bare * point.lit;
     float speed = length(flow.velocity);
     return colour_map(speed / speed_scale) * (speed > 1e-3 * speed_scale ? streaks(point.absolute, flow.velocity) : 1.0);
 }

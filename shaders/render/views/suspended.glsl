@@ -1,8 +1,9 @@
 // Solid in the water: how high it would stand on the ground.
-layout(binding = 9) uniform sampler2D layer;  // m, two words, two ghost samples around
+#include "sim/water_layout.glsl"
+uniform sampler2D layer;  // m, two words, two ghost samples around
 uniform real suspended_scale_mm;
 
 vec3 view_colour(ViewPoint point) {
-    float mm = 1e3 * layer_at(layer, point.place, 2).x;
+    float mm = 1e3 * layer_at(layer, point.place, water_ghosts).x;
     return mm > 1e-3 * suspended_scale_mm ? colour_map(mm / suspended_scale_mm) : bare * point.lit;
 }

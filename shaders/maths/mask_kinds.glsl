@@ -1,0 +1,12 @@
+// What a mask is made of, and how it meets what is painted. C++ compiles these lines too (sim/passes/mask_settings.h).
+const int mask_source_height = 0;  // m
+const int mask_source_slope = 1;  // degrees
+const int mask_source_curvature = 2;  // 1/km, crests positive
+const int mask_source_depth = 3;  // of water, m
+const int mask_source_itself = 4;
+const int mask_source_everything = 5;
+
+const int mask_join_replace = 0;
+const int mask_join_add = 1;
+const int mask_join_intersect = 2;
+const int mask_join_subtract = 3;
