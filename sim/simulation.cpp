@@ -290,8 +290,10 @@ void Simulation::exchange(bool forth) {
         now.terrain = pack(terrain_);
         site.emplace(unpack(*wanted.terrain));
     }
-    Snapshot then = forth ? undo_.redo(terrain_, journal_, std::move(now))
-                          : undo_.undo(terrain_, journal_, std::move(now));
+    Snapshot then = [&] {
+        if (forth) return undo_.redo(terrain_, journal_, std::move(now));
+        return undo_.undo(terrain_, journal_, std::move(now));
+    }();
     if (site) stand_on(std::move(*site));
     then.books.put_back(books());
     moment_ = std::move(then.moment);
