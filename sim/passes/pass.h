@@ -35,15 +35,15 @@ class Pass {
     virtual void turn(Parameters& /*parameters*/, int /*quarters*/) const {}
     /// Before a tick's first pass: adds the layers that this one will need in it.
     virtual void prepare_tick(Terrain& /*terrain*/, const Moment& /*at*/) {}
-    /// Runs up to `substeps` of its part of the tick and takes those that it ran from them. True when its
-    /// part is done. Does not wait for the device.
+    /// Runs up to `substeps` sub-steps of its part of the tick, and lowers the number by those that it ran.
+    /// True when its part is done. Does not wait for the device.
     virtual bool advance(Terrain& /*terrain*/, const Moment& /*at*/, int& /*substeps*/) { return true; }
 
     /// Sets what a dab takes over from the dabs before it. Throws talus::Error where the dab cannot be made.
     virtual void complete(Dab& /*dab*/, const Moment& /*at*/) const {}
     /// Does the act, where it is one of its own, and says so.
     virtual bool act(Terrain& /*terrain*/, const Moment& /*at*/, const PassAct& /*act*/) { return false; }
-    /// Called after something other than a pass wrote layers, e.g. an import or the sea.
+    /// Called after water came by no pass: with another terrain, an import or the sea.
     virtual void observe(Terrain& /*terrain*/, const Moment& /*at*/) {}
     /// Called after undo and redo: a stroke that was going on is over.
     virtual void forget_act() {}

@@ -30,8 +30,9 @@ class Water {
                     double tick_s, double start_s);
     /// The next sub-step; nothing after the tick's time is over.
     void substep(Terrain& terrain);
-    /// Runs up to `substeps` of the present tick, takes those that it ran from them, and says whether the
-    /// tick's time is over. Does not wait for the device: where its answer is not there yet, it is not over.
+    /// Runs up to `substeps` sub-steps of the present tick, lowers the number by those that it ran, and says
+    /// whether the tick's time is over. Does not wait for the device: where its answer is not there yet, it
+    /// is not over.
     bool advance(Terrain& terrain, int& substeps);
     /// Of the present tick. Waits for the device.
     double time_left_s() const;
