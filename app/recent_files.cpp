@@ -11,7 +11,7 @@ namespace talus {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr std::size_t most = 12;
+constexpr std::size_t most_recent = 12;
 
 fs::path list_file() {
     return state_folder() / "recent";
@@ -20,7 +20,7 @@ fs::path list_file() {
 std::vector<std::string> listed() {
     std::vector<std::string> files;
     std::ifstream list(list_file());
-    for (std::string line; std::getline(list, line) && files.size() < most;)
+    for (std::string line; std::getline(list, line) && files.size() < most_recent;)
         if (!line.empty()) files.push_back(line);
     return files;
 }
@@ -42,7 +42,7 @@ void remember_file(const std::string& path) {
     std::vector<std::string> files = listed();
     std::erase(files, absolute);
     files.insert(files.begin(), absolute);
-    if (files.size() > most) files.resize(most);
+    if (files.size() > most_recent) files.resize(most_recent);
     std::string text;
     for (const std::string& file : files) text += file + '\n';
     try {

@@ -7,10 +7,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "app/user_folders.h"
+#include "app/wall_clock.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/document.h"
 #include "sim/preset.h"
@@ -23,10 +23,6 @@ using nlohmann::json;
 
 fs::path sessions_folder() {
     return state_folder() / "sessions";
-}
-
-double now_s() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 // The lock of a session that is alive cannot be had. -1: it cannot be had, or there is none.
@@ -75,7 +71,7 @@ void forget(const LeftBehind& left) {
     fs::remove_all(left.folder, ignored);
 }
 
-Recovery::Recovery() : last_s_(now_s()) {
+Recovery::Recovery() : last_s_(wall_clock_s()) {
     std::error_code failed;
     const auto stamp = std::chrono::system_clock::now().time_since_epoch() / std::chrono::milliseconds(1);
     folder_ = sessions_folder() / fmt::format("{}-{}", ::getpid(), stamp);
@@ -123,9 +119,9 @@ void Recovery::follow(const Simulation& simulation, const Scene& scene, const st
         return;
     }
     if (readback_.pending() || !dirty || changes == changes_ || simulation.mid_tick() ||
-        now_s() - last_s_ < interval_s)
+        wall_clock_s() - last_s_ < interval_s)
         return;
-    last_s_ = now_s();
+    last_s_ = wall_clock_s();
     changes_ = changes;
     document_.state = simulation.moment_state();
     document_.parameters = to_toml(simulation.parameters());
@@ -140,7 +136,7 @@ void Recovery::forget_work() {
     readback_.cancel();
     if (writing_.valid()) writing_.wait();
     if (writing_.valid()) writing_.get();
-    last_s_ = now_s();
+    last_s_ = wall_clock_s();
     changes_.reset();
     std::error_code ignored;
     fs::remove(folder_ / "autosave.exr", ignored);

@@ -1,4 +1,6 @@
 #include "app/report.h"
+
+#include "app/wall_clock.h"
 #include "sim/terrain/gauge.h"
 #include "sim/terrain/state_hash.h"
 
@@ -6,13 +8,12 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 namespace talus {
 namespace {
 
-const auto loaded_at = std::chrono::steady_clock::now();
+const double loaded_at_s = wall_clock_s();
 
 }  // namespace
 
@@ -74,7 +75,7 @@ void say(const std::string& message) {
 }
 
 double seconds_since_start() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - loaded_at).count();
+    return wall_clock_s() - loaded_at_s;
 }
 
 double process_cpu_s() {

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <utility>
 
 #include "app/calibration.h"
 #include "app/outputs.h"
+#include "app/wall_clock.h"
 #include "app/wave_note.h"
 #include "render/overview.h"
 #include "sim/gpu/error.h"
@@ -21,14 +21,6 @@
 #include "sim/terrain/state_hash.h"
 
 namespace talus {
-namespace {
-
-double now_s() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-}  // namespace
-
 Session::Session(const SceneRequest& request, gpu::Device device)
     : device_(std::move(device)), request_(request), scene_(make_scene(request)) {
     start(std::move(scene_));
@@ -249,7 +241,7 @@ void Session::play(double wall_s, double budget_s) {
     if (needed_s > credit_s_) return;
     const double allowed_s = credit_s_;
     const double fitting = tick_ms_ > 0 ? std::floor(allowed_s * 1000 / tick_ms_) : 1;
-    const double begin = now_s();
+    const double begin = wall_clock_s();
     const bool timing = !tick_timer_.pending();
     if (timing) tick_timer_.begin();
     const std::uint64_t sent_before = simulation_->substeps_sent();
@@ -259,7 +251,7 @@ void Session::play(double wall_s, double budget_s) {
         substep_ms_ > 0 ? static_cast<int>(std::clamp(allowed_s * 1000 / substep_ms_, 1.0, 64.0)) : 1;
     int ticks = 0;
     const auto fits = [&] {
-        return (stroke_ && simulation_->mid_tick()) || now_s() - begin + substep_s <= allowed_s;
+        return (stroke_ && simulation_->mid_tick()) || wall_clock_s() - begin + substep_s <= allowed_s;
     };
     while (owed_s_ >= tick_s * 0.999 && ticks < std::max(1.0, fitting) && fits()) {
         if (!simulation_->advance(batch)) continue;
@@ -267,7 +259,7 @@ void Session::play(double wall_s, double budget_s) {
         ++ticks;
         if (stroke_) break;
     }
-    credit_s_ -= now_s() - begin;
+    credit_s_ -= wall_clock_s() - begin;
     if (timing) {
         timed_ticks_ = ticks;
         timed_substeps_ = simulation_->substeps_sent() - sent_before;
@@ -384,8 +376,8 @@ void Session::follow_ledger() {
     if (simulation_->awaits_ledger() || simulation_->mid_tick()) return;
     const double simulated_s = simulation_->clock().simulated_s;
     const std::uint64_t changes = simulation_->terrain().tiles.now();
-    if (now_s() - ledger_asked_at_s_ < 0.5 || changes == ledger_of_changes_) return;
-    ledger_asked_at_s_ = now_s();
+    if (wall_clock_s() - ledger_asked_at_s_ < 0.5 || changes == ledger_of_changes_) return;
+    ledger_asked_at_s_ = wall_clock_s();
     ledger_of_s_ = simulated_s;
     ledger_of_changes_ = changes;
     simulation_->ask_ledger();
@@ -404,8 +396,8 @@ void Session::follow_activity() {
         }
         activity_since_ = activity_asked_at_;
     }
-    if (stamps_.pending() || now_s() - activity_asked_at_s_ < 0.5) return;
-    activity_asked_at_s_ = now_s();
+    if (stamps_.pending() || wall_clock_s() - activity_asked_at_s_ < 0.5) return;
+    activity_asked_at_s_ = wall_clock_s();
     activity_asked_at_ = tiles.reader_now();
     stamps_.start(tiles.stamps(), tiles.stamps().bytes());
 }

@@ -3,12 +3,10 @@
 #include <chrono>
 #include <utility>
 
+#include "app/wall_clock.h"
+
 namespace talus {
 namespace {
-
-double now_s() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 bool has_ended(const std::future<Work::Then>& job) {
     return job.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
@@ -24,13 +22,13 @@ Work::~Work() {
 void Work::start(std::string name, Job job, bool can_cancel) {
     if (busy()) return;
     name_ = std::move(name);
-    started_s_ = now_s();
+    started_s_ = wall_clock_s();
     can_cancel_ = can_cancel;
     job_ = std::async(std::launch::async, std::move(job));
 }
 
 double Work::seconds() const {
-    return now_s() - started_s_;
+    return wall_clock_s() - started_s_;
 }
 
 void Work::poll() {

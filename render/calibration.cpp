@@ -13,8 +13,8 @@
 namespace talus {
 namespace {
 
-constexpr int width = 640;
-constexpr int height = 360;
+constexpr int picture_width = 640;
+constexpr int picture_height = 360;
 constexpr int rounds = 4;
 
 struct Cost {
@@ -52,7 +52,7 @@ double measure_patch_pixels(bool software) {
     Terrain terrain(bedrock_terrain(grid, generate_heights(grid, {"hills", 1, 100})));
     Pyramid pyramid(terrain);
     pyramid.refresh(terrain);
-    const HitsTarget target(width, height);
+    const HitsTarget target(picture_width, picture_height);
     const Method hybrid = make_hybrid(Detail::none);
     // Straight down, so that ground fills both pictures: few patches, and many.
     const auto down = [&](double above_m) {
@@ -62,12 +62,13 @@ double measure_patch_pixels(bool software) {
     const Camera near = down(300);
     const Camera far = down(1500);
     const auto frame = [&](const Camera& camera, double patch_pixels) {
-        return Frame{terrain, pyramid, camera, width, height, 0.5, patch_pixels, target.framebuffer()};
+        return Frame{terrain,        pyramid, camera,       picture_width,
+                     picture_height, 0.5,     patch_pixels, target.framebuffer()};
     };
     const Cost few = cost_of(hybrid, frame(near, 0), target, software);
     const Cost many = cost_of(hybrid, frame(far, 0), target, software);
     const Cost rays = cost_of(hybrid, frame(far, HUGE_VAL), target, software);
-    constexpr double pixels = static_cast<double>(width) * height;
+    constexpr double pixels = static_cast<double>(picture_width) * picture_height;
     const double patch_s = std::max(many.s - few.s, 0.0) / std::max(many.patches - few.patches, 1.0);
     const double pixel_s = (few.s - patch_s * few.patches) / pixels;
     const double saved_s = rays.s / pixels - pixel_s;

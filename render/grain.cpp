@@ -7,7 +7,7 @@
 namespace talus {
 namespace {
 
-constexpr int side = 512;
+constexpr int grain_side = 512;
 
 double lattice(int x, int y, int period, std::uint32_t seed) {
     const auto wrapped = [&](int v) { return static_cast<std::uint32_t>((v % period + period) % period); };
@@ -17,7 +17,7 @@ double lattice(int x, int y, int period, std::uint32_t seed) {
     return static_cast<double>((n >> 8U) & 0xffffU) / 65535.0;
 }
 
-// Value noise on a lattice of so many cells a side of the texture, at u and v from 0 to 1.
+// Value noise on a lattice of so many cells a grain_side of the texture, at u and v from 0 to 1.
 double noise(double u, double v, int cells, std::uint32_t seed) {
     const double x = u * cells;
     const double y = v * cells;
@@ -36,18 +36,18 @@ double noise(double u, double v, int cells, std::uint32_t seed) {
 gpu::Texture grain_texture() {
     constexpr std::array<int, 4> cells = {18, 71, 150, 211};
     std::vector<std::uint8_t> texels;
-    texels.reserve(std::size_t{4} * side * side);
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x)
+    texels.reserve(std::size_t{4} * grain_side * grain_side);
+    for (int y = 0; y < grain_side; ++y)
+        for (int x = 0; x < grain_side; ++x)
             for (std::uint32_t channel = 0; channel < 4; ++channel) {
-                const double u = (x + 0.5) / side;
-                const double v = (y + 0.5) / side;
+                const double u = (x + 0.5) / grain_side;
+                const double v = (y + 0.5) / grain_side;
                 const int base = cells[channel];
                 const double value =
                     0.65 * noise(u, v, base, channel) + 0.35 * noise(u, v, 2 * base + 1, channel + 8);
                 texels.push_back(static_cast<std::uint8_t>(std::lround(255 * value)));
             }
-    gpu::Texture texture("grain", gpu::Format::rgba8, side, side, 10);
+    gpu::Texture texture("grain", gpu::Format::rgba8, grain_side, grain_side, 10);
     texture.write(texture.whole(), std::as_bytes(std::span(texels)));
     texture.filter(gpu::Wrap::repeat);
     return texture;

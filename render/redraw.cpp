@@ -5,11 +5,7 @@
 #include "render/blocks.h"
 
 namespace talus {
-namespace {
-
-constexpr std::size_t head_words = 4;  // before the marks
-
-}  // namespace
+namespace {}  // namespace
 
 Redraw::Redraw() : mark_("render/redraw_mark.comp"), list_("render/redraw_list.comp") {}
 
@@ -18,7 +14,7 @@ void Redraw::begin(int width, int height) {
     height_ = height;
     blocks_ = blocks_of(width, height);
     const std::size_t bytes =
-        (head_words + static_cast<std::size_t>(blocks_.x) * blocks_.y) * sizeof(std::uint32_t);
+        (glsl::draw_words + static_cast<std::size_t>(blocks_.x) * blocks_.y) * sizeof(std::uint32_t);
     if (marks_.bytes() != bytes) {
         marks_ = gpu::Buffer("redraw marks", bytes);
         listed_ = gpu::Buffer("redraw blocks", bytes);
@@ -46,7 +42,7 @@ void Redraw::mark(bool after, const TileList& tiles, const Terrain& terrain, con
 }
 
 void Redraw::list() {
-    const std::array<std::uint32_t, head_words> arguments = {0, 1, 0, 0};
+    const std::array<std::uint32_t, glsl::draw_words> arguments = {0, 1, 0, 0};
     listed_.write(0, std::as_bytes(std::span(arguments)));
     bind(list_);
     list_.bind_storage("Blocks", listed_);
@@ -55,7 +51,7 @@ void Redraw::list() {
 }
 
 void Redraw::draw(gpu::Program& program, const gpu::Framebuffer& target, gpu::Depth depth) const {
-    draw_blocks(program, target, {width_, height_}, {listed_, 0, head_words}, depth);
+    draw_blocks(program, target, {width_, height_}, {listed_, 0, glsl::draw_words}, depth);
 }
 
 }  // namespace talus

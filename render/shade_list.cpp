@@ -6,16 +6,16 @@ namespace talus {
 namespace {
 
 // Two draws: of blocks with nothing and with something in them.
-constexpr std::size_t head_words = 2 * glsl::draw_words;
+constexpr std::size_t shade_head_words = 2 * glsl::draw_words;
 
 }  // namespace
 
 void ShadeList::make(const gpu::Texture& hits, int width, int height) {
     const glm::ivec2 blocks = blocks_of(width, height);
     blocks_ = static_cast<std::size_t>(blocks.x) * blocks.y;
-    const std::size_t bytes = (head_words + 2 * blocks_) * sizeof(std::uint32_t);
+    const std::size_t bytes = (shade_head_words + 2 * blocks_) * sizeof(std::uint32_t);
     if (words_.bytes() != bytes) words_ = gpu::Buffer("shading blocks", bytes);
-    const std::array<std::uint32_t, head_words> none = {0, 1, 0, 0, 0, 1, 0, 0};
+    const std::array<std::uint32_t, shade_head_words> none = {0, 1, 0, 0, 0, 1, 0, 0};
     words_.write(0, std::as_bytes(std::span(none)));
     program_.bind_sampled("hits", hits);
     program_.bind_storage("ShadeBlocks", words_);
@@ -27,11 +27,11 @@ void ShadeList::make(const gpu::Texture& hits, int width, int height) {
 }
 
 BlockList ShadeList::nothing() const {
-    return {words_, 0, head_words};
+    return {words_, 0, shade_head_words};
 }
 
 BlockList ShadeList::something() const {
-    return {words_, glsl::draw_words, head_words + blocks_};
+    return {words_, glsl::draw_words, shade_head_words + blocks_};
 }
 
 }  // namespace talus

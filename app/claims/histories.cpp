@@ -20,10 +20,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const Grid grid{150, 110, 20, 25};
+const Grid worked_grid{150, 110, 20, 25};
 
 TerrainState mountains() {
-    return bedrock_terrain(grid, generate_heights(grid, {"mountains", 5, 900}));
+    return bedrock_terrain(worked_grid, generate_heights(worked_grid, {"mountains", 5, 900}));
 }
 
 Parameters rainy() {
@@ -40,8 +40,8 @@ Dab some_dab(std::mt19937& random) {
     dab.mode = static_cast<BrushMode>(random() % 7);
     if (dab.mode == BrushMode::ramp) dab.way_m = {400 * unit(random), 300 * unit(random)};
     dab.material = static_cast<Material>(random() % 4);
-    dab.x_m = grid.width_m() * unit(random);
-    dab.y_m = grid.height_m() * unit(random);
+    dab.x_m = worked_grid.width_m() * unit(random);
+    dab.y_m = worked_grid.height_m() * unit(random);
     dab.radius_m = 60 + 400 * unit(random);
     dab.falloff = unit(random);
     dab.amount_m = 10 * unit(random);

@@ -108,7 +108,7 @@ maths::WaterTwin<Real> water_twin(const TerrainState& state, const WaterSettings
     std::vector<glm::vec<4, Real>> water;
     for (const float height : state.ground()) beds.push_back(height);
     for (const glm::vec4& texel : state.water) water.emplace_back(texel);
-    maths::WaterTwin<Real> twin(state.grid, beds, water, settings, state.painted);
+    maths::WaterTwin<Real> twin(state.grid, beds, water, settings, state.painted, state.springs);
     if (!settings.sediment.carried) return twin;
     std::vector<glm::vec<4, Real>> solid;
     for (const glm::vec4& texel : solid_of(state)) solid.emplace_back(texel);
@@ -196,7 +196,9 @@ TwinAgreement water_against_twin(const WaterCase& c) {
         for (std::size_t i = 0; i < start.grid.count(); ++i)
             start.painted.emplace_back(0, 0.01F * static_cast<float>(i % 100), i % 7 * 100, 0);
     }
+    start.springs = {{123, 77, 20}, {125, 77, 7}, {5, 400, 300}};  // two in one sample
     WaterRun run(start, scene.settings);
+    run.springs = start.springs;
     auto twin = water_twin<float>(start, scene.settings);
     auto exact = water_twin<double>(start, scene.settings);
     TwinAgreement agreement;
@@ -241,7 +243,9 @@ TwinAgreement sediment_against_twin(const WaterCase& c) {
         start.painted.emplace_back(0.01F * static_cast<float>(i % 100), 0.05F * static_cast<float>(i % 21), 0,
                                    0);
     }
+    start.springs = {{123, 77, 20}, {125, 77, 7}, {5, 400, 300}};  // two in one sample
     WaterRun run(start, scene.settings);
+    run.springs = start.springs;
     auto twin = water_twin<float>(start, scene.settings);
     auto exact = water_twin<double>(start, scene.settings);
     TwinAgreement agreement;

@@ -7,8 +7,8 @@
 namespace talus {
 namespace {
 
-constexpr int side = 48;    // samples that are read
-constexpr int margin = 12;  // of them, beyond which they are read anew
+constexpr int probe_side = 48;  // samples that are read
+constexpr int margin = 12;      // of them, beyond which they are read anew
 
 }  // namespace
 
@@ -26,8 +26,8 @@ void GroundProbe::follow(const Terrain& terrain, glm::dvec2 place_m) {
     const Grid& grid = terrain.grid();
     const int column = static_cast<int>(std::clamp(grid.column_of(place_m.x), 0.0, grid.nx - 1.0));
     const int row = static_cast<int>(std::clamp(grid.row_of(place_m.y), 0.0, grid.ny - 1.0));
-    const int width = std::min(side, grid.nx);
-    const int height = std::min(side, grid.ny);
+    const int width = std::min(probe_side, grid.nx);
+    const int height = std::min(probe_side, grid.ny);
     const gpu::Region wanted{std::clamp(column - width / 2, 0, grid.nx - width),
                              std::clamp(row - height / 2, 0, grid.ny - height), width, height};
     const bool near_edge = std::abs(wanted.x - here_.x) > std::max(width / 2 - margin, 0) ||

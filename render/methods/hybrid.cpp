@@ -6,7 +6,7 @@ namespace talus {
 namespace {
 
 // Cells of 16 x 16 patches, or the coarsest that the pyramid of a small terrain has.
-constexpr int finest_cell_level = 4;
+constexpr int sector_cell_level = 4;
 #include "render/sector_count.glsl"
 
 // A patch's pixels are right to 1/64 pixel, and corners snap to 1/256: a finer tolerance asks for rays.
@@ -75,7 +75,7 @@ void draw(Hybrid& hybrid, const Frame& frame) {
     const double patch_pixels = meshed ? frame.patch_pixels : HUGE_VAL;
     const double mesh_end_m = std::sqrt(2 * grid.dx * grid.dy / std::max(patch_pixels, 1e-9)) / pixel_m;
     // Coarser cells where the mesh reaches far, so that choosing them stays cheap.
-    int level = std::min(finest_cell_level, frame.pyramid.top_level());
+    int level = std::min(sector_cell_level, frame.pyramid.top_level());
     CellRectangle cells = cells_within(frame, level, mesh_end_m);
     while (level < frame.pyramid.top_level() && cells.count.x * cells.count.y > most_cells)
         cells = cells_within(frame, ++level, mesh_end_m);

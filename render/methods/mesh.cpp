@@ -4,7 +4,7 @@ namespace talus {
 namespace {
 
 // Cells of 32 x 32 patches, or the coarsest that the pyramid of a small terrain has.
-constexpr int finest_cell_level = 5;
+constexpr int mesh_cell_level = 5;
 
 gpu::Buffer cell_indices(int level) {
     const unsigned patches = 1U << static_cast<unsigned>(level);
@@ -37,7 +37,7 @@ Method make_mesh(Detail) {
     auto mesh = std::make_shared<MeshMethod>();
     const auto draw = [mesh](const Frame& frame) {
         const Grid& grid = frame.terrain.grid();
-        const int level = std::min(finest_cell_level, frame.pyramid.top_level());
+        const int level = std::min(mesh_cell_level, frame.pyramid.top_level());
         const glm::ivec2 size = frame.pyramid.level_1_size() >> (level - 1);
         if (level != mesh->level) mesh->indices = cell_indices(level);
         mesh->level = level;

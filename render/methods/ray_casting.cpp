@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t kind_count = ray_kinds;
 constexpr std::size_t draw_words = glsl::draw_words;
 // A draw of each kind without a mesh, and one of each behind it.
-constexpr std::size_t head_words = draw_words * 2 * kind_count;
+constexpr std::size_t ray_head_words = draw_words * 2 * kind_count;
 
 std::vector<std::string> with(std::vector<std::string> defines, bool condition, const char* define) {
     if (condition) defines.emplace_back(define);
@@ -37,7 +37,7 @@ void RayCasting::cast_beams(const Frame& frame, double flatness) {
     beams_.cast(frame, flatness, bind_mesh_);
     if (frame.redraw) return;  // it has its own list
     const glm::ivec2 blocks = blocks_of(frame.width, frame.height);
-    const std::size_t words = head_words + kind_count * static_cast<std::size_t>(blocks.x) * blocks.y;
+    const std::size_t words = ray_head_words + kind_count * static_cast<std::size_t>(blocks.x) * blocks.y;
     if (lists_.bytes() != words * sizeof(std::uint32_t))
         lists_ = gpu::Buffer("ray blocks", words * sizeof(std::uint32_t));
     beams_.bind(list_);
@@ -66,7 +66,7 @@ void RayCasting::draw(const Frame& frame) {
     for (std::size_t kind = 0; kind < kind_count; ++kind) {
         if (!flat_ends_ && (kind == kind_flat || kind == kind_walk_or_flat)) continue;
         prepare(*programs[kind]);
-        const std::size_t numbers = head_words + kind * static_cast<std::size_t>(blocks.x) * blocks.y;
+        const std::size_t numbers = ray_head_words + kind * static_cast<std::size_t>(blocks.x) * blocks.y;
         draw_blocks(*programs[kind], frame.hits, {frame.width, frame.height},
                     {lists_, draw_words * kind, numbers}, gpu::Depth::none);
         if (!bind_mesh_) continue;

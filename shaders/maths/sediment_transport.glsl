@@ -25,3 +25,9 @@ real2 sediment_second_stage(real2 start, real2 first, real gain) {
     precise real both = real(0.5) * (first.y + gain);
     return add_increment(start, both);
 }
+
+// After one of the stages, as the water (maths/water_stage.glsl).
+real2 sediment_after_stage(int stage, real2 start, real2 load, real gain) {
+    if (water_order == 1) return add_increment(load, gain);
+    return stage == 1 ? sediment_first_stage(load, gain) : sediment_second_stage(start, load, gain);
+}

@@ -5,7 +5,6 @@
 //   water_gravity  real, m/s²
 //   water_share    real2, sub-step / spacing, s/m
 //   water_drain    real, m/s: 1 / (2 sub-step (1/dx + 1/dy)), a touch less: no face takes more of its side's depth
-//   water_fastest  real2, half a spacing in a sub-step, m/s
 //   water_friction real, sub-step * gravity * Manning's n²; 0: none
 // A sample's water is real4(depth high, depth low, discharge east, discharge north): m, m, m²/s, m²/s.
 #include "maths/cube_root.glsl"
@@ -270,8 +269,8 @@ real2 water_discharge(real depth, real2 discharge, WaterChange change) {
     precise real y = discharge.y + change.north;
     real2 after = real2(x, y);
     if (water_friction > real(0)) after = water_slowed(depth, after);
-    precise real most_x = water_fastest.x * depth;
-    precise real most_y = water_fastest.y * depth;
+    precise real most_x = (real(0.5) / water_share.x) * depth;
+    precise real most_y = (real(0.5) / water_share.y) * depth;
     after.x = min(max(after.x, -most_x), most_x);
     after.y = min(max(after.y, -most_y), most_y);
     if (change.rests || depth <= real(0)) after = real2(real(0), real(0));

@@ -1,5 +1,4 @@
-// What lies beyond the edges of the map: two ghost samples a row, made from the two samples inside and the kind of
-// the edge (docs/numerics.md, "Edges of the water"). Needs maths/water.glsl, and
+// What lies beyond an edge of the map, by the kind of the edge and the sample inside (docs/numerics.md, "Edges of the water"). Needs maths/water.glsl, and
 //   edge_level_m     real, level held at level edges; still level at wave edges
 //   edge_inflow      real, m²/s into the map at inflow edges
 //   edge_wave_m      real, the wave's height above the still level at wave edges

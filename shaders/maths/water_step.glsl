@@ -23,3 +23,34 @@ real water_draining(real dt) {
     precise real drain = real(0.4999) / (dt * water_inverse_cells());
     return drain;
 }
+
+// What holds for one sub-step: its Euler steps follow each other in equal parts of it (maths/water_stage.glsl).
+struct WaterSubstep {
+    real dt;        // of an Euler step, s
+    real left;      // of the tick after the sub-step, s
+    real2 share;    // dt / spacing, s/m
+    real drain;     // m/s
+    real friction;  // dt * gravity * Manning's n²
+    real at;        // share of the tick that is past, before the sub-step
+    real part;      // share of the tick that an Euler step takes
+};
+
+// `speed`: the fastest wave, m/s; `friction`: gravity * Manning's n².
+WaterSubstep water_next_substep(real time_left_s, real tick_s, real speed, real friction, int eulers) {
+    real2 span = water_substep(time_left_s, speed, water_courant * real(eulers));
+    precise real dt = span.x / real(eulers);
+    precise real share_x = dt / cell_m.x;
+    precise real share_y = dt / cell_m.y;
+    precise real dt_friction = dt * friction;
+    precise real at = real(1) - time_left_s / tick_s;
+    precise real part = dt / tick_s;
+    WaterSubstep next;
+    next.dt = dt;
+    next.left = span.y;
+    next.share = real2(share_x, share_y);
+    next.drain = water_draining(dt);
+    next.friction = dt_friction;
+    next.at = at;
+    next.part = part;
+    return next;
+}

@@ -37,7 +37,6 @@ uniform int sediment_below;
 const int water_order = 1;
 real water_gravity = gravity;
 const real2 water_share = real2(0.0);
-const real2 water_fastest = real2(0.0);
 const real water_drain = real(0);
 const real water_friction = real(0);
 precise real sediment_dt = clock_dt_s * real(eulers);

@@ -44,7 +44,6 @@ uniform real loss_m_per_s;
 const int water_order = ORDER;
 real water_gravity = gravity;
 real2 water_share = real2(clock_share_x, clock_share_y);
-real2 water_fastest = real2(real(0.5) / clock_share_x, real(0.5) / clock_share_y);
 real water_drain = clock_drain;
 #ifdef FRICTION
 real water_friction = clock_friction;
@@ -53,6 +52,7 @@ const real water_friction = real(0);
 #endif
 #include "sim/cube_root_seed.glsl"
 #include "maths/water.glsl"
+#include "maths/water_stage.glsl"
 #include "maths/water_sources.glsl"
 #ifdef SEDIMENT
 #include "maths/sediment_transport.glsl"
@@ -123,15 +123,12 @@ void main() {
             WaterFace face_east = face_between(west, turned, slope_x, east, water_slope(turned, east, east_2), east_2);
 
             WaterChange change = water_change(here.x, face_west, face_east, face_south, face_north);
-#if ORDER == 2 && STAGE == 1
-            real4 after = water_first_stage(here, change);
-#else
-#if ORDER == 2
+#if ORDER == 2 && STAGE == 2
             real4 start = imageLoad(water_out, at + water_ghosts);
-            real4 after = water_second_stage(start, here, change);
 #else
-            real4 after = water_euler(here, change);
+            real4 start = here;
 #endif
+            real4 after = water_after_stage(STAGE, start, here, change);
 #ifdef SOURCES
             real loss = water_loss(after, dt);
 #ifdef RAIN_MAP
@@ -148,7 +145,6 @@ void main() {
             // Of what stays: a run that is saved and loaded finds the same.
             fastest = max(fastest, water_speed(after));
 #endif
-#endif
             // By its bits: a resting -0 becomes 0.
             bool moves = !change.rests || (floatBitsToUint(here.z) | floatBitsToUint(here.w)) != 0u;
 #ifdef SOURCES
@@ -164,14 +160,13 @@ void main() {
             real flux_west = sediment_flux(face_west.mass, load_concentration(at + int2(-1, 0), west.depth), solid_here);
             real flux_east = sediment_flux(face_east.mass, solid_here, load_concentration(at + int2(1, 0), east.depth));
             real solid_gain = sediment_gain(flux_west, flux_east, flux_south, solid_north);
-            real2 load = imageLoad(load_in, at + water_ghosts).xy;
-#if ORDER == 1
-            load = add_increment(load, solid_gain);
-#elif STAGE == 1
-            load = sediment_first_stage(load, solid_gain);
+            real2 load_here = imageLoad(load_in, at + water_ghosts).xy;
+#if ORDER == 2 && STAGE == 2
+            real2 load_start = imageLoad(load_out, at + water_ghosts).xy;
 #else
-            load = sediment_second_stage(imageLoad(load_out, at + water_ghosts).xy, load, solid_gain);
+            real2 load_start = load_here;
 #endif
+            real2 load = sediment_after_stage(STAGE, load_start, load_here, solid_gain);
             imageStore(load_out, at + water_ghosts, real4(load.x, load.y, 0.0, 0.0));
             solid_north = flux_south;
             solid_here = solid_south;

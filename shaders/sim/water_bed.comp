@@ -24,7 +24,6 @@ uniform real gravity;
 const int water_order = 1;
 real water_gravity = gravity;
 const real2 water_share = real2(0.0);
-const real2 water_fastest = real2(0.0);
 const real water_drain = real(0);
 const real water_friction = real(0);
 #include "sim/cube_root_seed.glsl"

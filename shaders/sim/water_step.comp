@@ -16,7 +16,7 @@ uniform real2 cell_m;
 uniform real tick_s;
 uniform real friction;       // gravity * Manning's n²
 uniform real rain_m_per_s;   // that falls everywhere; rain by the map is booked where it falls
-uniform int eulers;          // equal Euler steps that follow each other in a sub-step: 1 at order 2, 2 at order 1
+uniform int eulers;          // Euler steps in a sub-step (sim/passes/water_schedule.h)
 uniform int driven_north;    // 1: the edge wakes its tiles
 uniform int driven_south;
 uniform int driven_west;
@@ -89,26 +89,20 @@ void main() {
         clock_dt_s = real(0);
         if (running) {
             real speed = uintBitsToFloat(fastest);
-            real2 step = water_substep(clock_left_s, speed, water_courant * real(eulers));
-            precise real dt = step.x / real(eulers);
-            precise real share_x = dt / cell_m.x;
-            precise real share_y = dt / cell_m.y;
-            precise real dt_friction = dt * friction;
-            precise real at = real(1) - clock_left_s / tick_s;
-            precise real share = dt / tick_s;
-            clock_dt_s = dt;
-            clock_left_s = step.y;
-            clock_share_x = share_x;
-            clock_share_y = share_y;
-            clock_drain = water_draining(dt);
-            clock_friction = dt_friction;
-            clock_at = at;
-            clock_share = share;
+            WaterSubstep next = water_next_substep(clock_left_s, tick_s, speed, friction, eulers);
+            clock_dt_s = next.dt;
+            clock_left_s = next.left;
+            clock_share_x = next.share.x;
+            clock_share_y = next.share.y;
+            clock_drain = next.drain;
+            clock_friction = next.friction;
+            clock_at = next.at;
+            clock_share = next.part;
             clock_fastest = speed;
             clock_edge_fastest = 0u;
             total_substeps += 1.0lf;
             total_listed += double(listed);
-            precise real rain = rain_m_per_s * dt;
+            precise real rain = rain_m_per_s * next.dt;
             book_rain_m += double(eulers) * double(rain);
         }
     }

@@ -11,6 +11,11 @@ namespace talus::gpu {
 
 void delete_buffer(unsigned name);
 
+/// An offset into a bound buffer, bytes, as OpenGL's interface takes it: as a pointer.
+inline void* as_offset(std::size_t bytes) {
+    return reinterpret_cast<void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
+}
+
 /// Memory on the device, of a fixed size. The label shows in debuggers and error messages.
 ///
 ///     Buffer flags("tile flags", count * sizeof(std::uint32_t));

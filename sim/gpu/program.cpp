@@ -273,11 +273,6 @@ void with_depth(Depth depth, Draw&& draw) {
     glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
 }
 
-// Offsets into a bound buffer travel as pointers in OpenGL's interface.
-const void* as_offset(std::size_t offset) {
-    return reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr)
-}
-
 }  // namespace
 
 void Program::draw_fullscreen() {

@@ -40,11 +40,6 @@ Layout layout_of(Format format) {
 
 constexpr float anisotropy = 8;
 
-// Offsets into a bound pixel buffer travel as pointers in OpenGL's interface.
-void* as_offset(std::size_t offset) {
-    return reinterpret_cast<void*>(offset);  // NOLINT(performance-no-int-to-ptr)
-}
-
 }  // namespace
 
 void delete_texture(unsigned name) {

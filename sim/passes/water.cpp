@@ -7,7 +7,8 @@
 #include <cstring>
 #include <numbers>
 
-#include "sim/gpu/error.h"
+#include "sim/passes/water_schedule.h"
+#include "sim/terrain/springs.h"
 
 namespace talus {
 namespace {
@@ -23,14 +24,13 @@ WaterClock read_clock(const gpu::Buffer& buffer) {
     return clock;
 }
 
-bool has_sources(const WaterSettings& settings) {
-    return settings.rain_m_per_s > 0 || settings.rain_painted || settings.infiltration_m_per_s > 0 ||
-           settings.evaporation_m_per_s > 0;
+void set_sizes(gpu::Program& program, const Terrain& terrain) {
+    program.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
+    program.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
 }
 
-// Whether rain differs from place to place.
-bool has_rain_map(const WaterSettings& settings) {
-    return settings.rain_painted || (settings.rain_masked && settings.rain_m_per_s > 0);
+SedimentStep sediment_step_of(const WaterSettings& settings) {
+    return sediment_step(settings.sediment, settings.gravity_m_per_s2, settings.manning_s_per_m13);
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ Water::Water(const Terrain& terrain)
 
 gpu::Program& Water::stage_program(int stage) {
     const bool friction = settings_.manning_s_per_m13 > 0;
-    const bool sources = has_sources(settings_);
+    const bool sources = has_sources(settings_, stage);
     const bool rain_map = has_rain_map(settings_);
     const int key = settings_.order + 4 * stage + (friction ? 16 : 0) + (sources ? 32 : 0) +
                     (rain_map ? 64 : 0) + (settings_.sediment.carried ? 128 : 0);
@@ -67,7 +67,7 @@ gpu::Program& Water::stage_program(int stage) {
         std::vector<std::string> defines = {"ORDER " + std::to_string(settings_.order),
                                             "STAGE " + std::to_string(stage)};
         if (friction) defines.emplace_back("FRICTION 1");
-        if (sources && (settings_.order == 1 || stage == 2)) defines.emplace_back("SOURCES 1");
+        if (sources) defines.emplace_back("SOURCES 1");
         if (rain_map) defines.emplace_back("RAIN_MAP 1");
         if (settings_.sediment.carried) defines.emplace_back("SEDIMENT 1");
         found = stage_programs_.emplace(key, gpu::Program({"sim/water.comp"}, defines)).first;
@@ -117,9 +117,8 @@ void Water::begin_tick(Terrain& terrain, const WaterSettings& settings, const st
     std::vector<glm::vec4> placed;
     placed.reserve(springs.size());
     for (const Spring& spring : springs) {
-        const double column = std::clamp(std::round(grid.column_of(spring.x_m)), 0.0, grid.nx - 1.0);
-        const double row = std::clamp(std::round(grid.row_of(spring.y_m)), 0.0, grid.ny - 1.0);
-        placed.emplace_back(column, row, spring.rate_m3_per_s / (grid.dx * grid.dy), 0);
+        const glm::ivec2 at = sample_of(grid, spring);
+        placed.emplace_back(at.x, at.y, spring.rate_m3_per_s / (grid.dx * grid.dy), 0);
     }
     spring_count_ = static_cast<int>(placed.size());
     if (!placed.empty()) {
@@ -140,8 +139,7 @@ void Water::begin_tick(Terrain& terrain, const WaterSettings& settings, const st
         bed.bind_image("load_in", terrain.suspended->front);
         bed.bind_image("load_out", terrain.suspended->back);
     }
-    bed.set("samples", glm::ivec2(grid.nx, grid.ny));
-    bed.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
+    set_sizes(bed, terrain);
     bed.set("gravity", static_cast<float>(settings.gravity_m_per_s2));
     bed.dispatch_indirect(active_.buffer);
     gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
@@ -149,11 +147,19 @@ void Water::begin_tick(Terrain& terrain, const WaterSettings& settings, const st
 }
 
 void Water::substep(Terrain& terrain) {
+    begin_substep(terrain);
+    run_substep(
+        settings_, [&](int stage) { fill_ghosts(terrain, stage); },
+        [&](int stage) { run_stage(terrain, stage); },
+        [&] {
+            sediment_.exchange(terrain, sediment_step_of(settings_), settings_.gravity_m_per_s2,
+                               euler_steps(settings_), active_.buffer, activity_, clock_);
+        });
+}
+
+// The length of the sub-step, and the tiles that have work.
+void Water::begin_substep(const Terrain& terrain) {
     const Grid& grid = terrain.grid();
-    const glm::ivec2 samples(grid.nx, grid.ny);
-    const glm::ivec2 tiles(terrain.tiles.columns(), terrain.tiles.rows());
-    const int eulers = settings_.order == 1 ? 2 : 1;
-    const auto gravity = static_cast<float>(settings_.gravity_m_per_s2);
     const auto rain = static_cast<float>(settings_.rain_m_per_s);
     const bool periodic = std::any_of(settings_.edges.begin(), settings_.edges.end(),
                                       [](EdgeKind kind) { return kind == EdgeKind::periodic; });
@@ -161,17 +167,12 @@ void Water::substep(Terrain& terrain) {
         const EdgeKind kind = settings_.edges[static_cast<std::size_t>(edge)];
         return kind == EdgeKind::inflow || kind == EdgeKind::wave ? 1 : 0;
     };
-
-    step_program_.set("tiles", tiles);
-    step_program_.set("samples", samples);
+    set_sizes(step_program_, terrain);
     step_program_.set("cell_m", glm::vec2(grid.dx, grid.dy));
     step_program_.set("tick_s", static_cast<float>(tick_s_));
-    step_program_.set("friction",
-                      static_cast<float>(settings_.gravity_m_per_s2 * settings_.manning_s_per_m13 *
-                                         settings_.manning_s_per_m13));
-    const bool rain_map = has_rain_map(settings_);
-    step_program_.set("rain_m_per_s", rain_map ? 0.0F : rain);
-    step_program_.set("eulers", eulers);
+    step_program_.set("friction", static_cast<float>(friction_of(settings_)));
+    step_program_.set("rain_m_per_s", has_rain_map(settings_) ? 0.0F : rain);
+    step_program_.set("eulers", euler_steps(settings_));
     step_program_.set("driven_north", driven(Edge::north));
     step_program_.set("driven_south", driven(Edge::south));
     step_program_.set("driven_west", driven(Edge::west));
@@ -182,74 +183,58 @@ void Water::substep(Terrain& terrain) {
     bind_buffers(step_program_);
     step_program_.dispatch(1);
     gpu::barrier({gpu::Use::storage, gpu::Use::indirect, gpu::Use::buffer_transfer});
+}
 
-    const bool carried = settings_.sediment.carried;
-    gpu::Program& ghosts = edge_program();
-    const SedimentStep sediment =
-        sediment_step(settings_.sediment, settings_.gravity_m_per_s2, settings_.manning_s_per_m13);
-    if (carried) {
-        ghosts.set("edge_concentration", static_cast<float>(settings_.sediment.inflow_concentration));
-        ghosts.set("sediment_speedup", sediment.speedup);
+void Water::fill_ghosts(Terrain& terrain, int stage) {
+    gpu::Program& program = edge_program();
+    set_sizes(program, terrain);
+    program.set("stage", stage);
+    program.set("kind_north", static_cast<int>(settings_.edges[0]));
+    program.set("kind_south", static_cast<int>(settings_.edges[1]));
+    program.set("kind_west", static_cast<int>(settings_.edges[2]));
+    program.set("kind_east", static_cast<int>(settings_.edges[3]));
+    program.set("edge_series_steps", edge_series_steps);
+    program.set("edge_level_m", static_cast<float>(settings_.level_m));
+    program.set("gravity", static_cast<float>(settings_.gravity_m_per_s2));
+    program.set("spring_count", spring_count_);
+    program.set("eulers", euler_steps(settings_));
+    program.bind_image("water_state", stage == 1 ? terrain.water->front : terrain.water->back);
+    program.bind_image("bed", terrain.water_bed);
+    if (settings_.sediment.carried) {
+        program.set("edge_concentration", static_cast<float>(settings_.sediment.inflow_concentration));
+        program.set("sediment_speedup", sediment_step_of(settings_).speedup);
+        program.bind_image("load_state", stage == 1 ? terrain.suspended->front : terrain.suspended->back);
+        program.bind_storage("EdgeSolidBooks", sediment_.edge_books);
     }
-    const double loss = settings_.infiltration_m_per_s + settings_.evaporation_m_per_s;
-    DeviceLayer& water = *terrain.water;
-    for (int stage = 1; stage <= 2; ++stage) {
-        const gpu::Texture& from = stage == 1 ? water.front : water.back;
-        const gpu::Texture& to = stage == 1 ? water.back : water.front;
-        gpu::Texture* load_from = nullptr;
-        gpu::Texture* load_to = nullptr;
-        if (carried) {
-            load_from = stage == 1 ? &terrain.suspended->front : &terrain.suspended->back;
-            load_to = stage == 1 ? &terrain.suspended->back : &terrain.suspended->front;
-        }
-        ghosts.set("samples", samples);
-        ghosts.set("tiles", tiles);
-        ghosts.set("stage", stage - 1);
-        ghosts.set("kind_north", static_cast<int>(settings_.edges[0]));
-        ghosts.set("kind_south", static_cast<int>(settings_.edges[1]));
-        ghosts.set("kind_west", static_cast<int>(settings_.edges[2]));
-        ghosts.set("kind_east", static_cast<int>(settings_.edges[3]));
-        ghosts.set("edge_series_steps", edge_series_steps);
-        ghosts.set("edge_level_m", static_cast<float>(settings_.level_m));
-        ghosts.set("gravity", gravity);
-        ghosts.set("spring_count", spring_count_);
-        ghosts.set("eulers", eulers);
-        ghosts.bind_image("water_state", from);
-        ghosts.bind_image("bed", terrain.water_bed);
-        if (carried) {
-            ghosts.bind_image("load_state", *load_from);
-            ghosts.bind_storage("EdgeSolidBooks", sediment_.edge_books);
-        }
-        bind_buffers(ghosts);
-        terrain.tiles.bind_for_stamping(ghosts);
-        ghosts.dispatch(1);
-        gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
-                      gpu::Use::buffer_transfer});
+    bind_buffers(program);
+    terrain.tiles.bind_for_stamping(program);
+    program.dispatch(1);
+    gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
+                  gpu::Use::buffer_transfer});
+}
 
-        gpu::Program& program = stage_program(stage);
-        terrain.tiles.bind_for_stamping(program);
-        bind_buffers(program);
-        program.bind_image("water_in", from);
-        program.bind_image("water_out", to);
-        program.bind_image("bed_in", terrain.water_bed);
-        program.set("samples", samples);
-        program.set("tiles", tiles);
-        program.set("gravity", gravity);
-        program.set("rain_m_per_s", rain);
-        program.set("rain_masked", settings_.rain_masked ? 1 : 0);
-        if (rain_map) program.bind_image("painted", terrain.painted->front);
-        if (carried) {
-            program.bind_image("load_in", *load_from);
-            program.bind_image("load_out", *load_to);
-        }
-        program.set("loss_m_per_s", static_cast<float>(loss));
-        program.dispatch_indirect(active_.buffer);
-        gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
-                      gpu::Use::buffer_transfer});
-    }
-    if (carried)
-        sediment_.exchange(terrain, sediment, settings_.gravity_m_per_s2, eulers, active_.buffer, activity_,
-                           clock_);
+// The first stage writes to the back images; the second one completes the front ones in place.
+void Water::run_stage(Terrain& terrain, int stage) {
+    gpu::Program& program = stage_program(stage);
+    terrain.tiles.bind_for_stamping(program);
+    bind_buffers(program);
+    const auto bind_pair = [&](const DeviceLayer& layer, const char* in, const char* out) {
+        program.bind_image(in, stage == 1 ? layer.front : layer.back);
+        program.bind_image(out, stage == 1 ? layer.back : layer.front);
+    };
+    bind_pair(*terrain.water, "water_in", "water_out");
+    if (settings_.sediment.carried) bind_pair(*terrain.suspended, "load_in", "load_out");
+    program.bind_image("bed_in", terrain.water_bed);
+    if (has_rain_map(settings_)) program.bind_image("painted", terrain.painted->front);
+    set_sizes(program, terrain);
+    program.set("gravity", static_cast<float>(settings_.gravity_m_per_s2));
+    program.set("rain_m_per_s", static_cast<float>(settings_.rain_m_per_s));
+    program.set("rain_masked", settings_.rain_masked ? 1 : 0);
+    program.set("loss_m_per_s",
+                static_cast<float>(settings_.infiltration_m_per_s + settings_.evaporation_m_per_s));
+    program.dispatch_indirect(active_.buffer);
+    gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
+                  gpu::Use::buffer_transfer});
 }
 
 bool Water::advance(Terrain& terrain, int& substeps) {

@@ -47,6 +47,9 @@ class Water {
     std::vector<Book> books();
 
   private:
+    void begin_substep(const Terrain& terrain);
+    void fill_ghosts(Terrain& terrain, int stage);
+    void run_stage(Terrain& terrain, int stage);
     gpu::Program& stage_program(int stage);
     gpu::Program& edge_program();
     void bind_buffers(gpu::Program& program) const;

@@ -3,15 +3,16 @@
 #include <vector>
 
 #include "shaders/maths/twin.h"
-#include "sim/passes/water.h"
+#include "sim/passes/sediment.h"
+#include "sim/passes/water_schedule.h"
 #include "sim/terrain/grid.h"
+#include "sim/terrain/springs.h"
 
 namespace talus::maths {
 
-/// The CPU twin of the water's sub-step (shaders/sim/water_step.comp, water_edges.comp, water.comp), over
-/// every sample. In float it agrees bit for bit with a device that rounds as IEEE
-/// 754 asks, as llvmpipe does; in double it says what float costs. Without
-/// springs and books.
+/// The CPU twin of the water's sub-step, over every sample: the same schedule (sim/passes/water_schedule.h)
+/// and the same maths as on the device, without its list of tiles and its books. In float it agrees bit for
+/// bit with a device that rounds as IEEE 754 asks, as llvmpipe does; in double it says what float costs.
 template <typename Real>
 class WaterTwin {
   public:
@@ -19,7 +20,8 @@ class WaterTwin {
 
     /// Rows of samples, as in TerrainState.
     WaterTwin(const Grid& grid, const std::vector<real>& beds, const std::vector<real4>& water,
-              const WaterSettings& settings, const std::vector<glm::vec4>& painted = {})
+              const WaterSettings& settings, const std::vector<glm::vec4>& painted = {},
+              const std::vector<Spring>& springs = {})
         : nx(grid.nx),
           ny(grid.ny),
           cell_m(static_cast<Real>(grid.dx), static_cast<Real>(grid.dy)),
@@ -29,20 +31,20 @@ class WaterTwin {
           rain_m_per_s(static_cast<Real>(settings.rain_m_per_s)),
           rain_masked(settings.rain_masked ? 1 : 0),
           loss_m_per_s(static_cast<Real>(settings.infiltration_m_per_s + settings.evaporation_m_per_s)),
+          samples(grid.nx, grid.ny),
           grid_(grid),
           settings_(settings),
           front_(static_cast<std::size_t>(nx + 4) * (ny + 4), real4(0)),
           back_(front_),
           bed_(front_.size(), 0),
-          painted_(painted) {
+          painted_(painted),
+          springs_(springs) {
         for (int y = 0; y < ny; ++y)
             for (int x = 0; x < nx; ++x) {
                 const auto i = static_cast<std::size_t>(y) * nx + x;
                 front_[texel(int2(x, y))] = water[i];
                 bed_[texel(int2(x, y))] = beds[i];
             }
-        friction_ = static_cast<Real>(settings.gravity_m_per_s2 * settings.manning_s_per_m13 *
-                                      settings.manning_s_per_m13);
     }
 
     /// From now on the water carries a load and exchanges it with this solid: rows of (bedrock, its low word,
@@ -90,7 +92,6 @@ class WaterTwin {
     int water_order;
     real water_gravity;
     real2 water_share{0};
-    real2 water_fastest{0};
     real water_drain = 0;
     real water_friction = 0;
     real edge_level_m;
@@ -99,6 +100,8 @@ class WaterTwin {
     real rain_m_per_s;
     int rain_masked;
     real loss_m_per_s;
+    int2 samples;
+    const std::vector<real4>* shown_ = nullptr;  // the image that edges see
 
     real sediment_dt = 0;
     real sediment_drag = 0;
@@ -114,6 +117,11 @@ class WaterTwin {
     int sediment_masked = 0;
     int sediment_below = 0;
 
+    int edge_kind_of(int side) const {
+        return static_cast<int>(settings_.edges[static_cast<std::size_t>(side)]);
+    }
+    real4 load_water(int2 at) const { return (*shown_)[texel(at)]; }
+    real load_bed(int2 at) const { return bed_[texel(at)]; }
     real load_edge_series(int at) const { return series_[static_cast<std::size_t>(at)]; }
     static real inverse_cube_root_seed(real x) {
         const auto bits = static_cast<float>(std::bit_cast<std::int32_t>(static_cast<float>(x)));
@@ -126,16 +134,19 @@ class WaterTwin {
 #include "maths/sediment_transport.glsl"
 #include "maths/water.glsl"
 #include "maths/water_edge.glsl"
+#include "maths/water_ghosts.glsl"
 #include "maths/water_sources.glsl"
+#include "maths/water_spring.glsl"
+#include "maths/water_stage.glsl"
 #include "maths/water_step.glsl"
 
     template <typename Texel>
     std::vector<Texel> samples_of(const std::vector<Texel>& texels) const {
-        std::vector<Texel> samples;
-        samples.reserve(static_cast<std::size_t>(nx) * ny);
+        std::vector<Texel> read;
+        read.reserve(static_cast<std::size_t>(nx) * ny);
         for (int y = 0; y < ny; ++y)
-            for (int x = 0; x < nx; ++x) samples.push_back(texels[texel(int2(x, y))]);
-        return samples;
+            for (int x = 0; x < nx; ++x) read.push_back(texels[texel(int2(x, y))]);
+        return read;
     }
 
     std::size_t texel(int2 at) const {
@@ -148,20 +159,19 @@ class WaterTwin {
             for (int x = 0; x < nx; ++x) speed = max(speed, water_speed(front_[texel(int2(x, y))]));
         speed = max(speed, edge_speed_);
         edge_speed_ = 0;
-        const int eulers = water_order == 1 ? 2 : 1;
-        const real2 step = water_substep(left, speed, water_courant * real(eulers));
-        const real dt = step.x / real(eulers);
-        water_share = real2(dt / cell_m.x, dt / cell_m.y);
-        water_fastest = real2(real(0.5) / water_share.x, real(0.5) / water_share.y);
-        water_drain = water_draining(dt);
-        water_friction = dt * friction_;
-        const real at = real(1) - left / tick;
-        fill_ghosts(front_, load_front_, at);
-        stage(front_, back_, load_front_, load_back_, 1, dt);
-        fill_ghosts(back_, load_back_, at + dt / tick);
-        stage(back_, front_, load_back_, load_front_, 2, dt);
-        if (!solid_.empty()) exchange(dt * real(eulers));
-        return step.y;
+        step_ = water_next_substep(left, tick, speed, static_cast<real>(friction_of(settings_)),
+                                   euler_steps(settings_));
+        water_share = step_.share;
+        water_drain = step_.drain;
+        water_friction = step_.friction;
+        run_substep(
+            settings_, [&](int number) { fill_ghosts(number); },
+            [&](int number) {
+                number == 1 ? stage(front_, back_, load_front_, load_back_, 1)
+                            : stage(back_, front_, load_back_, load_front_, 2);
+            },
+            [&] { exchange(step_.dt * real(euler_steps(settings_))); });
+        return step_.left;
     }
 
     void exchange(real span) {
@@ -187,7 +197,7 @@ class WaterTwin {
     }
 
     void stage(const std::vector<real4>& from, std::vector<real4>& to, const std::vector<real2>& load_from,
-               std::vector<real2>& load_to, int number, real dt) {
+               std::vector<real2>& load_to, int number) {
         for (int y = 0; y < ny; ++y)
             for (int x = 0; x < nx; ++x) {
                 const int2 at(x, y);
@@ -197,16 +207,9 @@ class WaterTwin {
                 const WaterFace south = face(from, at + int2(0, 1), int2(0, -1));
                 const WaterFace north = face(from, at, int2(0, -1));
                 const WaterChange change = water_change(here.x, west, east, south, north);
-                real4 after;
-                if (water_order == 1)
-                    after = water_euler(here, change);
-                else if (number == 1)
-                    after = water_first_stage(here, change);
-                else
-                    after = water_second_stage(to[texel(at)], here, change);
-                if ((rain_m_per_s > 0 || loss_m_per_s > 0 || settings_.rain_painted) &&
-                    (water_order == 1 || number == 2))
-                    after = water_with_sources(after, rain_at(at) * dt, water_loss(after, dt));
+                real4 after = water_after_stage(number, to[texel(at)], here, change);
+                if (has_sources(settings_, number))
+                    after = water_with_sources(after, rain_at(at) * step_.dt, water_loss(after, step_.dt));
                 to[texel(at)] = after;
                 if (solid_.empty()) continue;
                 const auto concentration = [&](int2 place) {
@@ -218,13 +221,8 @@ class WaterTwin {
                                   sediment_flux(east.mass, mine, concentration(at + int2(1, 0))),
                                   sediment_flux(south.mass, concentration(at + int2(0, 1)), mine),
                                   sediment_flux(north.mass, mine, concentration(at + int2(0, -1))));
-                const real2 load = load_from[texel(at)];
-                real2& load_after = load_to[texel(at)];
-                if (water_order == 1)
-                    load_after = add_increment(load, gain);
-                else
-                    load_after = number == 1 ? sediment_first_stage(load, gain)
-                                             : sediment_second_stage(load_after, load, gain);
+                real2& load = load_to[texel(at)];
+                load = sediment_after_stage(number, load, load_from[texel(at)], gain);
             }
     }
 
@@ -252,74 +250,53 @@ class WaterTwin {
         return water_face(a, slope_a, b, water_slope(a, b, behind), water_face_rests(before, a, b, behind));
     }
 
-    EdgeSample edge_sample_at(const std::vector<real4>& state, int2 at, int2 outward) {
-        const real4 water = state[texel(at)];
-        const real along = outward.x != 0 ? water.z : -water.w;
-        EdgeSample sample;
-        sample.depth = water.x;
-        sample.outward = outward.x + outward.y > 0 ? along : -along;
-        sample.beside = outward.x != 0 ? water.w : water.z;
-        sample.bed = bed_[texel(at)];
-        return sample;
+    void run_springs() {
+        for (const Spring& spring : springs_) {
+            real4& water = front_[texel(sample_of(grid_, spring))];
+            const auto rate = static_cast<float>(spring.rate_m3_per_s / (grid_.dx * grid_.dy));
+            water = water_with_spring(water, spring_gain(rate, step_.dt, euler_steps(settings_)));
+        }
     }
 
-    void store_ghost(std::vector<real4>& state, int2 at, int2 outward, const EdgeSample& ghost) {
-        const real along = outward.x + outward.y > 0 ? ghost.outward : -ghost.outward;
-        state[texel(at)] = outward.x != 0 ? real4(ghost.depth, 0, along, ghost.beside)
-                                          : real4(ghost.depth, 0, ghost.beside, -along);
-        bed_[texel(at)] = ghost.bed;
-    }
-
-    void fill_ghosts(std::vector<real4>& state, std::vector<real2>& loads, real share) {
+    void fill_ghosts(int number) {
+        if (number == 1) run_springs();
+        std::vector<real4>& state = number == 1 ? front_ : back_;
+        std::vector<real2>& loads = number == 1 ? load_front_ : load_back_;
+        shown_ = &state;
+        const real share = number == 1 ? step_.at : step_.at + step_.part;
         edge_inflow = edge_series_at(0, share);
         edge_wave_m = edge_series_at(1, share);
-        for (int index = 0; index < 2 * (nx + ny); ++index) {
-            const bool row_edge = index < 2 * nx;
-            const int along = row_edge ? index % nx : (index - 2 * nx) % ny;
-            const bool first = row_edge ? index < nx : index - 2 * nx < ny;
-            const int2 at = row_edge ? int2(along, first ? 0 : ny - 1) : int2(first ? 0 : nx - 1, along);
-            const int2 outward = row_edge ? int2(0, first ? -1 : 1) : int2(first ? -1 : 1, 0);
-            EdgeSample shown = edge_sample_at(state, at, outward);
-            const int kind = edge_acts_as(
-                static_cast<int>(settings_.edges[(row_edge ? 0U : 2U) + (first ? 0U : 1U)]), shown);
-            EdgeSample shown_2 = edge_sample_at(state, at - outward, outward);
-            int2 shown_at = at;
-            if (kind == edge_periodic) {
-                const int2 far = row_edge ? int2(at.x, ny - 1 - at.y) : int2(nx - 1 - at.x, at.y);
-                shown_at = far;
-                shown = edge_sample_at(state, far, outward);
-                shown_2 = edge_sample_at(state, far + outward, outward);
-            }
-            const real fall = edge_fall(kind, shown, shown_2);
-            EdgeSample ghost = edge_ghost(kind, shown);
-            const bool mirrors = kind == edge_wall || kind == edge_periodic;
-            EdgeSample ghost_2 = mirrors ? edge_ghost(kind, shown_2) : ghost;
-            ghost.bed -= fall;
-            ghost_2.bed -= fall + fall;
-            store_ghost(state, at + outward, outward, ghost);
-            store_ghost(state, at + 2 * outward, outward, ghost_2);
-            if (!solid_.empty()) {
-                real load = 0;
-                if (kind == edge_inflow_kind)
-                    load = static_cast<float>(settings_.sediment.inflow_concentration) * ghost.depth;
-                if (kind == edge_periodic) load = loads[texel(shown_at)].x;
-                loads[texel(at + outward)] = real2(load, 0);
-            }
-            if (!mirrors)
+        const auto store = [&](int2 at, int2 outward, const EdgeSample& ghost) {
+            state[texel(at)] = edge_water(ghost, outward);
+            bed_[texel(at)] = ghost.bed;
+        };
+        for (int index = 0; index < edge_places(); ++index) {
+            const EdgePlace place = edge_place(index);
+            const EdgeGhosts made = edge_ghosts(place);
+            store(place.at + place.outward, place.outward, made.ghost);
+            store(place.at + 2 * place.outward, place.outward, made.ghost_2);
+            if (!solid_.empty())
+                loads[texel(place.at + place.outward)] =
+                    real2(edge_load(made, loads[texel(made.shown_at)].x,
+                                    static_cast<float>(settings_.sediment.inflow_concentration)),
+                          0);
+            if (!edge_mirrors(made.kind))
                 edge_speed_ =
-                    max(edge_speed_, water_speed(real4(ghost.depth, 0, ghost.outward, ghost.beside)));
+                    max(edge_speed_,
+                        water_speed(real4(made.ghost.depth, 0, made.ghost.outward, made.ghost.beside)));
         }
     }
 
     Grid grid_;
     WaterSettings settings_;
     std::vector<float> series_;
-    real friction_ = 0;
+    WaterSubstep step_;
     real edge_speed_ = 0;
     std::vector<real4> front_;
     std::vector<real4> back_;
     std::vector<real> bed_;
     std::vector<glm::vec4> painted_;
+    std::vector<Spring> springs_;
     std::vector<real4> solid_;  // empty: no load is carried
     std::vector<real2> load_front_;
     std::vector<real2> load_back_;

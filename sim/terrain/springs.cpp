@@ -20,13 +20,13 @@ void check_spring(const Grid& grid, const Spring& spring) {
             fmt::format("{} m cannot give {} m³/s, its rate must be 0 to 1e9", text, spring.rate_m3_per_s));
 }
 
+glm::ivec2 sample_of(const Grid& grid, const Spring& spring) {
+    return {std::clamp(std::round(grid.column_of(spring.x_m)), 0.0, grid.nx - 1.0),
+            std::clamp(std::round(grid.row_of(spring.y_m)), 0.0, grid.ny - 1.0)};
+}
+
 void place_spring(const Grid& grid, std::vector<Spring>& springs, const Spring& spring) {
-    const auto sample = [&](const Spring& s) {
-        return glm::dvec2(std::round(grid.column_of(s.x_m)), std::round(grid.row_of(s.y_m)));
-    };
-    springs.erase(std::remove_if(springs.begin(), springs.end(),
-                                 [&](const Spring& s) { return sample(s) == sample(spring); }),
-                  springs.end());
+    std::erase_if(springs, [&](const Spring& s) { return sample_of(grid, s) == sample_of(grid, spring); });
     if (spring.rate_m3_per_s > 0) springs.push_back(spring);
 }
 

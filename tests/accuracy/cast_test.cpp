@@ -6,7 +6,7 @@
 
 #include "render/cast_twin.h"
 
-namespace talus {
+namespace talus::cast_test {
 namespace {
 
 // Every patch along the ray, the smallest root of a fine march and
@@ -66,4 +66,4 @@ TEST(CastTwin, FindsTheFirstCrossingThatAMarchFinds) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::cast_test

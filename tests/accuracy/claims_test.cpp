@@ -7,7 +7,7 @@
 
 #include "sim/gpu/context.h"
 
-namespace talus {
+namespace talus::claims_test {
 namespace {
 
 class Claims : public ::testing::TestWithParam<std::size_t> {};
@@ -29,4 +29,4 @@ INSTANTIATE_TEST_SUITE_P(All, Claims, ::testing::Range<std::size_t>(0, claims().
                          });
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::claims_test

@@ -7,7 +7,7 @@
 #include "sim/gpu/context.h"
 #include "sim/passes/thermal.h"
 
-namespace talus {
+namespace talus::column_test {
 namespace {
 
 TEST(Column, CollapsesIntoTheConeOfItsAngleOfRepose) {
@@ -28,4 +28,4 @@ TEST(Column, CollapsesIntoTheConeOfItsAngleOfRepose) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::column_test

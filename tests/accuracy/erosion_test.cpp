@@ -14,7 +14,7 @@
 #include "sim/terrain/generate.h"
 #include "tests/scenes/scenes.h"
 
-namespace talus {
+namespace talus::erosion_test {
 namespace {
 
 using Surface = std::function<double(double, double)>;  // height at x east, y north, m
@@ -242,4 +242,4 @@ TEST(Erosion, HangsNotOnTheGridsDirection) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::erosion_test

@@ -16,7 +16,7 @@
 #include "sim/terrain/generate.h"
 #include "tests/scenes/scenes.h"
 
-namespace talus {
+namespace talus::methods_test {
 namespace {
 
 constexpr int width = 480;
@@ -194,4 +194,4 @@ TEST(Hybrid, HasNoCracksOverAFlight) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::methods_test

@@ -15,7 +15,7 @@
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"
 
-namespace talus {
+namespace talus::redraw_test {
 namespace {
 
 constexpr int width = 480;
@@ -129,4 +129,4 @@ INSTANTIATE_TEST_SUITE_P(OfMethods, Redraw, ::testing::Values("exact", "hybrid")
                          [](const auto& method) { return std::string(method.param); });
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::redraw_test

@@ -8,7 +8,7 @@
 #include "sim/gpu/context.h"
 #include "sim/terrain/generate.h"
 
-namespace talus {
+namespace talus::refinement_test {
 namespace {
 
 constexpr int width = 240;
@@ -116,4 +116,4 @@ TEST(Refinement, ComesCloserToTheMeanOverAPixel) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::refinement_test

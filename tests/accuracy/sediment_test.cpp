@@ -10,7 +10,7 @@
 #include "app/claims/water_scenes.h"
 #include "sim/gpu/context.h"
 
-namespace talus {
+namespace talus::sediment_test {
 namespace {
 
 using scenes::WaterRun;
@@ -254,4 +254,4 @@ TEST(Sediment, TurnsAndMirrorsToTheBit) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::sediment_test

@@ -25,7 +25,7 @@ struct ColourTwin {
 
 }  // namespace talus::maths
 
-namespace talus {
+namespace talus::water_surface_test {
 namespace {
 
 const Grid grid{321, 257, 8, 9};
@@ -383,4 +383,4 @@ TEST(WaterSurface, AFilmFadesWithItsDepth) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::water_surface_test

@@ -15,7 +15,7 @@
 #include "app/claims/water_scenes.h"
 #include "sim/gpu/context.h"
 
-namespace talus {
+namespace talus::water_test {
 namespace {
 
 using scenes::WaterRun;
@@ -382,4 +382,4 @@ TEST(Water, AgreesWithItsFloatTwinToTheBit) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::water_test

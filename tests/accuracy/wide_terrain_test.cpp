@@ -9,7 +9,7 @@
 #include "render/methods/method.h"
 #include "sim/gpu/context.h"
 
-namespace talus {
+namespace talus::wide_terrain_test {
 namespace {
 
 constexpr int width = 320;
@@ -72,4 +72,4 @@ INSTANTIATE_TEST_SUITE_P(OfMethods, WideTerrain, ::testing::Values("exact", "mes
                          [](const auto& method) { return std::string(method.param); });
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::wide_terrain_test

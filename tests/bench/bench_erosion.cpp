@@ -19,15 +19,15 @@ namespace talus::bench {
 
 namespace {
 
-constexpr int n = 1024;
+constexpr int tick_samples = 1024;
 
 // Hills under a running sheet of water, on all of the map or on a strip of that share.
 std::unique_ptr<Simulation> hills(bool erodes, double share) {
-    const Grid grid{n, n, 10, 10};
+    const Grid grid{tick_samples, tick_samples, 10, 10};
     TerrainState state = bedrock_terrain(grid, generate_heights(grid, {"hills", 3, 900}));
     state.water.assign(grid.count(), glm::vec4(0));
     for (std::size_t i = 0; i < grid.count(); ++i) {
-        const bool inside = static_cast<double>(i % n) < share * n;
+        const bool inside = static_cast<double>(i % tick_samples) < share * tick_samples;
         // Beyond the strip a plateau stays dry.
         if (!inside) state.bedrock[i].x = 2000;
         if (inside) state.water[i].x = 0.5F;
@@ -204,7 +204,7 @@ void bench_erosion(double patch_pixels) {
                            (rounds + 1));
         each.push_back(seconds[i] / substeps[i]);
     }
-    fmt::print("{}², a tick of half a second by sub-steps\n", n);
+    fmt::print("{}², a tick of half a second by sub-steps\n", tick_samples);
     fmt::print("{:<34} {:>8} {:>12} {:>10}\n", "", "ms/tick", "sub-steps", "ms/sub-step");
     const char* names[] = {"water alone", "water, sediment, slopes", "water alone, a tenth", "all, a tenth"};
     for (std::size_t i = 0; i < seconds.size(); ++i)

@@ -7,12 +7,7 @@
 #include "tests/bench/measure.h"
 
 namespace talus::bench {
-namespace {
-
-constexpr int width = 1280;
-constexpr int height = 720;
-
-}  // namespace
+namespace {}  // namespace
 
 void bench_frame(double patch_pixels) {
     const Grid grid{2049, 2049, 10, 10};

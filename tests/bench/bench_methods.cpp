@@ -19,9 +19,6 @@
 namespace talus::bench {
 namespace {
 
-constexpr int width = 1280;
-constexpr int height = 720;
-
 // A generated terrain and every method, drawn and timed.
 class Stage {
   public:

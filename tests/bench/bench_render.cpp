@@ -16,9 +16,6 @@
 namespace talus::bench {
 namespace {
 
-constexpr int width = 1280;
-constexpr int height = 720;
-
 class EmbreeGrid {
   public:
     EmbreeGrid(const Grid& grid, const std::vector<float>& heights)

@@ -7,6 +7,10 @@
 
 namespace talus::bench {
 
+/// Of the picture that is drawn.
+constexpr int width = 1280;
+constexpr int height = 720;
+
 /// What is compared: runs once per call, on all threads it wants.
 struct Contestant {
     std::string name;

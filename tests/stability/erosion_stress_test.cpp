@@ -13,7 +13,7 @@
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"
 
-namespace talus {
+namespace talus::erosion_stress_test {
 namespace {
 
 struct Stress {
@@ -262,4 +262,4 @@ TEST(ErosionStress, RandomScenes) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::erosion_stress_test

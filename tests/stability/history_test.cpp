@@ -14,7 +14,7 @@
 #include "sim/terrain/generate.h"
 #include "sim/terrain/state_hash.h"
 
-namespace talus {
+namespace talus::history_test {
 namespace {
 
 int wanted(const char* name, int otherwise) {
@@ -319,4 +319,4 @@ TEST(History, AnActThatFailsLeavesEverythingAsItWas) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::history_test

@@ -14,7 +14,7 @@
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/gauge.h"
 
-namespace talus {
+namespace talus::water_stress_test {
 namespace {
 
 struct Stress {
@@ -215,4 +215,4 @@ TEST(WaterStress, RandomScenes) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::water_stress_test

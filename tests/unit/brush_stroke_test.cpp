@@ -4,7 +4,7 @@
 #include "app/app_parameters.h"
 #include "app/tools/brush_stroke.h"
 
-namespace talus {
+namespace talus::brush_stroke_test {
 namespace {
 
 Parameters view(const std::string& tool) {
@@ -152,4 +152,4 @@ TEST(BrushStroke, JitterIsTheSameForTheSameSeedAndStroke) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::brush_stroke_test

@@ -11,7 +11,7 @@
 #include "sim/terrain/generate.h"
 #include "tests/scenes/wait_until.h"
 
-namespace talus {
+namespace talus::camera_test {
 namespace {
 
 const Grid grid{300, 260, 10, 10};
@@ -212,4 +212,4 @@ TEST(Drape, LiesOverTheTerrainNorthUp) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::camera_test

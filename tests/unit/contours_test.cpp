@@ -6,7 +6,7 @@
 #include "render/renderer.h"
 #include "sim/gpu/context.h"
 
-namespace talus {
+namespace talus::contours_test {
 namespace {
 
 // Pixels darker than paper in a view over a shore: sea at 0 m in the south, a slope of 1 to 10 in the north.
@@ -52,4 +52,4 @@ TEST(Contours, AreLinesOnSlopesAndNothingOnTheSea) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::contours_test

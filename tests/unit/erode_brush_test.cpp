@@ -14,7 +14,7 @@
 #include "sim/terrain/generate.h"
 #include "sim/terrain/state_hash.h"
 
-namespace talus {
+namespace talus::erode_brush_test {
 namespace {
 
 Dab erosion(double x_m, double y_m, double radius_m) {
@@ -291,4 +291,4 @@ TEST(ErodeBrush, ReplaysAfterUndoInMidStroke) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::erode_brush_test

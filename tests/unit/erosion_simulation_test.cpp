@@ -16,7 +16,7 @@
 #include "sim/terrain/state_hash.h"
 #include "tests/scenes/wait_until.h"
 
-namespace talus {
+namespace talus::erosion_simulation_test {
 namespace {
 
 constexpr std::size_t undo_bytes = 256U << 20U;
@@ -341,4 +341,4 @@ TEST(ErosionSimulation, RegolithRestsAtItsOwnAngle) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::erosion_simulation_test

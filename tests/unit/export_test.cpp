@@ -15,7 +15,7 @@
 #include "sim/terrain/generate.h"
 #include "sim/terrain/reshape.h"
 
-namespace talus {
+namespace talus::export_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -291,4 +291,4 @@ TEST_F(Export, RefusesWhatCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::export_test

@@ -18,7 +18,7 @@
 #include "sim/io/heightmap.h"
 #include "sim/terrain/state_hash.h"
 
-namespace talus {
+namespace talus::io_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -459,4 +459,4 @@ TEST_F(Files, RealFilesAreReadAsTheirSourcesSay) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::io_test

@@ -17,7 +17,7 @@
 #include "sim/terrain/state_readback.h"
 #include "sim/terrain/terrain.h"
 
-namespace talus {
+namespace talus::layers_test {
 namespace {
 
 // Every number of every layer has a value of its own in every sample, and one that files may hold.
@@ -106,4 +106,4 @@ TEST(Layers, FollowCropsAndTurns) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::layers_test

@@ -8,7 +8,7 @@
 #include "sim/simulation.h"
 #include "sim/simulation_parameters.h"
 
-namespace talus {
+namespace talus::mask_test {
 namespace {
 
 constexpr std::size_t undo_bytes = std::size_t{1} << 28U;
@@ -251,4 +251,4 @@ TEST(WholeMap, OffsetScaleAndBlendAreExact) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::mask_test

@@ -10,7 +10,7 @@
 #include "sim/gpu/context.h"
 #include "sim/terrain/generate.h"
 
-namespace talus {
+namespace talus::overview_test {
 namespace {
 
 const std::vector<Grid> grids = {{2, 2, 1, 1},    {513, 513, 20, 20}, {8192, 2, 5, 5},
@@ -106,4 +106,4 @@ TEST(Overview, PicturesHaveSkyAllAround) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::overview_test

@@ -6,7 +6,7 @@
 #include "sim/gpu/error.h"
 #include "sim/preset.h"
 
-namespace talus {
+namespace talus::parameters_test {
 namespace {
 
 std::string error_of(const std::function<void()>& act) {
@@ -157,4 +157,4 @@ TEST(Presets, TomlKeepsEveryBit) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::parameters_test

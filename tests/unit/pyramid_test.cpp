@@ -10,7 +10,7 @@
 #include "sim/passes/brush.h"
 #include "sim/terrain/generate.h"
 
-namespace talus {
+namespace talus::pyramid_test {
 namespace {
 
 class PyramidSizes : public ::testing::TestWithParam<Grid> {};
@@ -32,4 +32,4 @@ INSTANTIATE_TEST_SUITE_P(Sizes, PyramidSizes,
                                            Grid{513, 513, 2, 2}, Grid{700, 1030, 2, 2}));
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::pyramid_test

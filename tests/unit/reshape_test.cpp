@@ -9,7 +9,7 @@
 #include "sim/terrain/reshape.h"
 #include "sim/terrain/state_hash.h"
 
-namespace talus {
+namespace talus::reshape_test {
 namespace {
 
 // All layers, and what lies on them.
@@ -131,4 +131,4 @@ TEST(Reshape, HalvingAndDoublingLoseOnlyDetail) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::reshape_test

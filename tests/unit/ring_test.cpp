@@ -7,7 +7,7 @@
 #include "sim/gpu/context.h"
 #include "sim/passes/brush.h"
 
-namespace talus {
+namespace talus::ring_test {
 namespace {
 
 constexpr int side_px = 400;
@@ -103,4 +103,4 @@ TEST(Ring, AStampIsShownWhereItWouldBePressed) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::ring_test

@@ -17,7 +17,7 @@
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"
 
-namespace talus {
+namespace talus::shaders_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -135,4 +135,4 @@ TEST(Shaders, AreGlslForTheReferenceCompiler) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::shaders_test

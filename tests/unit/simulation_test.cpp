@@ -11,7 +11,7 @@
 #include "sim/terrain/generate.h"
 #include "sim/terrain/state_hash.h"
 
-namespace talus {
+namespace talus::simulation_test {
 namespace {
 
 constexpr std::size_t undo_bytes = 256U << 20U;
@@ -308,4 +308,4 @@ TEST(Simulation, RefusesWhatCannotBeSetAndChangesNothing) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::simulation_test

@@ -10,7 +10,7 @@
 #include "sim/passes/brush.h"
 #include "sim/terrain/generate.h"
 
-namespace talus {
+namespace talus::sky_view_test {
 namespace {
 
 TEST(SkyView, RefreshAfterDabsEqualsRebuild) {
@@ -64,4 +64,4 @@ TEST(SkyView, IsRightOnPlainSlopeAndInACone) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::sky_view_test

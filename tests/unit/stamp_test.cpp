@@ -12,7 +12,7 @@
 #include "sim/simulation.h"
 #include "sim/simulation_parameters.h"
 
-namespace talus {
+namespace talus::stamp_test {
 namespace {
 
 constexpr int side = 33;
@@ -95,4 +95,4 @@ TEST(Stamp, LevelGroundIsAPlateau) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::stamp_test

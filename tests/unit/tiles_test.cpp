@@ -7,7 +7,7 @@
 #include "sim/gpu/program.h"
 #include "sim/terrain/tiles.h"
 
-namespace talus {
+namespace talus::tiles_test {
 namespace {
 
 int listed(const Tiles& tiles, Tiles::Reader& reader) {
@@ -57,4 +57,4 @@ TEST(Tiles, CountAsChangedWhenTheirNumbersBeginAnew) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::tiles_test

@@ -9,7 +9,7 @@
 #include "sim/journal.h"
 #include "sim/passes/dab_fields.h"
 
-namespace talus {
+namespace talus::tools_test {
 namespace {
 
 TEST(Tools, NameOnlyDeclaredParametersAndKeepTheirOwnInTheirSection) {
@@ -88,4 +88,4 @@ TEST(Dab, OfAnOlderJournalIsRead) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::tools_test

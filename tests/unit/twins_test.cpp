@@ -12,7 +12,7 @@
 #include "sim/passes/brush_twin.h"
 #include "sim/terrain/generate.h"
 
-namespace talus {
+namespace talus::twins_test {
 namespace {
 
 std::vector<glm::vec4> samples_of(const TerrainState& state) {
@@ -109,4 +109,4 @@ TEST(Twins, DabsOfAllKindsInTurnAgreeToTheBit) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::twins_test

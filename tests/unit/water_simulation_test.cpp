@@ -23,7 +23,7 @@
 #include "sim/terrain/state_hash.h"
 #include "tests/scenes/wait_until.h"
 
-namespace talus {
+namespace talus::water_simulation_test {
 namespace {
 
 constexpr std::size_t undo_bytes = 256U << 20U;
@@ -489,4 +489,4 @@ TEST(WaterSimulation, RefusesSpringsOffTheMap) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::water_simulation_test

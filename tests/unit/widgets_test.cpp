@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace talus {
+namespace talus::widgets_test {
 namespace {
 
 TEST(Widgets, FiguresHaveNoExponentWherePeopleWriteNone) {
@@ -86,4 +86,4 @@ TEST(Widgets, TextsEndWithinTheirPanel) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::widgets_test

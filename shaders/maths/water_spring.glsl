@@ -1,0 +1,12 @@
+// What a spring gives to its sample at the start of a sub-step. Needs maths/two_sum.glsl.
+
+// Metres, from a rate in m/s over the seconds of a sub-step: so many Euler steps of dt.
+real spring_gain(real rate, real dt, int eulers) {
+    precise real gain = rate * (dt * real(eulers));
+    return gain;
+}
+
+real4 water_with_spring(real4 water, real gain) {
+    real2 depth = add_increment(real2(water.x, water.y), gain);
+    return real4(depth.x, depth.y, water.z, water.w);
+}
