@@ -12,7 +12,7 @@
 #include "app/commands/commands.h"
 #include "app/report.h"
 #include "app/window.h"
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/gpu/shader_text.h"
 #include "sim/io/heightmap_formats.h"
 #include "sim/terrain/layers.h"

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <numbers>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 
 namespace talus {
 namespace {

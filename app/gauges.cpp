@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 
 namespace talus {
 

@@ -6,7 +6,7 @@
 
 #include "app/app_parameters.h"
 #include "render/view.h"
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/preset.h"
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"

@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/io/atomic_file.h"
 
 namespace talus {

@@ -13,7 +13,7 @@
 #include "app/wall_clock.h"
 #include "app/wave_note.h"
 #include "render/overview.h"
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/endings.h"
 #include "sim/passes/erode_brush.h"
@@ -324,8 +324,8 @@ void Session::stroke(glm::dvec3 at, double wall_s) {
         stroke_->move(scene_.view, at, std::exchange(stroke_owed_s_, 0), simulation_->stamp().get());
     for (Dab& dab : dabs) {
         // What a frame has no room for erodes more slowly.
-        if (dab.mode == BrushMode::erode)
-            dab.erode.time_s = std::min(dab.erode.time_s, erode_longest_s(grid(), dab));
+        if (auto* erode = dab.as<ErodeDab>())
+            erode->time_s = std::min(erode->time_s, erode_longest_s(grid(), dab));
         simulation_->apply(dab);
     }
     dabs_ += static_cast<int>(dabs.size());

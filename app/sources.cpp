@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/io/document.h"
 #include "sim/terrain/state_hash.h"
 

@@ -21,7 +21,7 @@
 #include "app/still.h"
 #include "app/tools/hand.h"
 #include "app/window_layout.h"
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/gpu/shader_text.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/image_file.h"

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 
 namespace talus {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 
 namespace talus {
 namespace {
@@ -186,18 +186,19 @@ std::vector<Parameter> render_parameters() {
     for (const MethodEntry& method : methods()) method_names.push_back(method.name);
     std::vector<std::string> view_names;
     for (const View& view : views()) view_names.push_back(view.name);
+    const ViewSettings preset;
     std::vector<Parameter> declared = {
-        choice("render.method", "hybrid", method_names, "How the surface is drawn."),
-        number("render.tolerance_px", 0.5, 0, 16, "px",
+        choice("render.method", preset.method, method_names, "How the surface is drawn."),
+        number("render.tolerance_px", preset.tolerance_px, 0, 16, "px",
                "Error that the hybrid method may make, in pixels; 0: none, rays everywhere.")
             .once("render.tolerance"),
-        choice("render.view", "shaded", view_names, "What the colours show."),
+        choice("render.view", preset.view, view_names, "What the colours show."),
         number("render.sun_azimuth_deg", 315, 0, 360, "°", "Where the sun stands, clockwise from north."),
         number("render.sun_elevation_deg", 38, 1, 90, "°", "How high the sun stands."),
-        toggle("render.shadows", true, "The sun casts shadows."),
+        toggle("render.shadows", preset.shadows, "The sun casts shadows."),
         whole("render.samples", 8, 1, 64, "",
               "Samples a pixel, as many as a picture at rest gathers: smoother silhouettes and detail."),
-        toggle("render.occlusion", true, "Valleys get less of the sky's light than ridges."),
+        toggle("render.occlusion", preset.occlusion, "Valleys get less of the sky's light than ridges."),
     };
     for (const View& view : views())
         for (const ViewNumber& one : view.numbers) {

@@ -6,8 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "sim/gpu/error.h"
-#include "sim/passes/dab_fields.h"
+#include "sim/error.h"
 
 namespace talus {
 namespace {
@@ -44,12 +43,6 @@ Rectangle to_rectangle(const json& line) {
     return {line.at("west_m"), line.at("south_m"), line.at("east_m"), line.at("north_m")};
 }
 
-// Noise, stamp and erode have an object of their own; a ramp's and a terrace's fields stand beside the
-// others.
-bool has_object(BrushMode mode) {
-    return mode == BrushMode::noise || mode == BrushMode::stamp || mode == BrushMode::erode;
-}
-
 struct WriteField {
     json& line;
     template <typename Number>
@@ -67,10 +60,10 @@ struct WriteField {
 };
 
 json to_json(const Dab& dab) {
-    const std::string& mode = name_in(brush_mode_names(), dab.mode);
+    const std::string& mode = brush_mode_names()[dab.act.index()];
     json line = {{"op", "dab"}, {"mode", mode}};
     visit_footprint(dab, WriteField{line});
-    visit_own(dab, dab.mode, WriteField{has_object(dab.mode) ? line[mode] : line});
+    visit_own(dab, WriteField{has_object(dab.act) ? line[mode] : line});
     return line;
 }
 
@@ -95,17 +88,17 @@ struct ReadField {
 Dab to_dab(const json& line) {
     Dab dab;
     const std::string mode = line.at("mode");
-    dab.mode = value_in<BrushMode>(brush_mode_names(), mode, "brush mode");
+    dab.act = act_of(value_in<BrushMode>(brush_mode_names(), mode, "brush mode"));
     // Journals of 0.1.0 say on_regolith.
     if (line.value("on_regolith", false)) dab.material = Material::regolith;
     visit_footprint(dab, ReadField{line, true});
-    if (!has_object(dab.mode)) {
-        visit_own(dab, dab.mode, ReadField{line, false});
+    if (!has_object(dab.act)) {
+        visit_own(dab, ReadField{line, false});
     } else if (line.contains(mode)) {
         json own = line[mode];
         // Older journals stand stamps on their lowest sample.
-        if (dab.mode == BrushMode::stamp && !own.contains("zero")) own["zero"] = 0.0;
-        visit_own(dab, dab.mode, ReadField{own, true});
+        if (dab.as<StampDab>() && !own.contains("zero")) own["zero"] = 0.0;
+        visit_own(dab, ReadField{own, true});
     }
     check_dab(dab);
     return dab;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/passes/sediment.h"
+#include "sim/passes/sediment_step.h"
 
 namespace talus {
 namespace {

@@ -17,11 +17,11 @@ std::string file_name(const Source& source) {
 struct Namer {
     std::string operator()(const Ticks&) const { return "run"; }
     std::string operator()(const Dab& dab) const {
-        const bool takes = dab.mode == BrushMode::lower;
+        const bool takes = dab.as<LowerDab>() != nullptr;
         const std::string& material = material_names()[static_cast<std::size_t>(dab.material)];
         if (dab.is_water()) return takes ? "take water" : "add water";
         if (dab.is_paint()) return (takes ? "wipe " : "paint ") + material;
-        return brush_mode_names()[static_cast<std::size_t>(dab.mode)];
+        return brush_mode_names()[dab.act.index()];
     }
     // Without the value: a slider that is dragged goes on under one name.
     std::string operator()(const SetParameter& set) const { return set.name; }

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <zstd.h>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 
 namespace talus {
 namespace {

@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 
 namespace talus {
 

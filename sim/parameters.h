@@ -3,6 +3,8 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -42,6 +44,15 @@ Parameter number(std::string name, double preset, double low, double high, std::
 Parameter whole(std::string name, int preset, int low, int high, std::string unit, std::string help);
 Parameter toggle(std::string name, bool preset, std::string help);
 Parameter choice(std::string name, std::string preset, std::vector<std::string> choices, std::string help);
+/// The same by the preset's place among the choices: of an enum whose values stand in their order, or a
+/// switch.
+template <typename Enum>
+requires std::is_enum_v<Enum> || std::is_same_v<Enum, bool> Parameter choice(std::string name, Enum preset,
+                                                                             std::vector<std::string> choices,
+                                                                             std::string help) {
+    std::string chosen = choices.at(static_cast<std::size_t>(preset));
+    return choice(std::move(name), std::move(chosen), std::move(choices), std::move(help));
+}
 
 /// How a name says that its number has this unit: "_m_per_s" of m/s, "_mm_per_h" of mm/h, "_deg" of °. Empty
 /// for units that names leave out: counts, ratios (s/s), and those that no name could say in short.

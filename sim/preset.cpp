@@ -6,8 +6,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "sim/error.h"
 #include "sim/gpu/embedded_text.h"
-#include "sim/gpu/error.h"
 
 namespace talus {
 namespace {

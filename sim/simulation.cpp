@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/passes/dab_region.h"
 #include "sim/passes/passes.h"
 #include "sim/terrain/sea.h"

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <utility>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/terrain/layers.h"
 
 namespace talus {

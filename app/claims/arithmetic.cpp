@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/gpu/program.h"
 #include "sim/gpu/texture.h"
 

@@ -37,8 +37,8 @@ Parameters rainy() {
 Dab some_dab(std::mt19937& random) {
     std::uniform_real_distribution<double> unit(0, 1);
     Dab dab;
-    dab.mode = static_cast<BrushMode>(random() % 7);
-    if (dab.mode == BrushMode::ramp) dab.way_m = {400 * unit(random), 300 * unit(random)};
+    dab.act = act_of(static_cast<BrushMode>(random() % 7));
+    if (auto* ramp = dab.as<RampDab>()) ramp->way_m = {400 * unit(random), 300 * unit(random)};
     dab.material = static_cast<Material>(random() % 4);
     dab.x_m = worked_grid.width_m() * unit(random);
     dab.y_m = worked_grid.height_m() * unit(random);

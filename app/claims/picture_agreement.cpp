@@ -9,7 +9,7 @@
 #include "render/methods/method.h"
 #include "render/overview.h"
 #include "render/survey.h"
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/passes/brush.h"
 #include "sim/simulation.h"
 #include "sim/simulation_parameters.h"
@@ -28,7 +28,7 @@ Method method_named(const std::string& name) {
 Dab random_dab(const Grid& grid, std::mt19937& random, double reach_m, double amount_m, double height_m) {
     std::uniform_real_distribution<double> unit(0, 1);
     Dab dab;
-    dab.mode = static_cast<BrushMode>(random() % 4);
+    dab.act = act_of(static_cast<BrushMode>(random() % 4));
     dab.x_m = grid.width_m() * (1.1 * unit(random) - 0.05);
     dab.y_m = grid.height_m() * (1.1 * unit(random) - 0.05);
     dab.radius_m = 5 + reach_m * unit(random);

@@ -76,21 +76,22 @@ constexpr glm::ivec2 stamp_samples(9, 7);
 Dab turning_dab(int substep, const Grid& grid, std::mt19937& random) {
     std::uniform_real_distribution<double> unit(0, 1);
     Dab dab;
-    dab.mode = static_cast<BrushMode>(substep / 5 % 8);
     dab.curve = static_cast<FalloffCurve>(substep / 40 % 4);
     dab.masked = substep / 5 % 3 == 0;
-    if (dab.mode == BrushMode::ramp) dab.way_m = 900.0 * (glm::dvec2(unit(random), unit(random)) - 0.5);
-    dab.rise_m = 300 * (unit(random) - 0.5);
-    dab.step_m = 10 + 90 * unit(random);
-    dab.flat = 0.9 * unit(random);
-    dab.noise = {substep / 40 % 3,       40 + 400 * unit(random),
-                 1 + substep / 40 % 6,   0.5,
-                 substep / 40 % 2 * 0.3, static_cast<std::uint32_t>(substep)};
-    dab.stamp = {static_cast<StampMode>(substep / 40 % 4),
-                 {50 + 400 * unit(random), 300},
-                 360 * unit(random),
-                 substep % 10 == 0,
-                 0.3 * (substep / 80 % 3)};
+    dab.act = act_of(static_cast<BrushMode>(substep / 5 % 8));
+    if (auto* ramp = dab.as<RampDab>())
+        *ramp = {900.0 * (glm::dvec2(unit(random), unit(random)) - 0.5), 300 * (unit(random) - 0.5)};
+    if (auto* terrace = dab.as<TerraceDab>()) *terrace = {10 + 90 * unit(random), 0.9 * unit(random)};
+    if (auto* noise = dab.as<NoiseDab>())
+        *noise = {substep / 40 % 3,       40 + 400 * unit(random),
+                  1 + substep / 40 % 6,   0.5,
+                  substep / 40 % 2 * 0.3, static_cast<std::uint32_t>(substep)};
+    if (auto* stamp = dab.as<StampDab>())
+        *stamp = {static_cast<StampMode>(substep / 40 % 4),
+                  {50 + 400 * unit(random), 300},
+                  360 * unit(random),
+                  substep % 10 == 0,
+                  0.3 * (substep / 80 % 3)};
     dab.x_m = unit(random) * grid.width_m();
     dab.y_m = unit(random) * grid.height_m();
     dab.radius_m = 40 + 600 * unit(random);

@@ -33,6 +33,17 @@ WaterScene bowl(const std::string& name, int n) {
 
 }  // namespace
 
+WaterSettings scene_settings() {
+    WaterSettings settings;
+    settings.edges.fill(EdgeKind::wall);
+    settings.manning_s_per_m13 = 0;
+    settings.wave_height_m = 0;
+    settings.sediment.regolith_m_per_s_pa = 0;
+    settings.sediment.bedrock_m_per_s_pa = 0;
+    settings.sediment.critical_pa = 0;
+    return settings;
+}
+
 TerrainState WaterScene::state() const {
     std::vector<float> beds;
     std::vector<glm::vec4> start;

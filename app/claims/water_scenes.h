@@ -9,13 +9,16 @@
 
 namespace talus::scenes {
 
+/// What scenes begin with: walls, no friction, no waves, and solid that nothing takes.
+WaterSettings scene_settings();
+
 /// Water to start from, and where there is an exact answer, the water at any time. Functions of x east and y
 /// north, metres, and the time, seconds: (depth m, discharge east m²/s, discharge north m²/s). A sample is
 /// the middle of a control volume, at the borders too, so the first sample is at half a spacing.
 struct WaterScene {
     std::string name;
     Grid grid;
-    WaterSettings settings;
+    WaterSettings settings = scene_settings();
     double tick_s = 1;
     double end_s = 1;
     std::function<double(double, double)> bed;

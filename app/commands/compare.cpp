@@ -14,7 +14,7 @@
 #include "render/methods/method.h"
 #include "render/survey.h"
 #include "render/view.h"
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/gpu/timestamp.h"
 #include "sim/io/atomic_file.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/outputs.h"
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/io/endings.h"
 #include "sim/io/export.h"
 

@@ -10,7 +10,7 @@
 #include "app/report.h"
 #include "app/still.h"
 #include "render/overview.h"
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/endings.h"
 #include "sim/io/image_file.h"

@@ -9,7 +9,7 @@
 #include "app/outputs.h"
 #include "app/sources.h"
 #include "app/wave_note.h"
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/terrain/state_hash.h"
 

@@ -9,7 +9,7 @@
 #include "app/claims/claims.h"
 #include "app/commands/commands.h"
 #include "app/report.h"
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/io/atomic_file.h"
 
 namespace talus {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/panels/panels.h"
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/io/heightmap_formats.h"
 
 namespace talus {

@@ -34,14 +34,14 @@ void draw_map_panel(PanelContext& context) {
     if (button("Offset", "adds it to every height, as far as the brush's mask says")) {
         const double offset_m = view.number("map.offset_m");
         Dab dab;
-        dab.mode = offset_m < 0 ? BrushMode::lower : BrushMode::raise;
+        if (offset_m < 0) dab.act = LowerDab{};
         dab.amount_m = std::abs(offset_m);
         ask_everywhere(context, dab);
     }
     draw_parameters(session, requests, {"map.scale", "map.base_m"});
     if (button("Scale", "heights above the base times the scale")) {
         Dab dab;
-        dab.mode = BrushMode::flatten;
+        dab.act = FlattenDab{};
         dab.blend = 1 - view.number("map.scale");
         dab.target_m = view.number("map.base_m");
         ask_everywhere(context, dab);
@@ -71,10 +71,11 @@ void draw_map_panel(PanelContext& context) {
         tool.set("brush.tool", std::string("stamp"));
         Dab dab = tool_dab(tool, {}, session.bounds().x, 0, session.simulation().stamp().get());
         // Whatever its zero is, its lowest sample comes to where the terrain's was.
-        dab.target_m += dab.stamp.zero * dab.amount_m;
+        auto& placed = std::get<StampDab>(dab.act);
+        dab.target_m += placed.zero * dab.amount_m;
         const Grid& grid = session.grid();
-        dab.stamp.half_m = {grid.width_m() / 2, grid.height_m() / 2};
-        dab.stamp.turn_deg = 0;
+        placed.half_m = {grid.width_m() / 2, grid.height_m() / 2};
+        placed.turn_deg = 0;
         ask_everywhere(context, dab);
     }
 }

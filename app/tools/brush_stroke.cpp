@@ -98,8 +98,10 @@ std::vector<Dab> BrushStroke::move(const Parameters& present, glm::dvec3 at, dou
     Dab dab = tool_dab(view, modifiers_, begin_.z, wall_s / count, stamp);
     for (int i = 1; i <= count; ++i) {
         // The water of a stroke goes on from dab to dab.
-        dab.erode.begins = !std::exchange(begun_, true);
-        dab.erode.ends = false;
+        if (auto* erode = dab.as<ErodeDab>()) {
+            erode->begins = !std::exchange(begun_, true);
+            erode->ends = false;
+        }
         dabs.push_back(jittered(view, dab, at_ + (at - at_) * (static_cast<double>(i) / count)));
     }
     at_ = at;
@@ -114,13 +116,12 @@ std::optional<Dab> BrushStroke::end(const Parameters& present) {
         if (!begun_) return std::nullopt;
         dab.x_m = at_.x;
         dab.y_m = at_.y;
-        dab.erode.begins = false;
+        if (auto* erode = dab.as<ErodeDab>()) erode->begins = false;
         return dab;
     }
     dab.x_m = begin_.x;
     dab.y_m = begin_.y;
-    dab.way_m = glm::dvec2(at_) - glm::dvec2(begin_);
-    dab.rise_m = at_.z - begin_.z;
+    if (auto* ramp = dab.as<RampDab>()) *ramp = {glm::dvec2(at_) - glm::dvec2(begin_), at_.z - begin_.z};
     return dab;
 }
 

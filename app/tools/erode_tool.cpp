@@ -6,12 +6,13 @@ namespace talus {
 namespace {
 
 void erode(const ToolUse& use, Dab& dab) {
-    dab.mode = BrushMode::erode;
-    dab.erode.rain_mm_per_h = use.parameters.number("erode.rain_mm_per_h");
-    dab.erode.acceleration = use.parameters.number("erode.acceleration");
+    ErodeDab how;
+    how.rain_mm_per_h = use.parameters.number("erode.rain_mm_per_h");
+    how.acceleration = use.parameters.number("erode.acceleration");
     // That of a click ends when its load has settled.
     constexpr double shortest_s = 1e-3;
-    dab.erode.time_s = std::max(use.parameters.number("erode.speed") * use.wall_s, shortest_s);
+    how.time_s = std::max(use.parameters.number("erode.speed") * use.wall_s, shortest_s);
+    dab.act = how;
 }
 
 }  // namespace
@@ -25,14 +26,15 @@ Tool erode_tool() {
         .strength = "erode.acceleration",
         .course = StrokeCourse::flows,
         .parameters = {
-            number("erode.rain_mm_per_h", 5000, 0, 1e4, "mm/h", "Erode: rain in the middle of the brush.")
+            number("erode.rain_mm_per_h", ErodeDab().rain_mm_per_h, 0, 1e4, "mm/h",
+                   "Erode: rain in the middle of the brush.")
                 .once("erode.rain"),
             number(
                 "erode.speed", 60, 1e-3, 1e6, "s/s",
                 "Erode: simulated seconds a second; unless set, it follows the spacing. A wide brush takes "
                 "its time."),
             number(
-                "erode.acceleration", 3000, 1, 1e5, "",
+                "erode.acceleration", ErodeDab().acceleration, 1, 1e5, "",
                 "Erode: how often what water takes and leaves counts for the ground. How easily rock gives "
                 "way is "
                 "erosion.erodibility and erosion.bedrock_erodibility.")}};

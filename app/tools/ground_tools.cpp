@@ -7,28 +7,28 @@ namespace {
 constexpr const char* turns_around = "Ctrl turns it around, Shift smooths.";
 
 void raise(const ToolUse& use, Dab& dab) {
-    dab.mode = use.inverted ? BrushMode::lower : BrushMode::raise;
+    dab.act = act_of(use.inverted ? BrushMode::lower : BrushMode::raise);
 }
 
 void lower(const ToolUse& use, Dab& dab) {
-    dab.mode = use.inverted ? BrushMode::raise : BrushMode::lower;
+    dab.act = act_of(use.inverted ? BrushMode::raise : BrushMode::lower);
 }
 
 void smooth(const ToolUse&, Dab& dab) {
-    dab.mode = BrushMode::smooth;
+    dab.act = SmoothDab{};
 }
 
 void flatten(const ToolUse&, Dab& dab) {
-    dab.mode = BrushMode::flatten;
+    dab.act = FlattenDab{};
 }
 
 void bring_to_height(const ToolUse& use, Dab& dab) {
-    dab.mode = BrushMode::flatten;
+    dab.act = FlattenDab{};
     dab.target_m = use.parameters.number("brush.height_m");
 }
 
 void ramp(const ToolUse&, Dab& dab) {
-    dab.mode = BrushMode::ramp;
+    dab.act = RampDab{};
     dab.blend = 1;
 }
 

@@ -5,11 +5,10 @@ namespace {
 
 void add_noise(const ToolUse& use, Dab& dab) {
     const Parameters& p = use.parameters;
-    dab.mode = BrushMode::noise;
     if (use.inverted) dab.amount_m = -dab.amount_m;
-    dab.noise = {p.choice_as<int>("noise.kind"), p.number("noise.wavelength_m"),
-                 p.whole("noise.octaves"),       p.number("noise.gain"),
-                 p.number("noise.warp"),         static_cast<std::uint32_t>(p.whole("noise.seed"))};
+    dab.act = NoiseDab{p.choice_as<int>("noise.kind"), p.number("noise.wavelength_m"),
+                       p.whole("noise.octaves"),       p.number("noise.gain"),
+                       p.number("noise.warp"),         static_cast<std::uint32_t>(p.whole("noise.seed"))};
 }
 
 }  // namespace
@@ -26,11 +25,12 @@ Tool noise_tool() {
             choice(
                 "noise.kind", "fbm", noise_kind_names(),
                 "Noise brush and noise over the whole map: fbm, rolling; ridged, crests; billow, hollows."),
-            number("noise.wavelength_m", 500, 1e-2, 1e6, "m",
+            number("noise.wavelength_m", NoiseDab().wavelength_m, 1e-2, 1e6, "m",
                    "Size of its largest features; unless set, it follows the terrain's size."),
-            whole("noise.octaves", 6, 1, 16, "", "How many times finer detail is added."),
-            number("noise.gain", 0.5, 0, 1, "", "Height of finer detail against the coarser one."),
-            number("noise.warp", 0, 0, 2, "",
+            whole("noise.octaves", NoiseDab().octaves, 1, 16, "", "How many times finer detail is added."),
+            number("noise.gain", NoiseDab().gain, 0, 1, "",
+                   "Height of finer detail against the coarser one."),
+            number("noise.warp", NoiseDab().warp, 0, 2, "",
                    "How much the plane is bent first, in wavelengths: ridges wind."),
             whole("noise.seed", 1, 0, 1000000, "", "Another seed gives other noise.")}};
 }

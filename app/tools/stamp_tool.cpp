@@ -8,21 +8,22 @@ namespace {
 void press_stamp(const ToolUse& use, Dab& dab) {
     const Parameters& p = use.parameters;
     const Stamp* stamp = use.stamp;
-    dab.mode = BrushMode::stamp;
+    StampDab how;
     dab.blend = 1;
     dab.amount_m = p.is_given("stamp.relief_m") || !stamp ? p.number("stamp.relief_m") : stamp->relief_m;
     if (use.inverted) dab.amount_m = -dab.amount_m;
-    dab.stamp.mode = p.choice_as<StampMode>("stamp.mode");
-    dab.stamp.turn_deg = p.number("stamp.turn_deg");
-    dab.stamp.mirrored = p.toggle("stamp.mirrored");
+    how.mode = p.choice_as<StampMode>("stamp.mode");
+    how.turn_deg = p.number("stamp.turn_deg");
+    how.mirrored = p.toggle("stamp.mirrored");
     // The longer side is as wide as the brush; the corners lie within its reach.
-    dab.stamp.half_m = glm::dvec2(dab.radius_m);
+    how.half_m = glm::dvec2(dab.radius_m);
     if (stamp) {
-        dab.stamp.zero = zero_of(*stamp, p.choice_as<StampZero>("stamp.zero"));
+        how.zero = zero_of(*stamp, p.choice_as<StampZero>("stamp.zero"));
         const glm::dvec2 size(stamp->grid.width_m(), stamp->grid.height_m());
-        dab.stamp.half_m = dab.radius_m * size / std::max(size.x, size.y);
+        how.half_m = dab.radius_m * size / std::max(size.x, size.y);
     }
-    dab.radius_m = 1.001 * glm::length(dab.stamp.half_m);
+    dab.radius_m = 1.001 * glm::length(how.half_m);
+    dab.act = how;
 }
 
 }  // namespace

@@ -4,24 +4,22 @@ namespace talus {
 namespace {
 
 void terrace(const ToolUse& use, Dab& dab) {
-    dab.mode = BrushMode::terrace;
     dab.target_m = 0;
-    dab.step_m = use.parameters.number("terrace.step_m");
-    dab.flat = use.parameters.number("terrace.flat");
+    dab.act = TerraceDab{use.parameters.number("terrace.step_m"), use.parameters.number("terrace.flat")};
 }
 
 }  // namespace
 
 Tool terrace_tool() {
-    return {
-        .name = "terrace",
-        .how_to = "Cuts steps of equal height. Shift smooths.",
-        .shape = terrace,
-        .settings = {"terrace.step_m", "terrace.flat", "brush.blend_per_s"},
-        .strength = "brush.blend_per_s",
-        .parameters = {number("terrace.step_m", 50, 1e-2, 1e5, "m",
-                              "Terrace: height of a step; unless set, it follows the terrain's height."),
-                       number("terrace.flat", 0.5, 0, 0.99, "", "Terrace: share of a step that is level.")}};
+    return {.name = "terrace",
+            .how_to = "Cuts steps of equal height. Shift smooths.",
+            .shape = terrace,
+            .settings = {"terrace.step_m", "terrace.flat", "brush.blend_per_s"},
+            .strength = "brush.blend_per_s",
+            .parameters = {number("terrace.step_m", TerraceDab().step_m, 1e-2, 1e5, "m",
+                                  "Terrace: height of a step; unless set, it follows the terrain's height."),
+                           number("terrace.flat", TerraceDab().flat, 0, 0.99, "",
+                                  "Terrace: share of a step that is level.")}};
 }
 
 }  // namespace talus

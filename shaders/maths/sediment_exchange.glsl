@@ -1,18 +1,7 @@
 // Suspended sediment and the bed exchange solid (docs/numerics.md, "Sediment"). A load is metres of solid in the water
 // above a sample, two words. Needs maths/water.glsl and
 //   sediment_dt        real, s: the span of an exchange
-//   sediment_drag      real, Pa s²/m^(5/3): density of water * gravity * Manning's n²
-//   sediment_critical  real, Pa: shear stress below which nothing is entrained
-//   sediment_regolith  real, m/(s Pa): erodibility of regolith
-//   sediment_bedrock   real, m/(s Pa): of bedrock
-//   sediment_settling  real, m/s
-//   sediment_speedup   real, how often an exchange counts for the bed (morphological factor)
-//   sediment_bulking   real, metres of regolith that a metre of solid makes: 1 / (1 - porosity)
-//   sediment_per_rock  real, 1 / speedup
-//   sediment_per_loose real, 1 / (speedup * bulking)
-//   sediment_masked    int, 1: water takes as much as the mask says
-//   sediment_below     int, 1: what settles raises no sample above its highest neighbour
-//   sediment_strata    real2, m: thickness of a pair of bedrock layers, 0: none; and hardness of the harder one
+//   the numbers of maths/sediment_numbers.glsl
 
 // What a sub-step may change the bed by, as a share of the water's depth; how dense water can become, by volume; and a
 // load that settles at once, m.

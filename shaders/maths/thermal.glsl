@@ -1,13 +1,9 @@
 // Thermal erosion: what stands steeper than its angle of repose slides, as fluxes through faces along the full
 // gradient, q = -rate grad h max(0, 1 - S / |grad h|) (docs/numerics.md, "Thermal erosion"). The including side
 // gives real4 load_solid(int2) that repeats the edge's samples beyond the edge (walls: no flux leaves), and
-//   cell_m            real2, spacing of columns and of rows, metres
+//   the numbers of maths/thermal_numbers.glsl
 //   load_repose(int2) real, tangent of the angle of repose of the regolith there
 //   load_mask(int2)   real, 0 to 1: how far slopes slide there; a face by the lesser of its two sides
-//   bedrock_slope     real, tangent of the angle that bedrock fails at
-//   face_share        real2, rate * sub-step / spacing: square metres per second times seconds per metre
-//   thermal_bulking   real, metres of regolith that a metre of solid makes: 1 / (1 - porosity)
-//   weathering        real, metres of bare bedrock that weather in a sub-step
 #include "maths/solid.glsl"
 
 // Thinner regolith, m, does not slide by itself, so that bare slopes come to rest; regolith as deep as this, m, halves the
@@ -45,11 +41,11 @@ real slide(real along, real spacing, real share, real beside_0, real beside_1, r
 // Bedrock that weathers becomes regolith: less the deeper it lies (after Heimsath et al. 1997, as a hyperbola).
 real4 weathered(real4 solid, real mask) {
     precise real decay = real(1) + max(solid.z, real(0)) / weathering_depth;
-    precise real metres = (weathering * mask) / decay;
+    precise real metres = (weathering_m * mask) / decay;
     precise real loose = metres * thermal_bulking;
     real2 bedrock = add_increment(real2(solid.x, solid.y), -metres);
     real2 regolith = add_increment(real2(solid.z, solid.w), loose);
-    return weathering > real(0) ? real4(bedrock.x, bedrock.y, regolith.x, regolith.y) : solid;
+    return weathering_m > real(0) ? real4(bedrock.x, bedrock.y, regolith.x, regolith.y) : solid;
 }
 
 // The sample after one sub-step.

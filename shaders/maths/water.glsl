@@ -2,7 +2,7 @@
 // (docs/numerics.md, "Water"). Everything turns and mirrors to the bit. The including side gives
 // inverse_cube_root_seed() and
 //   water_order    const int, 1 or 2
-//   water_gravity  real, m/s²
+//   the numbers of maths/water_numbers.glsl
 //   water_share    real2, sub-step / spacing, s/m
 //   water_drain    real, m/s: 1 / (2 sub-step (1/dx + 1/dy)), a touch less: no face takes more of its side's depth
 //   water_friction real, sub-step * gravity * Manning's n²; 0: none

@@ -1,10 +1,11 @@
 // What lies beyond an edge of the map, by the kind of the edge and the sample inside (docs/numerics.md, "Edges of the water"). Needs maths/water.glsl, and
-//   edge_level_m     real, level held at level edges; still level at wave edges
+//   the numbers of maths/water_numbers.glsl
 //   edge_inflow      real, m²/s into the map at inflow edges
 //   edge_wave_m      real, the wave's height above the still level at wave edges
-//   edge_series_steps  int, and real load_edge_series(int): two tables over the tick, of one point more each
+//   real load_edge_series(int): two tables over the tick, of one point more than edge_series_steps each
 
 #include "maths/edge_kinds.glsl"
+#include "maths/edge_series.glsl"
 
 // A table's value at a share of the tick: 0 inflow, 1 wave.
 real edge_series_at(int table, real share) {

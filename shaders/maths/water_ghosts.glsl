@@ -1,18 +1,20 @@
 // The two ghost samples beyond each sample of the map's edges (docs/numerics.md, "Edges of the water"). Needs
 // maths/water_edge.glsl, and
-//   samples   int2, of the map
-//   int edge_kind_of(int side), of maths/edge_kinds.glsl; sides in the order north, south, west, east
 //   real4 load_water(int2 at) and real load_bed(int2 at), ghost samples included
 
 // A place on the way round the map: the sample inside, the step out of the map, and the side.
 struct EdgePlace {
     int2 at;
     int2 outward;
-    int side;
+    int side;  // 0 north, 1 south, 2 west, 3 east
 };
 
 // Round the map are edge_places() of them: the rows in the north and south, then the columns in the west and east.
 int edge_places() { return 2 * (samples.x + samples.y); }
+
+int edge_kind_of(int side) {
+    return side < 2 ? (side == 0 ? edge_kind_north : edge_kind_south) : (side == 2 ? edge_kind_west : edge_kind_east);
+}
 
 EdgePlace edge_place(int index) {
     EdgePlace place;

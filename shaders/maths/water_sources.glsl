@@ -1,7 +1,5 @@
-// Rain, evaporation and infiltration at one sample. Needs maths/two_sum.glsl, and
-//   rain_m_per_s   real, everywhere, or by the mask
-//   rain_masked    int, 1: by the mask
-//   loss_m_per_s   real, evaporation and infiltration together
+// Rain, evaporation and infiltration at one sample. Needs maths/two_sum.glsl and the numbers of
+// maths/water_numbers.glsl.
 
 // Metres that leave a sample in dt seconds: no more than it has.
 real water_loss(real4 water, real dt) {

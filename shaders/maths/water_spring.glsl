@@ -1,8 +1,9 @@
-// What a spring gives to its sample at the start of a sub-step. Needs maths/two_sum.glsl.
+// What a spring gives to its sample at the start of a sub-step. Needs maths/two_sum.glsl and water_eulers
+// (maths/water_numbers.glsl).
 
-// Metres, from a rate in m/s over the seconds of a sub-step: so many Euler steps of dt.
-real spring_gain(real rate, real dt, int eulers) {
-    precise real gain = rate * (dt * real(eulers));
+// Metres, from a rate in m/s over the sub-step of Euler steps of dt seconds.
+real spring_gain(real rate, real dt) {
+    precise real gain = rate * (dt * real(water_eulers));
     return gain;
 }
 

@@ -1,4 +1,4 @@
-// The length of the next sub-step. Needs cell_m, real2, metres.
+// The length of the next sub-step. Needs the numbers of maths/water_numbers.glsl.
 
 // Courant number by the sum over both axes, dt (s/dx + s/dy); on squares 0.25 of each.
 #include "maths/courant.glsl"
@@ -35,13 +35,13 @@ struct WaterSubstep {
     real part;      // share of the tick that an Euler step takes
 };
 
-// `speed`: the fastest wave, m/s; `friction`: gravity * Manning's n².
-WaterSubstep water_next_substep(real time_left_s, real tick_s, real speed, real friction, int eulers) {
-    real2 span = water_substep(time_left_s, speed, water_courant * real(eulers));
-    precise real dt = span.x / real(eulers);
+// `speed`: the fastest wave, m/s.
+WaterSubstep water_next_substep(real time_left_s, real speed) {
+    real2 span = water_substep(time_left_s, speed, water_courant * real(water_eulers));
+    precise real dt = span.x / real(water_eulers);
     precise real share_x = dt / cell_m.x;
     precise real share_y = dt / cell_m.y;
-    precise real dt_friction = dt * friction;
+    precise real dt_friction = dt * water_roughness;
     precise real at = real(1) - time_left_s / tick_s;
     precise real part = dt / tick_s;
     WaterSubstep next;

@@ -17,29 +17,15 @@ layout(std430) buffer WaterActivity { uint water_activity[]; };
 #include "sim/water_activity.glsl"
 layout(std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 
-uniform int2 samples;
-uniform int2 tiles;
-uniform real gravity;
-uniform int eulers;             // Euler steps in a sub-step, as in water_step.comp
-uniform real sediment_drag;
-uniform real sediment_critical;
-uniform real sediment_regolith;
-uniform real sediment_bedrock;
-uniform real sediment_settling;
-uniform real sediment_speedup;
-uniform real sediment_bulking;
-uniform real sediment_per_rock;
-uniform real sediment_per_loose;
-uniform real2 sediment_strata;
-uniform int sediment_masked;
-uniform int sediment_below;
+layout(std140) uniform SedimentNumbers {
+#include "maths/sediment_numbers.glsl"
+};
 
 const int water_order = 1;
-real water_gravity = gravity;
 const real2 water_share = real2(0.0);
 const real water_drain = real(0);
 const real water_friction = real(0);
-precise real sediment_dt = clock_dt_s * real(eulers);
+precise real sediment_dt = clock_dt_s * real(water_eulers);
 #include "sim/cube_root_seed.glsl"
 #include "maths/water.glsl"
 #include "maths/ground_height.glsl"

@@ -7,9 +7,6 @@ layout(r32f) uniform readonly image2D ground;
 layout(r32f) uniform writeonly image2D bed;
 layout(std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 
-uniform int2 samples;
-uniform int2 tiles;
-
 void main() {
     int tile = int(listed_tiles[gl_WorkGroupID.y]);
     int2 first = int2(tile % tiles.x, tile / tiles.x) * tile_samples + int2(int(gl_LocalInvocationIndex), int(gl_WorkGroupID.x) * 16);

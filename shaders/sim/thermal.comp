@@ -5,13 +5,9 @@ layout(local_size_x = 16, local_size_y = 16) in;
 
 layout(std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 
-uniform real2 cell_m;
-uniform real repose_slope;  // of regolith, dry
-uniform real wet_slope;     // under water
-uniform real bedrock_slope;
-uniform real2 face_share;
-uniform real thermal_bulking;
-uniform real weathering;
+layout(std140) uniform ThermalNumbers {
+#include "maths/thermal_numbers.glsl"
+};
 
 #ifdef WET
 #include "sim/water_layout.glsl"

@@ -34,15 +34,7 @@ layout(rgba32f) uniform readonly image2D painted;
 #endif
 #endif
 
-uniform int2 samples;
-uniform int2 tiles;
-uniform real gravity;
-uniform real rain_m_per_s;
-uniform int rain_masked;
-uniform real loss_m_per_s;
-
 const int water_order = ORDER;
-real water_gravity = gravity;
 real2 water_share = real2(clock_share_x, clock_share_y);
 real water_drain = clock_drain;
 #ifdef FRICTION

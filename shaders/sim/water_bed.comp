@@ -17,12 +17,7 @@ layout(std430) buffer WaterActivity { uint water_activity[]; };
 layout(std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 layout(std430) buffer TileSpeeds { uint tile_speeds[]; };
 
-uniform int2 samples;
-uniform int2 tiles;
-uniform real gravity;
-
 const int water_order = 1;
-real water_gravity = gravity;
 const real2 water_share = real2(0.0);
 const real water_drain = real(0);
 const real water_friction = real(0);

@@ -12,26 +12,15 @@ layout(std430) readonly buffer EdgeSeries { float edge_series[]; };  // inflow, 
 #ifdef SEDIMENT
 layout(rg32f) coherent uniform image2D load_state;
 layout(std430) buffer EdgeSolidBooks { dvec2 edge_solid_books[]; };  // metres in, out, as they count for the bed
-uniform real edge_concentration;  // of what flows in by edges of kind inflow
-uniform real sediment_speedup;
+layout(std140) uniform SedimentNumbers {
+#include "maths/sediment_numbers.glsl"
+};
 #endif
 layout(std430) buffer EdgeBooks { dvec2 edge_books[]; };             // metres in, out, round the map
 
-uniform int2 samples;
-uniform int2 tiles;
 uniform int stage;          // 1: of the sub-step's start, 2: of its second half
-uniform int kind_north;     // of maths/edge_kinds.glsl
-uniform int kind_south;
-uniform int kind_west;
-uniform int kind_east;
-uniform int edge_series_steps;
-uniform real edge_level_m;
-uniform real gravity;
-uniform int spring_count;
-uniform int eulers;         // Euler steps in a sub-step (sim/passes/water_schedule.h)
 
 const int water_order = ORDER;
-real water_gravity = gravity;
 const real2 water_share = real2(0.0);
 real water_drain = clock_drain;
 const real water_friction = real(0);
@@ -43,7 +32,6 @@ real load_edge_series(int at) { return edge_series[at]; }
 #include "maths/water_edge.glsl"
 #include "maths/water_spring.glsl"
 
-int edge_kind_of(int side) { return side < 2 ? (side == 0 ? kind_north : kind_south) : (side == 2 ? kind_west : kind_east); }
 real4 load_water(int2 at) { return imageLoad(water_state, at + water_ghosts); }
 real load_bed(int2 at) { return imageLoad(bed, at + water_ghosts).x; }
 #include "maths/water_ghosts.glsl"
@@ -74,7 +62,7 @@ void main() {
     if (stage == 1 && me == 0)
         for (int i = 0; i < spring_count; ++i) {
             int2 at = int2(springs[i].xy) + water_ghosts;
-            real gain = spring_gain(springs[i].z, clock_dt_s, eulers);
+            real gain = spring_gain(springs[i].z, clock_dt_s);
             imageStore(water_state, at, water_with_spring(imageLoad(water_state, at), gain));
             book_springs_m += double(gain);
             // Also where so little comes that it rests.
@@ -90,7 +78,7 @@ void main() {
         store_ghost(place.at + place.outward, place.outward, made.ghost);
         store_ghost(place.at + 2 * place.outward, place.outward, made.ghost_2);
 #ifdef SEDIMENT
-        real ghost_load = edge_load(made, imageLoad(load_state, made.shown_at + water_ghosts).x, edge_concentration);
+        real ghost_load = edge_load(made, imageLoad(load_state, made.shown_at + water_ghosts).x, sediment_inflow);
         imageStore(load_state, place.at + place.outward + water_ghosts, real4(ghost_load, 0.0, 0.0, 0.0));
 #endif
         if (edge_mirrors(made.kind)) continue;

@@ -10,19 +10,7 @@ layout(std430) buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 layout(std430) buffer TileSpeeds { uint tile_speeds[]; };
 layout(std430) readonly buffer Springs { vec4 springs[]; };  // column, row, m/s
 
-uniform int2 tiles;
-uniform int2 samples;
-uniform real2 cell_m;
-uniform real tick_s;
-uniform real friction;       // gravity * Manning's n²
-uniform real rain_m_per_s;   // that falls everywhere; rain by the map is booked where it falls
-uniform int eulers;          // Euler steps in a sub-step (sim/passes/water_schedule.h)
-uniform int driven_north;    // 1: the edge wakes its tiles
-uniform int driven_south;
-uniform int driven_west;
-uniform int driven_east;
-uniform int every_tile;      // 1: all tiles have work
-uniform int spring_count;
+#include "maths/edge_kinds.glsl"
 #include "maths/water_step.glsl"
 
 shared uint fastest;
@@ -42,9 +30,12 @@ bool has_work(int2 tile) {
            is_wet(tile + int2(-1, 1), wet_north | wet_east) || is_wet(tile + int2(1, 1), wet_north | wet_west);
 }
 
+// Edges of these kinds wake their tiles.
+bool drives(int kind) { return kind == edge_inflow_kind || kind == edge_wave; }
+
 bool is_driven(int2 tile) {
-    return (driven_north != 0 && tile.y == 0) || (driven_south != 0 && tile.y == tiles.y - 1) ||
-           (driven_west != 0 && tile.x == 0) || (driven_east != 0 && tile.x == tiles.x - 1);
+    return (drives(edge_kind_north) && tile.y == 0) || (drives(edge_kind_south) && tile.y == tiles.y - 1) ||
+           (drives(edge_kind_west) && tile.x == 0) || (drives(edge_kind_east) && tile.x == tiles.x - 1);
 }
 
 void main() {
@@ -89,7 +80,7 @@ void main() {
         clock_dt_s = real(0);
         if (running) {
             real speed = uintBitsToFloat(fastest);
-            WaterSubstep next = water_next_substep(clock_left_s, tick_s, speed, friction, eulers);
+            WaterSubstep next = water_next_substep(clock_left_s, speed);
             clock_dt_s = next.dt;
             clock_left_s = next.left;
             clock_share_x = next.share.x;
@@ -102,8 +93,8 @@ void main() {
             clock_edge_fastest = 0u;
             total_substeps += 1.0lf;
             total_listed += double(listed);
-            precise real rain = rain_m_per_s * next.dt;
-            book_rain_m += double(eulers) * double(rain);
+            precise real rain = even_rain_m_per_s * next.dt;
+            book_rain_m += double(water_eulers) * double(rain);
         }
     }
 }

@@ -14,7 +14,7 @@ void barrier(std::initializer_list<Use> uses) {
         GL_SHADER_STORAGE_BARRIER_BIT,      GL_COMMAND_BARRIER_BIT,
         GL_ELEMENT_ARRAY_BARRIER_BIT,       GL_TEXTURE_UPDATE_BARRIER_BIT,
         GL_BUFFER_UPDATE_BARRIER_BIT,       GL_PIXEL_BUFFER_BARRIER_BIT,
-        GL_FRAMEBUFFER_BARRIER_BIT};
+        GL_FRAMEBUFFER_BARRIER_BIT,         GL_UNIFORM_BARRIER_BIT};
     GLbitfield all = 0;
     for (const Use use : uses) all |= bits[static_cast<unsigned>(use)];
     glMemoryBarrier(all);

@@ -3,7 +3,7 @@
 
 namespace talus::gpu {
 
-/// How what shaders stored into images and storage buffers is used next.
+/// How what shaders stored into images and buffers is used next.
 enum class Use : unsigned {
     image = 0,         ///< loaded or stored as an image by shaders
     sampler,           ///< fetched through a sampler
@@ -14,8 +14,9 @@ enum class Use : unsigned {
     buffer_transfer,   ///< a buffer copied, filled, written or read by a call
     pixel_buffer,      ///< a buffer that texels are packed into or unpacked from
     framebuffer,       ///< drawn into, cleared or blitted as a target
+    uniforms,          ///< read as a uniform block
 };
-constexpr unsigned use_count = 9;
+constexpr unsigned use_count = 10;
 
 /// Draws, copies and calls are in order by themselves. What shaders store is not: it is there for a use only
 /// after a barrier that names the use. A debug build throws where one is missing (sim/gpu/hazards.h).

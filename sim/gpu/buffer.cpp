@@ -72,4 +72,8 @@ void Buffer::bind_storage(unsigned index) const {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, index, handle_);
 }
 
+void Buffer::bind_uniforms(unsigned index) const {
+    glBindBufferBase(GL_UNIFORM_BUFFER, index, handle_);
+}
+
 }  // namespace talus::gpu

@@ -55,8 +55,9 @@ class Buffer {
     /// The same for so many bytes of another buffer, each at its own offset.
     void copy_part(std::size_t offset, const Buffer& other, std::size_t other_offset, std::size_t bytes);
 
-    /// Where a program finds it; Program::bind_storage() knows the index.
+    /// Where a program finds it; Program's calls of the same names know the index.
     void bind_storage(unsigned index) const;
+    void bind_uniforms(unsigned index) const;
 
   private:
     Handle<delete_buffer> handle_;

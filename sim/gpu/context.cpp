@@ -10,8 +10,8 @@
 #include <string_view>
 #include <utility>
 
+#include "sim/error.h"
 #include "sim/gpu/debug.h"
-#include "sim/gpu/error.h"
 #include "sim/gpu/hazards.h"
 
 namespace talus::gpu {

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 
 namespace talus::gpu {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <map>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 
 namespace talus::gpu::hazards {
 namespace {
@@ -49,9 +49,9 @@ Book& book() {
 
 std::string name_of(Use use) {
     constexpr std::array<const char*, use_count> names = {
-        "as an image",           "through a sampler", "as storage",
-        "as indirect arguments", "as indices",        "by a texture's call",
-        "by a buffer's call",    "as a pixel buffer", "as a target"};
+        "as an image", "through a sampler",   "as storage",         "as indirect arguments",
+        "as indices",  "by a texture's call", "by a buffer's call", "as a pixel buffer",
+        "as a target", "as uniforms"};
     return names[static_cast<unsigned>(use)];
 }
 
@@ -93,7 +93,9 @@ void run(const std::string& program, const std::vector<Place>& places) {
     Book& b = book();
     const auto each = [&](auto&& act) {
         for (const Place& place : places)
-            if (place.object != 0) act(place, place.use == Use::storage ? Kind::buffer : Kind::texture);
+            if (place.object != 0)
+                act(place,
+                    place.use == Use::storage || place.use == Use::uniforms ? Kind::buffer : Kind::texture);
     };
     // What is written is ordered against what was written before, too.
     each([&](const Place& place, Kind kind) { check(kind, place.object, place.use, program); });

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <atomic>
 
+#include "sim/error.h"
 #include "sim/gpu/debug.h"
-#include "sim/gpu/error.h"
 #include "sim/gpu/hazards.h"
 #include "sim/gpu/profile.h"
 #include "sim/gpu/shader_text.h"
@@ -151,14 +151,28 @@ void Program::bind_storage(std::string_view name, const Buffer& buffer) {
     buffer.bind_storage(at->unit);
 }
 
+void Program::bind_uniforms(std::string_view name, const Buffer& buffer) {
+    Place* const at = place(Use::uniforms, name);
+    if (!at) return;
+    // std140 makes blocks whole multiples of 16 bytes; drivers count that in, or do not.
+    const auto whole = [](std::size_t bytes) { return (bytes + 15) / 16 * 16; };
+    if (whole(buffer.bytes()) != whole(at->bytes))
+        throw Error(fmt::format(
+            "shaders/{} has {} bytes of '{}', but {} were bound there: both must declare the same",
+            paths_.back(), at->bytes, name, buffer.bytes()));
+    at->object = buffer.name();
+    buffer.bind_uniforms(at->unit);
+}
+
 void Program::use() {
     follow_files();
     for (const Place& one : places_)
         if (!one.bound || binder() != number_)
             throw Error(fmt::format("shaders/{} is run without its {} '{}'", paths_.back(),
-                                    one.use == Use::storage   ? "buffer"
-                                    : one.use == Use::sampler ? "texture"
-                                                              : "image",
+                                    one.use == Use::storage    ? "buffer"
+                                    : one.use == Use::uniforms ? "uniforms"
+                                    : one.use == Use::sampler  ? "texture"
+                                                               : "image",
                                     one.name));
     glUseProgram(handle_);
     hazards::run(paths_.back(), places_);

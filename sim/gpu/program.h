@@ -52,6 +52,9 @@ class Program {
     void bind_image(std::string_view name, const Texture& texture);
     void bind_sampled(std::string_view name, const Texture& texture);
     void bind_storage(std::string_view block, const Buffer& buffer);
+    /// The same of a uniform block, whose numbers C++ declares by the lines that the shader does
+    /// (sim/gpu/uniform_block.h). Throws talus::Error where the buffer has not the block's size.
+    void bind_uniforms(std::string_view block, const Buffer& buffer);
 
     /// Runs compute groups. What they store is there for who uses it after a gpu::barrier() that names the
     /// use.

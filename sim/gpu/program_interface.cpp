@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 
 namespace talus::gpu {
 namespace {
@@ -123,8 +123,8 @@ std::vector<Place> places_of(unsigned program, std::string_view text) {
         glGetProgramResourceiv(program, GL_UNIFORM, index, 1, &wanted, 1, nullptr, &type);
         const bool is_place = type == GL_IMAGE_2D || type == GL_SAMPLER_2D;
         if (is_unknown_place(type) || (is_place && name.ends_with(']')))
-            throw Error(
-                fmt::format("a shader uses '{}', which is no image2D, sampler2D or storage buffer", name));
+            throw Error(fmt::format(
+                "a shader uses '{}', which is no image2D, sampler2D, storage buffer or uniform block", name));
         if (!is_place) continue;
         Place place;
         place.use = type == GL_IMAGE_2D ? Use::image : Use::sampler;
@@ -144,6 +144,20 @@ std::vector<Place> places_of(unsigned program, std::string_view text) {
         read_qualifiers(active, place);
         glShaderStorageBlockBinding(
             program, glGetProgramResourceIndex(program, GL_SHADER_STORAGE_BLOCK, name.c_str()), place.unit);
+        places.push_back(place);
+    }
+    unsigned blocks = 0;
+    for (const std::string& name : resources(program, GL_UNIFORM_BLOCK)) {
+        constexpr GLenum wanted = GL_BUFFER_DATA_SIZE;
+        const GLuint index = glGetProgramResourceIndex(program, GL_UNIFORM_BLOCK, name.c_str());
+        GLint bytes = 0;
+        glGetProgramResourceiv(program, GL_UNIFORM_BLOCK, index, 1, &wanted, 1, nullptr, &bytes);
+        Place place;
+        place.use = Use::uniforms;
+        place.name = name;
+        place.unit = blocks++;
+        place.bytes = static_cast<std::size_t>(bytes);
+        glUniformBlockBinding(program, index, place.unit);
         places.push_back(place);
     }
     return places;

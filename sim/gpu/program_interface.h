@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -7,11 +8,13 @@
 
 namespace talus::gpu {
 
-/// A place of a program's interface: an image, a sampler or a storage buffer that its shaders use.
+/// A place of a program's interface: an image, a sampler, a storage buffer or a uniform block that its
+/// shaders use.
 struct Place {
-    Use use = Use::image;  ///< image, sampler or storage
-    std::string name;      ///< as the shader has it; of a buffer, its block's
-    unsigned unit = 0;     ///< among the program's places of this use
+    Use use = Use::image;   ///< image, sampler, storage or uniforms
+    std::string name;       ///< as the shader has it; of a buffer, its block's
+    unsigned unit = 0;      ///< among the program's places of this use
+    std::size_t bytes = 0;  ///< of a uniform block
     bool reads = true;
     bool writes = false;
     unsigned object = 0;  ///< that was bound there last

@@ -8,8 +8,8 @@
 #include <regex>
 #include <sstream>
 
+#include "sim/error.h"
 #include "sim/gpu/embedded_text.h"
-#include "sim/gpu/error.h"
 
 namespace talus::gpu {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "sim/error.h"
 #include "sim/gpu/debug.h"
-#include "sim/gpu/error.h"
 #include "sim/gpu/hazards.h"
 
 namespace talus::gpu {

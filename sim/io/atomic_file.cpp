@@ -12,7 +12,7 @@
 #include <iterator>
 #include <system_error>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 
 namespace talus {
 namespace {

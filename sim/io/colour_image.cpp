@@ -3,7 +3,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <fmt/format.h>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/io/picture.h"
 
 namespace talus {

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/io/endings.h"
 #include "sim/io/picture.h"
 #include "sim/terrain/layers.h"

@@ -12,7 +12,7 @@
 #include <mutex>
 #include <numbers>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/heightmap_formats.h"
 

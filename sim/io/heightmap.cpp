@@ -7,7 +7,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/io/heightmap_formats.h"
 
 namespace talus {

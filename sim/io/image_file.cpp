@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/io/endings.h"
 #include "sim/io/heightmap.h"
 #include "sim/io/picture.h"

@@ -10,7 +10,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/endings.h"
 #include "sim/io/heightmap_formats.h"

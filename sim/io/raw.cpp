@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/endings.h"
 #include "sim/io/heightmap_formats.h"

@@ -3,40 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "sim/passes/dab_fields.h"
-
 namespace talus {
-
-DabStep dab_step(const Grid& grid, const Dab& dab, glm::ivec2 stamp_samples) {
-    const double column = grid.column_of(dab.x_m);
-    const double row = grid.row_of(dab.y_m);
-    DabStep step;
-    step.cell_m = glm::vec2(grid.dx, grid.dy);
-    step.sample = glm::ivec2(std::floor(column), std::floor(row));
-    step.offset = glm::vec2(column - std::floor(column), row - std::floor(row));
-    step.radius_m = static_cast<float>(dab.radius_m);
-    step.falloff = static_cast<float>(dab.falloff);
-    step.curve = static_cast<int>(dab.curve);
-    // Rows run southwards.
-    step.length_m = glm::vec2(dab.way_m.x, -dab.way_m.y);
-    step.rise_m = static_cast<float>(dab.rise_m);
-    step.mode = static_cast<int>(dab.mode);
-    step.amount_m = static_cast<float>(dab.amount_m);
-    step.blend = static_cast<float>(dab.blend);
-    step.target_m.x = static_cast<float>(dab.target_m);
-    step.target_m.y = static_cast<float>(dab.target_m - step.target_m.x);
-    step.on_regolith = dab.material == Material::regolith ? 1 : 0;
-    const double turn = glm::radians(dab.stamp.turn_deg);
-    const glm::dvec2 a_metre = glm::dvec2(stamp_samples - 1) / (2.0 * dab.stamp.half_m);
-    const double side = dab.stamp.mirrored ? -1 : 1;
-    step.stamp_columns = glm::dvec2(std::cos(turn), -std::sin(turn)) * a_metre.x * side;
-    step.stamp_rows = glm::dvec2(std::sin(turn), std::cos(turn)) * a_metre.y;
-    step.stamp_zero = static_cast<float>(dab.stamp.zero);
-    return step;
-}
 
 TileBlock tile_block(const Tiles& tiles, const std::vector<int>& touched) {
     const auto place = [&](int tile) { return glm::ivec2(tile % tiles.columns(), tile / tiles.columns()); };
@@ -121,7 +90,7 @@ void Brush::run(Terrain& terrain, const Dab& dab, Set&& set) {
                             1;
     // Between two samples it reaches none.
     if (low.x > high.x || low.y > high.y) return;
-    gpu::Program& program = program_of(dab.mode);
+    gpu::Program& program = program_of(dab.mode());
     terrain.bind(program);
     program.bind_storage("TileBooks", book_);
     const TileBlock block = tile_block(terrain.tiles, tiles);
@@ -144,11 +113,10 @@ void Brush::dab(Terrain& terrain, const Dab& dab, const gpu::Texture* stamp) {
         program.set("dab_blend", step.blend);
         program.set("dab_target_m", step.target_m);
         program.set("dab_on_regolith", step.on_regolith);
-        visit_own(dab, dab.mode,
-                  SetUniform{program, brush_mode_names()[static_cast<std::size_t>(dab.mode)] + "_"});
+        visit_own(dab, SetUniform{program, brush_mode_names()[dab.act.index()] + "_"});
         // Where there is no stamp another image stands in for it, unread.
         program.bind_image("stamp", stamp ? *stamp : terrain.ground);
-        if (dab.mode == BrushMode::stamp && stamp) {
+        if (dab.as<StampDab>() && stamp) {
             program.set("stamp_samples", stamp_samples);
             program.set("stamp_columns", step.stamp_columns);
             program.set("stamp_rows", step.stamp_rows);

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "shaders/maths/twin.h"
-#include "sim/passes/brush.h"
+#include "sim/passes/dab_step.h"
 
 namespace talus::maths {
 
@@ -78,18 +78,22 @@ struct BrushTwin {
         dab_target_m = real2(step.target_m);
         ramp_rise_m = step.rise_m;
         dab_on_regolith = step.on_regolith;
-        noise_kind = dab.noise.kind;
-        noise_octaves = dab.noise.octaves;
-        noise_gain = static_cast<float>(dab.noise.gain);
-        noise_warp = static_cast<float>(dab.noise.warp);
-        noise_seed = dab.noise.seed;
-        noise_wavelength_m = static_cast<float>(dab.noise.wavelength_m);
-        terrace_step_m = static_cast<float>(dab.step_m);
-        terrace_flat = static_cast<float>(dab.flat);
+        if (const auto* noise = dab.as<NoiseDab>()) {
+            noise_kind = noise->kind;
+            noise_octaves = noise->octaves;
+            noise_gain = static_cast<float>(noise->gain);
+            noise_warp = static_cast<float>(noise->warp);
+            noise_seed = noise->seed;
+            noise_wavelength_m = static_cast<float>(noise->wavelength_m);
+        }
+        if (const auto* terrace = dab.as<TerraceDab>()) {
+            terrace_step_m = static_cast<float>(terrace->step_m);
+            terrace_flat = static_cast<float>(terrace->flat);
+        }
+        if (const auto* stamp = dab.as<StampDab>()) stamp_mode = static_cast<int>(stamp->mode);
         stamp_columns = real2(step.stamp_columns);
         stamp_rows = real2(step.stamp_rows);
         stamp_zero = step.stamp_zero;
-        stamp_mode = static_cast<int>(dab.stamp.mode);
         masked = dab.masked;
         std::vector<real4> next = ground_samples;
         for (int y = 0; y < ny; ++y)

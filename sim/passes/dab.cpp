@@ -2,15 +2,57 @@
 
 #include <fmt/format.h>
 
-#include "sim/gpu/error.h"
-#include "sim/passes/dab_fields.h"
+#include "sim/error.h"
 
 namespace talus {
 
+namespace {
+
+template <typename Act, int number>
+constexpr bool is_numbered = std::is_same_v<std::variant_alternative_t<number, DabAct>, Act>;
+static_assert(is_numbered<RaiseDab, glsl::brush_mode_raise> &&
+              is_numbered<LowerDab, glsl::brush_mode_lower> &&
+              is_numbered<SmoothDab, glsl::brush_mode_smooth> &&
+              is_numbered<FlattenDab, glsl::brush_mode_flatten> &&
+              is_numbered<RampDab, glsl::brush_mode_ramp> && is_numbered<NoiseDab, glsl::brush_mode_noise> &&
+              is_numbered<TerraceDab, glsl::brush_mode_terrace> &&
+              is_numbered<StampDab, glsl::brush_mode_stamp> && is_numbered<ErodeDab, glsl::brush_mode_erode>);
+
+// The alternatives, one after the other, each with its defaults.
+template <std::size_t... At>
+std::vector<DabAct> all_acts(std::index_sequence<At...>) {
+    return {DabAct(std::in_place_index<At>)...};
+}
+
+const std::vector<DabAct>& acts() {
+    static const std::vector<DabAct> all = all_acts(std::make_index_sequence<std::variant_size_v<DabAct>>());
+    return all;
+}
+
+}  // namespace
+
 const std::vector<std::string>& brush_mode_names() {
-    static const std::vector<std::string> names = {"raise", "lower",   "smooth", "flatten", "ramp",
-                                                   "noise", "terrace", "stamp",  "erode"};
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> of;
+        for (const DabAct& one : acts())
+            of.emplace_back(std::visit([](const auto& act) { return act.name; }, one));
+        return of;
+    }();
     return names;
+}
+
+DabAct act_of(BrushMode mode) {
+    return acts().at(static_cast<std::size_t>(mode));
+}
+
+bool has_object(const DabAct& act) {
+    return std::visit(
+        [](const auto& one) {
+            return requires {
+                one.has_object;
+            };
+        },
+        act);
 }
 
 const std::vector<std::string>& material_names() {
@@ -55,8 +97,7 @@ struct Check {
 
 void check_dab(const Dab& dab) {
     visit_footprint(dab, Check());
-    for (std::size_t mode = 0; mode < brush_mode_names().size(); ++mode)
-        visit_own(dab, static_cast<BrushMode>(mode), Check());
+    visit_own(dab, Check());
     if (dab.is_paint() && !(dab.target_m >= 0 && dab.target_m <= most_painted(painted_layer(dab.material))))
         throw Error(fmt::format("a dab of {} cannot paint {}, it must be 0 to {}",
                                 material_names()[static_cast<std::size_t>(dab.material)], dab.target_m,
@@ -70,7 +111,7 @@ Dab everywhere(const Grid& grid, Dab dab) {
     dab.y_m = grid.height_m() / 2;
     dab.radius_m = grid.width_m() + grid.height_m() + grid.dx + grid.dy;
     dab.falloff = 0;
-    dab.way_m = {0, 0};
+    if (auto* ramp = dab.as<RampDab>()) ramp->way_m = {0, 0};
     return dab;
 }
 

@@ -6,10 +6,10 @@
 namespace talus {
 
 gpu::Region dab_region(const Grid& grid, const Dab& dab) {
-    if (dab.mode == BrushMode::erode) return erode_window(grid, dab);
+    if (dab.as<ErodeDab>()) return erode_window(grid, dab);
     const auto whole = [](double v) { return static_cast<int>(std::clamp(v, -1e6, 1e6)); };
-    const glm::dvec2 low = glm::min(glm::dvec2(0), dab.way_m) - dab.radius_m;
-    const glm::dvec2 high = glm::max(glm::dvec2(0), dab.way_m) + dab.radius_m;
+    const glm::dvec2 low = glm::min(glm::dvec2(0), dab.way_m()) - dab.radius_m;
+    const glm::dvec2 high = glm::max(glm::dvec2(0), dab.way_m()) + dab.radius_m;
     const int x0 = whole(std::ceil(grid.column_of(dab.x_m + low.x)));
     const int x1 = whole(std::floor(grid.column_of(dab.x_m + high.x)));
     const int y0 = whole(std::ceil(grid.row_of(dab.y_m + high.y)));

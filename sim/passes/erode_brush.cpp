@@ -26,8 +26,8 @@ constexpr double steepest_bedrock_deg = 45;
 
 }  // namespace
 
-int erode_substeps(const Grid& grid, const Dab& dab) {
-    const double needed = dab.erode.time_s * fastest_m_per_s * inverse_cells(grid) / water_courant;
+int erode_substeps(const Grid& grid, const ErodeDab& dab) {
+    const double needed = dab.time_s * fastest_m_per_s * inverse_cells(grid) / water_courant;
     return static_cast<int>(std::clamp(std::ceil(needed), 1.0, 1024.0));
 }
 
@@ -61,13 +61,13 @@ void ErodeBrush::shift_water(glm::ivec2 by) {
     shift(*patch_->terrain.suspended);
 }
 
-void ErodeBrush::place(const Terrain& terrain, const Dab& dab) {
+void ErodeBrush::place(const Terrain& terrain, const Dab& dab, const ErodeDab& how) {
     const gpu::Region window = erode_window(terrain.grid(), dab);
     const Grid grid{window.width, window.height, terrain.grid().dx, terrain.grid().dy};
     const bool fits = patch_ && patch_->terrain.grid() == grid;
     if (!fits) patch_ = std::make_unique<Patch>(grid);
     Terrain& patch = patch_->terrain;
-    if (!fits || dab.erode.begins) {
+    if (!fits || how.begins) {
         patch.water->front.fill(0);
         patch.suspended->front.fill(0);
     } else {
@@ -84,26 +84,26 @@ void ErodeBrush::place(const Terrain& terrain, const Dab& dab) {
     program_.set("window_corner", corner_);
     program_.set("window_samples", glm::ivec2(grid.nx, grid.ny));
     program_.set("is_painted", terrain.painted ? 1 : 0);
-    program_.set("erode_rain", static_cast<float>(dab.erode.rain_mm_per_h));
+    program_.set("erode_rain", static_cast<float>(how.rain_mm_per_h));
     program_.dispatch((grid.nx + 15) / 16, (grid.ny + 15) / 16);
     gpu::barrier({gpu::Use::image, gpu::Use::texture_transfer, gpu::Use::storage, gpu::Use::buffer_transfer});
     patch.solid.back.copy_from(patch.solid.front, patch.solid.front.whole());
     patch.tiles.mark_all();
 }
 
-const Terrain& ErodeBrush::erode(const Terrain& terrain, const Dab& dab, WaterSettings water,
-                                 const std::optional<ThermalSettings>& thermal) {
+const Terrain& ErodeBrush::erode(const Terrain& terrain, const Dab& dab, const ErodeDab& how,
+                                 WaterSettings water, const std::optional<ThermalSettings>& thermal) {
     // Until the dab is done.
     going_ = false;
-    place(terrain, dab);
+    place(terrain, dab, how);
     Terrain& patch = patch_->terrain;
     const Grid& grid = patch.grid();
     if (thermal) {
         ThermalSettings slopes = *thermal;
         slopes.masked = true;
         slopes.bedrock_deg = std::max(slopes.bedrock_deg, steepest_bedrock_deg);
-        slopes.rate_m2_per_s = natural_thermal_rate(grid, dab.erode.time_s, slopes.porosity);
-        patch_->thermal.substep(patch, thermal_step(grid, slopes, dab.erode.time_s, 1));
+        slopes.rate_m2_per_s = natural_thermal_rate(grid, how.time_s, slopes.porosity);
+        patch_->thermal.substep(patch, thermal_step(grid, slopes, how.time_s, 1));
     }
     water.edges.fill(EdgeKind::open);
     water.rain_m_per_s = 0;
@@ -113,9 +113,9 @@ const Terrain& ErodeBrush::erode(const Terrain& terrain, const Dab& dab, WaterSe
     water.sediment.masked = true;
     water.sediment.below_neighbours = true;
     water.manning_s_per_m13 = manning_of_sheets;
-    water.sediment.acceleration = dab.erode.acceleration;
-    patch_->water.begin_tick(patch, water, {}, dab.erode.time_s, 0);
-    for (int i = erode_substeps(grid, dab); i > 0; --i) patch_->water.substep(patch);
+    water.sediment.acceleration = how.acceleration;
+    patch_->water.begin_tick(patch, water, {}, how.time_s, 0);
+    for (int i = erode_substeps(grid, how); i > 0; --i) patch_->water.substep(patch);
     return patch;
 }
 

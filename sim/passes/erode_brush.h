@@ -11,7 +11,7 @@ namespace talus {
 
 /// Sub-steps of water that an erode dab is given: enough for its time where nothing is faster than 5 m/s;
 /// else less time passes. A number of its own asks the device for nothing.
-int erode_substeps(const Grid& grid, const Dab& dab);
+int erode_substeps(const Grid& grid, const ErodeDab& dab);
 
 /// The longest time of a dab whose sub-steps a frame has room for, s.
 double erode_longest_s(const Grid& grid, const Dab& dab);
@@ -27,13 +27,13 @@ class ErodeBrush {
     /// Says so: after a dab that was done, unless it was its stroke's last.
     void set_going(bool going) { going_ = going; }
 
-    /// Erodes the copy. Settings of water with those of its sediment, which say what gives way how easily;
-    /// `thermal`: none, slopes do not slide.
-    const Terrain& erode(const Terrain& terrain, const Dab& dab, WaterSettings water,
+    /// Erodes the copy; `how` is the dab's act. Settings of water with those of its sediment, which say what
+    /// gives way how easily; `thermal`: none, slopes do not slide.
+    const Terrain& erode(const Terrain& terrain, const Dab& dab, const ErodeDab& how, WaterSettings water,
                          const std::optional<ThermalSettings>& thermal);
 
   private:
-    void place(const Terrain& terrain, const Dab& dab);
+    void place(const Terrain& terrain, const Dab& dab, const ErodeDab& how);
     void shift_water(glm::ivec2 by);
 
     // The copy and its solvers, which stay for the next dab of this size.

@@ -1,6 +1,6 @@
 #include <optional>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/passes/brush.h"
 #include "sim/passes/dab_region.h"
 #include "sim/passes/erode_brush.h"
@@ -18,18 +18,18 @@ class GroundBrushPass : public Pass {
     std::string name() const override { return "ground brush"; }
 
     void complete(Dab& dab, const Moment& at) const override {
-        if (dab.mode == BrushMode::erode && !(erode_ && erode_->is_going())) dab.erode.begins = true;
-        if (dab.mode == BrushMode::stamp && !at.stamp)
+        if (auto* erode = dab.as<ErodeDab>(); erode && !(erode_ && erode_->is_going())) erode->begins = true;
+        if (dab.as<StampDab>() && !at.stamp)
             throw Error("there is no stamp yet: choose a file or a piece of the terrain first");
     }
 
     bool act(Terrain& terrain, const Moment& at, const PassAct& act) override {
         const auto* dab = std::get_if<Dab>(&act);
         if (!dab || dab->is_paint() || dab->is_water()) return false;
-        if (dab->mode == BrushMode::erode)
-            erode(terrain, at.parameters, *dab);
+        if (const auto* eroding = dab->as<ErodeDab>())
+            erode(terrain, at.parameters, *dab, *eroding);
         else if (!is_masked_out(terrain, *dab))
-            brush_.dab(terrain, *dab, dab->mode == BrushMode::stamp ? &stamp_.of(at.stamp) : nullptr);
+            brush_.dab(terrain, *dab, dab->as<StampDab>() ? &stamp_.of(at.stamp) : nullptr);
         return true;
     }
 
@@ -41,16 +41,16 @@ class GroundBrushPass : public Pass {
     std::vector<Book> books() override { return {brush_.book()}; }
 
   private:
-    void erode(Terrain& terrain, Parameters parameters, const Dab& dab) {
+    void erode(Terrain& terrain, Parameters parameters, const Dab& dab, const ErodeDab& how) {
         if (!erode_) erode_.emplace();
         parameters.set("erosion.on", true);
         std::optional<ThermalSettings> thermal;
         if (parameters.toggle("thermal.on")) thermal = thermal_settings(parameters);
-        const Terrain& eroded = erode_->erode(terrain, dab, water_settings_of(parameters), thermal);
+        const Terrain& eroded = erode_->erode(terrain, dab, how, water_settings_of(parameters), thermal);
         const double settled =
-            dab.erode.ends ? dab.erode.acceleration * bulking_of(parameters.number("erosion.porosity")) : 0;
+            how.ends ? how.acceleration * bulking_of(parameters.number("erosion.porosity")) : 0;
         brush_.take_over(terrain, dab, eroded, settled);
-        erode_->set_going(!dab.erode.ends);
+        erode_->set_going(!how.ends);
     }
 
     Brush brush_;

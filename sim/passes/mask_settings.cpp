@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 
 namespace talus {
 

@@ -1,34 +1,12 @@
 #pragma once
-#include <map>
-
 #include "sim/budget.h"
 #include "sim/gpu/buffer.h"
 #include "sim/gpu/program.h"
-#include "sim/passes/sediment_settings.h"
+#include "sim/gpu/uniform_block.h"
+#include "sim/passes/sediment_step.h"
 #include "sim/terrain/terrain.h"
 
 namespace talus {
-
-/// Settings in the units of shaders/maths/sediment_exchange.glsl, for a gravity (m/s²) and Manning's n. The
-/// twin takes the same numbers.
-struct SedimentStep {
-    float drag = 0;
-    float critical = 0;
-    float regolith = 0;
-    float bedrock = 0;
-    float settling = 0;
-    float speedup = 1;
-    float bulking = 1;
-    float per_rock = 1;   ///< 1 / speedup
-    float per_loose = 1;  ///< 1 / (speedup * bulking)
-    glm::vec2 strata{0};
-    int masked = 0;
-    int below = 0;
-};
-SedimentStep sediment_step(const SedimentSettings& settings, double gravity_m_per_s2, double manning);
-
-/// Metres of regolith that a metre of solid makes, as the shaders count it.
-float bulking_of(double porosity);
 
 /// The exchange between bed and water after each of the water's sub-steps, and the books of solid that passes
 /// the edges. The transport itself is part of the water's stages (sim/passes/water.h).
@@ -36,16 +14,19 @@ class Sediment {
   public:
     explicit Sediment(const Grid& grid);
 
-    /// On the tiles of the list, for so many of the spans of the water's clock. `activity`: the water's,
-    /// which it wakes where the bed moves.
-    void exchange(Terrain& terrain, const SedimentStep& step, double gravity_m_per_s2, int eulers,
-                  const gpu::Buffer& list, const gpu::Buffer& activity, const gpu::Buffer& clock);
+    /// Before each tick of the water.
+    void begin_tick(const WaterSettings& water) { numbers.set(sediment_numbers(water)); }
+    /// On the tiles of the list, for a sub-step of the water's clock. `activity`: the water's, which it wakes
+    /// where the bed moves. `tick`: the water's numbers.
+    void exchange(Terrain& terrain, const gpu::Buffer& list, const gpu::Buffer& activity,
+                  const gpu::Buffer& clock, const gpu::Buffer& tick);
 
     /// Of solid that passed the edges.
     Book book();
 
     /// Metres of solid in and out round the map, as they count for the bed, pairs of doubles.
     gpu::Buffer edge_books;
+    gpu::UniformBlock<SedimentNumbers> numbers{"sediment numbers"};
 
   private:
     gpu::Program program_;

@@ -5,52 +5,54 @@ namespace talus {
 const std::vector<BoundParameter<SedimentSettings>>& sediment_parameters() {
     constexpr double cm3_per_n_s = 1e-6;
     constexpr double mm_per_s = 1e-3;
+    static const SedimentSettings preset;
     static const std::vector<BoundParameter<SedimentSettings>> table = {
         unbound<SedimentSettings>(toggle(
             "erosion.on", false,
             "Running water takes solid from its bed, carries it, and lets it settle where it slackens. Off: "
             "what is on its way still settles.")),
         bound(choice(
-                  "erosion.over", "everywhere", {"everywhere", "mask"},
+                  "erosion.over", preset.masked, {"everywhere", "mask"},
                   "Where water takes solid and slopes slide; by the mask: as far as it says, so that a brush "
                   "erodes here and nowhere else."),
               &SedimentSettings::masked),
-        bound(number("erosion.erodibility", 1, 0, 1e6, "cm³/(N s)",
+        bound(number("erosion.erodibility", preset.regolith_m_per_s_pa / cm3_per_n_s, 0, 1e6, "cm³/(N s)",
                      "Of regolith: a pascal above the critical stress takes so many millionths of a metre a "
                      "second. "
                      "0.01 stiff clay, 1 to 100 loose ground (Hanson & Simon 2001)."),
               &SedimentSettings::regolith_m_per_s_pa, cm3_per_n_s),
-        bound(number("erosion.bedrock_erodibility", 0.1, 0, 1e6, "cm³/(N s)", "Of bedrock."),
+        bound(number("erosion.bedrock_erodibility", preset.bedrock_m_per_s_pa / cm3_per_n_s, 0, 1e6,
+                     "cm³/(N s)", "Of bedrock."),
               &SedimentSettings::bedrock_m_per_s_pa, cm3_per_n_s),
-        bound(number("erosion.critical_shear_pa", 5, 0, 1e6, "Pa",
+        bound(number("erosion.critical_shear_pa", preset.critical_pa, 0, 1e6, "Pa",
                      "Shear stress of the water on its bed that takes nothing yet. The stress follows "
                      "water.manning: "
                      "where that is 0, nothing erodes.")
                   .once("erosion.critical_shear"),
               &SedimentSettings::critical_pa),
-        bound(number("erosion.settling_mm_per_s", 10, 0, 1e4, "mm/s",
+        bound(number("erosion.settling_mm_per_s", preset.settling_m_per_s / mm_per_s, 0, 1e4, "mm/s",
                      "How fast grains settle in still water: 0.01 silt, 10 fine sand, 100 gravel.")
                   .once("erosion.settling"),
               &SedimentSettings::settling_m_per_s, mm_per_s),
-        bound(number("erosion.porosity", 0, 0, 0.9, "",
+        bound(number("erosion.porosity", preset.porosity, 0, 0.9, "",
                      "Share of voids in regolith: in what settles and in scree. 0.3 to 0.4 in sand.")
                   .setting_off(SetsOff::solid_weights),
               &SedimentSettings::porosity),
         bound(
-            number("erosion.acceleration", 1, 1, 1000, "",
+            number("erosion.acceleration", preset.acceleration, 1, 1000, "",
                    "How often each exchange counts for the ground: geology waits for no water (morphological "
                    "factor).")
                 .setting_off(SetsOff::solid_weights),
             &SedimentSettings::acceleration),
-        bound(number("erosion.inflow_concentration", 0, 0, 0.3, "",
+        bound(number("erosion.inflow_concentration", preset.inflow_concentration, 0, 0.3, "",
                      "Solid in the water that enters by edges of kind inflow, by volume."),
               &SedimentSettings::inflow_concentration),
-        bound(number("erosion.strata_m", 0, 0, 1e5, "m",
+        bound(number("erosion.strata_m", preset.strata_m, 0, 1e5, "m",
                      "Bedrock in level layers: thickness of a hard and a soft one together; 0: none."),
               &SedimentSettings::strata_m),
-        bound(
-            number("erosion.strata_hardness", 0.9, 0, 1, "", "Hardness of the hard ones; 1 does not erode."),
-            &SedimentSettings::strata_hardness)};
+        bound(number("erosion.strata_hardness", preset.strata_hardness, 0, 1, "",
+                     "Hardness of the hard ones; 1 does not erode."),
+              &SedimentSettings::strata_hardness)};
     return table;
 }
 

@@ -5,7 +5,7 @@
 
 namespace talus {
 
-/// Thermal erosion settings with units.
+/// Thermal erosion settings with units. Its values are the defaults of the parameters that set them.
 struct ThermalSettings {
     double repose_deg = 33;
     double rate_m2_per_s = 0;
@@ -14,6 +14,7 @@ struct ThermalSettings {
     double porosity = 0;              ///< of regolith
     double weathering_m_per_s = 0;    ///< bare bedrock that turns into regolith
     bool masked = false;              ///< as far as the mask says
+    bool operator==(const ThermalSettings&) const = default;
 };
 
 const std::vector<BoundParameter<ThermalSettings>>& thermal_parameters();

@@ -2,8 +2,7 @@
 #include <vector>
 
 #include "shaders/maths/twin.h"
-#include "sim/passes/thermal.h"
-#include "sim/terrain/grid.h"
+#include "sim/passes/thermal_step.h"
 
 namespace talus::maths {
 
@@ -16,27 +15,16 @@ struct ThermalTwin {
 
     int nx = 0;
     int ny = 0;
-    real2 cell_m{1};
-    real repose_slope{1};
-    real wet_slope{1};
-    real bedrock_slope{1};
-    real2 face_share{0};
-    real thermal_bulking{1};
-    real weathering{0};
+#define NUMBER TALUS_MEMBER
+#include "maths/thermal_numbers.glsl"
+#undef NUMBER
     std::vector<real4> samples;
     std::vector<bool> wet;    ///< samples under water; empty: none
     std::vector<Real> masks;  ///< 0 to 1; empty: 1 throughout
 
-    ThermalTwin(const Grid& grid, const ThermalStep& step)
-        : nx(grid.nx),
-          ny(grid.ny),
-          cell_m(step.cell_m),
-          repose_slope(step.repose_slope),
-          wet_slope(step.wet_slope),
-          bedrock_slope(step.bedrock_slope),
-          face_share(step.face_share),
-          thermal_bulking(step.bulking),
-          weathering(step.weathering_m) {}
+    ThermalTwin(const Grid& grid, const ThermalStep& step) : nx(grid.nx), ny(grid.ny) {
+        take(step.numbers);
+    }
 
     real load_mask(int2 at) const {
         if (masks.empty()) return real(1);
@@ -64,6 +52,12 @@ struct ThermalTwin {
             for (int x = 0; x < nx; ++x)
                 next[static_cast<std::size_t>(y) * nx + x] = thermal_sample(int2(x, y));
         samples.swap(next);
+    }
+
+    void take(const ThermalNumbers& numbers) {
+#define NUMBER TALUS_TAKE
+#include "maths/thermal_numbers.glsl"
+#undef NUMBER
     }
 };
 

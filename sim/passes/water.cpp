@@ -24,15 +24,6 @@ WaterClock read_clock(const gpu::Buffer& buffer) {
     return clock;
 }
 
-void set_sizes(gpu::Program& program, const Terrain& terrain) {
-    program.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
-    program.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
-}
-
-SedimentStep sediment_step_of(const WaterSettings& settings) {
-    return sediment_step(settings.sediment, settings.gravity_m_per_s2, settings.manning_s_per_m13);
-}
-
 }  // namespace
 
 Water::Water(const Terrain& terrain)
@@ -40,12 +31,13 @@ Water::Water(const Terrain& terrain)
       bed_program_("sim/water_bed.comp"),
       loaded_bed_program_({"sim/water_bed.comp"}, {"SEDIMENT 1"}),
       active_(terrain.tiles.count()),
+      numbers_("water numbers"),
       clock_("water clock", sizeof(WaterClock)),
       activity_("water activity", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(std::uint32_t)),
       speeds_("water speeds", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(std::uint32_t)),
       sources_("water sources", static_cast<std::size_t>(terrain.tiles.count()) * 4 * sizeof(glm::dvec2)),
       springs_("water springs", sizeof(glm::vec4)),
-      series_("water edge series", 2 * (edge_series_steps + 1) * sizeof(float)),
+      series_("water edge series", 2 * (glsl::edge_series_steps + 1) * sizeof(float)),
       edge_books_("water edge books",
                   2 * static_cast<std::size_t>(terrain.grid().nx + terrain.grid().ny) * sizeof(glm::dvec2)),
       sediment_(terrain.grid()) {
@@ -85,6 +77,7 @@ void Water::bind_buffers(gpu::Program& program) const {
     program.bind_storage("Springs", springs_);
     program.bind_storage("EdgeSeries", series_);
     program.bind_storage("EdgeBooks", edge_books_);
+    program.bind_uniforms("WaterNumbers", numbers_);
 }
 
 gpu::Program& Water::edge_program() {
@@ -102,7 +95,6 @@ gpu::Program& Water::edge_program() {
 void Water::begin_tick(Terrain& terrain, const WaterSettings& settings, const std::vector<Spring>& springs,
                        double tick_s, double start_s) {
     settings_ = settings;
-    tick_s_ = tick_s;
     expected_ = 1;
     const Grid& grid = terrain.grid();
     const auto time = static_cast<float>(tick_s);
@@ -120,7 +112,9 @@ void Water::begin_tick(Terrain& terrain, const WaterSettings& settings, const st
         const glm::ivec2 at = sample_of(grid, spring);
         placed.emplace_back(at.x, at.y, spring.rate_m3_per_s / (grid.dx * grid.dy), 0);
     }
-    spring_count_ = static_cast<int>(placed.size());
+    numbers_.set(water_numbers(grid, {terrain.tiles.columns(), terrain.tiles.rows()}, settings, tick_s,
+                               springs.size()));
+    if (settings.sediment.carried) sediment_.begin_tick(settings);
     if (!placed.empty()) {
         if (springs_.bytes() != placed.size() * sizeof(glm::vec4))
             springs_ = gpu::Buffer("water springs", placed.size() * sizeof(glm::vec4));
@@ -139,72 +133,30 @@ void Water::begin_tick(Terrain& terrain, const WaterSettings& settings, const st
         bed.bind_image("load_in", terrain.suspended->front);
         bed.bind_image("load_out", terrain.suspended->back);
     }
-    set_sizes(bed, terrain);
-    bed.set("gravity", static_cast<float>(settings.gravity_m_per_s2));
     bed.dispatch_indirect(active_.buffer);
     gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
                   gpu::Use::buffer_transfer});
 }
 
 void Water::substep(Terrain& terrain) {
-    begin_substep(terrain);
-    run_substep(
-        settings_, [&](int stage) { fill_ghosts(terrain, stage); },
-        [&](int stage) { run_stage(terrain, stage); },
-        [&] {
-            sediment_.exchange(terrain, sediment_step_of(settings_), settings_.gravity_m_per_s2,
-                               euler_steps(settings_), active_.buffer, activity_, clock_);
-        });
-}
-
-// The length of the sub-step, and the tiles that have work.
-void Water::begin_substep(const Terrain& terrain) {
-    const Grid& grid = terrain.grid();
-    const auto rain = static_cast<float>(settings_.rain_m_per_s);
-    const bool periodic = std::any_of(settings_.edges.begin(), settings_.edges.end(),
-                                      [](EdgeKind kind) { return kind == EdgeKind::periodic; });
-    const auto driven = [&](Edge edge) {
-        const EdgeKind kind = settings_.edges[static_cast<std::size_t>(edge)];
-        return kind == EdgeKind::inflow || kind == EdgeKind::wave ? 1 : 0;
-    };
-    set_sizes(step_program_, terrain);
-    step_program_.set("cell_m", glm::vec2(grid.dx, grid.dy));
-    step_program_.set("tick_s", static_cast<float>(tick_s_));
-    step_program_.set("friction", static_cast<float>(friction_of(settings_)));
-    step_program_.set("rain_m_per_s", has_rain_map(settings_) ? 0.0F : rain);
-    step_program_.set("eulers", euler_steps(settings_));
-    step_program_.set("driven_north", driven(Edge::north));
-    step_program_.set("driven_south", driven(Edge::south));
-    step_program_.set("driven_west", driven(Edge::west));
-    step_program_.set("driven_east", driven(Edge::east));
-    step_program_.set("every_tile",
-                      !settings_.skips_rest || periodic || (rain > 0 && !settings_.rain_masked) ? 1 : 0);
-    step_program_.set("spring_count", spring_count_);
     bind_buffers(step_program_);
     step_program_.dispatch(1);
     gpu::barrier({gpu::Use::storage, gpu::Use::indirect, gpu::Use::buffer_transfer});
+    run_substep(
+        settings_, [&](int stage) { fill_ghosts(terrain, stage); },
+        [&](int stage) { run_stage(terrain, stage); },
+        [&] { sediment_.exchange(terrain, active_.buffer, activity_, clock_, numbers_); });
 }
 
 void Water::fill_ghosts(Terrain& terrain, int stage) {
     gpu::Program& program = edge_program();
-    set_sizes(program, terrain);
     program.set("stage", stage);
-    program.set("kind_north", static_cast<int>(settings_.edges[0]));
-    program.set("kind_south", static_cast<int>(settings_.edges[1]));
-    program.set("kind_west", static_cast<int>(settings_.edges[2]));
-    program.set("kind_east", static_cast<int>(settings_.edges[3]));
-    program.set("edge_series_steps", edge_series_steps);
-    program.set("edge_level_m", static_cast<float>(settings_.level_m));
-    program.set("gravity", static_cast<float>(settings_.gravity_m_per_s2));
-    program.set("spring_count", spring_count_);
-    program.set("eulers", euler_steps(settings_));
     program.bind_image("water_state", stage == 1 ? terrain.water->front : terrain.water->back);
     program.bind_image("bed", terrain.water_bed);
     if (settings_.sediment.carried) {
-        program.set("edge_concentration", static_cast<float>(settings_.sediment.inflow_concentration));
-        program.set("sediment_speedup", sediment_step_of(settings_).speedup);
         program.bind_image("load_state", stage == 1 ? terrain.suspended->front : terrain.suspended->back);
         program.bind_storage("EdgeSolidBooks", sediment_.edge_books);
+        program.bind_uniforms("SedimentNumbers", sediment_.numbers);
     }
     bind_buffers(program);
     terrain.tiles.bind_for_stamping(program);
@@ -226,12 +178,6 @@ void Water::run_stage(Terrain& terrain, int stage) {
     if (settings_.sediment.carried) bind_pair(*terrain.suspended, "load_in", "load_out");
     program.bind_image("bed_in", terrain.water_bed);
     if (has_rain_map(settings_)) program.bind_image("painted", terrain.painted->front);
-    set_sizes(program, terrain);
-    program.set("gravity", static_cast<float>(settings_.gravity_m_per_s2));
-    program.set("rain_m_per_s", static_cast<float>(settings_.rain_m_per_s));
-    program.set("rain_masked", settings_.rain_masked ? 1 : 0);
-    program.set("loss_m_per_s",
-                static_cast<float>(settings_.infiltration_m_per_s + settings_.evaporation_m_per_s));
     program.dispatch_indirect(active_.buffer);
     gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
                   gpu::Use::buffer_transfer});

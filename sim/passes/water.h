@@ -6,8 +6,10 @@
 #include "sim/gpu/buffer.h"
 #include "sim/gpu/program.h"
 #include "sim/gpu/readback.h"
+#include "sim/gpu/uniform_block.h"
 #include "sim/passes/pass_work.h"
 #include "sim/passes/sediment.h"
+#include "sim/passes/water_numbers.h"
 #include "sim/passes/water_settings.h"
 #include "sim/terrain/terrain.h"
 
@@ -47,7 +49,6 @@ class Water {
     std::vector<Book> books();
 
   private:
-    void begin_substep(const Terrain& terrain);
     void fill_ghosts(Terrain& terrain, int stage);
     void run_stage(Terrain& terrain, int stage);
     gpu::Program& stage_program(int stage);
@@ -60,6 +61,7 @@ class Water {
     std::map<int, gpu::Program> edge_programs_;   // by order and load
     std::map<int, gpu::Program> stage_programs_;  // by order, stage, friction, sources, load
     TileList active_;
+    gpu::UniformBlock<WaterNumbers> numbers_;
     gpu::Buffer clock_;
     gpu::Buffer activity_;
     gpu::Buffer speeds_;
@@ -75,8 +77,6 @@ class Water {
     std::uint64_t sent_ = 0;
     int expected_ = 1;  // sub-steps until the tick is over, as far as is known
     WaterSettings settings_;
-    double tick_s_ = 0;
-    int spring_count_ = 0;
 };
 
 }  // namespace talus

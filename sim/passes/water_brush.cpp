@@ -29,7 +29,7 @@ void WaterBrush::dab(Terrain& terrain, const Dab& dab) {
     const TileBlock block = tile_block(terrain.tiles, tiles);
     program_.set("first_tile", block.first);
     program_.set("dab_amount_m", static_cast<float>(dab.amount_m));
-    program_.set("dab_takes", dab.mode == BrushMode::lower ? 1 : 0);
+    program_.set("dab_takes", dab.as<LowerDab>() ? 1 : 0);
     program_.dispatch(block.size.x, block.size.y);
     gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
                   gpu::Use::buffer_transfer});

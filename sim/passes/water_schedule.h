@@ -3,11 +3,6 @@
 
 namespace talus {
 
-/// Equal Euler steps that follow each other in a sub-step: at order 2 they are the stages of one step.
-inline int euler_steps(const WaterSettings& settings) {
-    return settings.order == 1 ? 2 : 1;
-}
-
 /// Whether rain differs from place to place.
 inline bool has_rain_map(const WaterSettings& settings) {
     return settings.rain_painted || (settings.rain_masked && settings.rain_m_per_s > 0);
@@ -20,14 +15,10 @@ inline bool has_sources(const WaterSettings& settings, int stage) {
     return any && (settings.order == 1 || stage == 2);
 }
 
-/// What friction in an Euler step follows: gravity times the square of Manning's n.
-inline double friction_of(const WaterSettings& settings) {
-    return settings.gravity_m_per_s2 * settings.manning_s_per_m13 * settings.manning_s_per_m13;
-}
-
-/// A sub-step of the water in its order, once its length is known; for the device (sim/passes/water.h) and
-/// for the twin (sim/passes/water_twin.h). Before each stage, 1 and 2, the samples beyond the edges are made;
-/// before the first one springs give. The exchange of solid with the bed ends it.
+/// A sub-step of the water in its order, once its length is known: equal Euler steps
+/// that follow each other, which at order 2 are the stages of one step. For the device (sim/passes/water.h)
+/// and for the twin (sim/passes/water_twin.h). Before each stage, 1 and 2, the samples beyond the edges are
+/// made; before the first one springs give. The exchange of solid with the bed ends it.
 template <typename FillGhosts, typename RunStage, typename Exchange>
 void run_substep(const WaterSettings& settings, FillGhosts&& fill_ghosts, RunStage&& run_stage,
                  Exchange&& exchange) {

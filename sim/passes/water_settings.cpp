@@ -19,7 +19,9 @@ double inflow_length_m(const WaterSettings& settings, const Grid& grid) {
 
 BoundParameter<WaterSettings> boundary(Edge edge, const char* help) {
     const std::string& name = boundary_parameter(edge);
-    Parameter declared = choice(name, "open", edge_kinds(), help).setting_off(SetsOff::edge_clock);
+    Parameter declared =
+        choice(name, WaterSettings().edges[static_cast<std::size_t>(edge)], edge_kinds(), help)
+            .setting_off(SetsOff::edge_clock);
     return {std::move(declared), [=](const Parameters& parameters, WaterSettings& settings) {
                 settings.edges[static_cast<std::size_t>(edge)] = parameters.choice_as<EdgeKind>(name);
             }};
@@ -47,35 +49,38 @@ void turn_edges(Parameters& parameters, int quarters) {
 
 const std::vector<BoundParameter<WaterSettings>>& water_parameters() {
     constexpr double mm_per_h = 1e-3 / 3600;
+    static const WaterSettings preset;
     static const std::vector<BoundParameter<WaterSettings>> table = {
         unbound<WaterSettings>(
             toggle("water.on", true, "Water flows. Where there is none, and none comes, it costs nothing.")),
-        bound(whole("water.order", 2, 1, 2, "", "Order of the scheme: 1 is cheaper, 2 far more exact."),
+        bound(whole("water.order", preset.order, 1, 2, "",
+                    "Order of the scheme: 1 is cheaper, 2 far more exact."),
               &WaterSettings::order),
-        bound(number("water.gravity_m_per_s2", 9.81, 0.01, 100, "m/s²", "Acceleration of gravity.")
+        bound(number("water.gravity_m_per_s2", preset.gravity_m_per_s2, 0.01, 100, "m/s²",
+                     "Acceleration of gravity.")
                   .once("water.gravity"),
               &WaterSettings::gravity_m_per_s2),
         bound(number(
-                  "water.manning", 0.03, 0, 1, "s/m^(1/3)",
+                  "water.manning", preset.manning_s_per_m13, 0, 1, "s/m^(1/3)",
                   "Manning's roughness of the bed: 0 none, 0.03 a natural stream, 0.1 a wooded flood plain."),
               &WaterSettings::manning_s_per_m13),
-        bound(number("water.rain_mm_per_h", 0, 0, 1e4, "mm/h",
+        bound(number("water.rain_mm_per_h", preset.rain_m_per_s / mm_per_h, 0, 1e4, "mm/h",
                      "Rain: everywhere, or by the mask; what a brush of rain painted falls besides.")
                   .once("water.rain"),
               &WaterSettings::rain_m_per_s, mm_per_h),
-        bound(choice("water.rain_over", "everywhere", {"everywhere", "mask"},
+        bound(choice("water.rain_over", preset.rain_masked, {"everywhere", "mask"},
                      "Where water.rain falls; by the mask: as much of it as the mask says."),
               &WaterSettings::rain_masked),
-        bound(number("water.infiltration_mm_per_h", 0, 0, 1e4, "mm/h",
+        bound(number("water.infiltration_mm_per_h", preset.infiltration_m_per_s / mm_per_h, 0, 1e4, "mm/h",
                      "Water that the ground takes in, where there is any.")
                   .once("water.infiltration"),
               &WaterSettings::infiltration_m_per_s, mm_per_h),
-        bound(number("water.evaporation_mm_per_h", 0, 0, 1e4, "mm/h",
+        bound(number("water.evaporation_mm_per_h", preset.evaporation_m_per_s / mm_per_h, 0, 1e4, "mm/h",
                      "Water that the air takes, where there is any.")
                   .once("water.evaporation"),
               &WaterSettings::evaporation_m_per_s, mm_per_h),
         bound(
-            number("water.sea_level_m", 0, -1e6, 1e6, "m",
+            number("water.sea_level_m", preset.level_m, -1e6, 1e6, "m",
                    "Level of the sea. When set, it fills what lies lower and is connected to the map's edge; "
                    "edges of "
                    "kind level hold it, and it is the still level of edges of kind wave.")
@@ -90,34 +95,34 @@ const std::vector<BoundParameter<WaterSettings>>& water_parameters() {
         boundary(Edge::east, "Eastern edge, as the northern one."),
         bound(
             number(
-                "water.inflow_m3_per_s", 0, 0, 1e9, "m³/s",
+                "water.inflow_m3_per_s", preset.inflow_m3_per_s, 0, 1e9, "m³/s",
                 "Discharge through all edges of kind inflow together, at its peak; spread evenly along them.")
                 .once("water.inflow")
                 .setting_off(SetsOff::edge_clock),
             &WaterSettings::inflow_m3_per_s),
-        bound(number("water.inflow_rise_s", 0, 0, 1e9, "s",
+        bound(number("water.inflow_rise_s", preset.inflow_rise_s, 0, 1e9, "s",
                      "Time that the inflow takes from nothing to its peak.")
                   .once("water.inflow_rise")
                   .setting_off(SetsOff::edge_clock),
               &WaterSettings::inflow_rise_s),
-        bound(number("water.inflow_fall_s", 0, 0, 1e9, "s",
+        bound(number("water.inflow_fall_s", preset.inflow_fall_s, 0, 1e9, "s",
                      "Time that it takes from the peak back to nothing; 0: it stays at its peak.")
                   .once("water.inflow_fall")
                   .setting_off(SetsOff::edge_clock),
               &WaterSettings::inflow_fall_s),
-        bound(choice("water.wave", "sine", {"sine", "solitary"}, "What the wave maker sends.")
+        bound(choice("water.wave", preset.wave_form, {"sine", "solitary"}, "What the wave maker sends.")
                   .setting_off(SetsOff::edge_clock),
               &WaterSettings::wave_form),
-        bound(number("water.wave_height_m", 1, 0, 1e4, "m",
+        bound(number("water.wave_height_m", preset.wave_height_m, 0, 1e4, "m",
                      "Sine: amplitude about the still level. Solitary: crest above it.")
                   .once("water.wave_height")
                   .setting_off(SetsOff::edge_clock),
               &WaterSettings::wave_height_m),
-        bound(number("water.wave_period_s", 10, 1e-3, 1e6, "s", "Period of the sine.")
+        bound(number("water.wave_period_s", preset.wave_period_s, 1e-3, 1e6, "s", "Period of the sine.")
                   .once("water.wave_period")
                   .setting_off(SetsOff::edge_clock),
               &WaterSettings::wave_period_s),
-        bound(number("water.wave_depth_m", 10, 1e-3, 1e5, "m",
+        bound(number("water.wave_depth_m", preset.wave_depth_m, 1e-3, 1e5, "m",
                      "Still depth that gives the solitary wave its length and speed.")
                   .once("water.wave_depth")
                   .setting_off(SetsOff::edge_clock),
@@ -184,14 +189,15 @@ double shallow_speed_excess(double depth_m, double period_s, double gravity_m_pe
 std::vector<float> edge_series(const WaterSettings& settings, const Grid& grid, double tick_s,
                                double start_s) {
     std::vector<float> series;
-    series.reserve(2 * (edge_series_steps + 1));
+    series.reserve(2 * (glsl::edge_series_steps + 1));
     const double length_m = inflow_length_m(settings, grid);
-    for (int i = 0; i <= edge_series_steps; ++i) {
-        const double at_s = start_s + tick_s * i / edge_series_steps;
+    for (int i = 0; i <= glsl::edge_series_steps; ++i) {
+        const double at_s = start_s + tick_s * i / glsl::edge_series_steps;
         series.push_back(length_m > 0 ? static_cast<float>(inflow_at(settings, at_s) / length_m) : 0.0F);
     }
-    for (int i = 0; i <= edge_series_steps; ++i)
-        series.push_back(static_cast<float>(wave_at(settings, start_s + tick_s * i / edge_series_steps)));
+    for (int i = 0; i <= glsl::edge_series_steps; ++i)
+        series.push_back(
+            static_cast<float>(wave_at(settings, start_s + tick_s * i / glsl::edge_series_steps)));
     return series;
 }
 

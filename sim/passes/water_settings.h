@@ -11,7 +11,8 @@ namespace talus {
 
 namespace glsl {
 #include "maths/edge_kinds.glsl"
-}
+#include "maths/edge_series.glsl"
+}  // namespace glsl
 
 /// What is beyond an edge of the map.
 enum class EdgeKind {
@@ -31,27 +32,28 @@ enum class Edge { north = 0, south = 1, west = 2, east = 3 };
 
 enum class WaveForm { sine, solitary };
 
-/// Settings of the water with units.
+/// Settings of the water with units. Its values are the defaults of the parameters that set them.
 struct WaterSettings {
     int order = 2;  ///< of space and time: 1 is cheaper, 2 more exact
     double gravity_m_per_s2 = 9.81;
-    double manning_s_per_m13 = 0;  ///< Manning's n; 0: no friction
+    double manning_s_per_m13 = 0.03;  ///< Manning's n; 0: no friction
     double rain_m_per_s = 0;
     bool rain_masked = false;   ///< rain falls where the mask is, not everywhere
     bool rain_painted = false;  ///< rain was painted somewhere, and falls there too
     double infiltration_m_per_s = 0;
     double evaporation_m_per_s = 0;
-    std::array<EdgeKind, 4> edges{};
+    std::array<EdgeKind, 4> edges = {EdgeKind::open, EdgeKind::open, EdgeKind::open, EdgeKind::open};
     double level_m = 0;          ///< held at level edges, still level at wave edges
     double inflow_m3_per_s = 0;  ///< over all inflow edges together, at its peak
     double inflow_rise_s = 0;    ///< from nothing to the peak; 0: at once
     double inflow_fall_s = 0;    ///< from the peak back to nothing; 0: it stays
     WaveForm wave_form = WaveForm::sine;
-    double wave_height_m = 0;   ///< sine: amplitude; solitary: crest above the still level
+    double wave_height_m = 1;   ///< sine: amplitude; solitary: crest above the still level
     double wave_period_s = 10;  ///< sine
     double wave_depth_m = 10;   ///< solitary: still depth that gives the wave its length
     SedimentSettings sediment;
     bool skips_rest = true;  ///< false: every tile every sub-step, to compare with (law 2)
+    bool operator==(const WaterSettings&) const = default;
 };
 
 /// Inflow over all inflow edges at a time since the start, m³/s.
@@ -64,11 +66,8 @@ double wave_at(const WaterSettings& settings, double time_s);
 /// true relation is ω² = g k tanh kd.
 double shallow_speed_excess(double depth_m, double period_s, double gravity_m_per_s2);
 
-/// Steps of the tables that edges read in a tick.
-constexpr int edge_series_steps = 256;
-
-/// Those tables over a tick: inflow, m²/s along the inflow edges, then the wave, m; a point more than steps
-/// each.
+/// The tables that edges read in a tick: inflow, m²/s along the inflow edges, then the wave, m; a point more
+/// than glsl::edge_series_steps each.
 std::vector<float> edge_series(const WaterSettings& settings, const Grid& grid, double tick_s,
                                double start_s);
 

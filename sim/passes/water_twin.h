@@ -3,7 +3,8 @@
 #include <vector>
 
 #include "shaders/maths/twin.h"
-#include "sim/passes/sediment.h"
+#include "sim/passes/sediment_step.h"
+#include "sim/passes/water_numbers.h"
 #include "sim/passes/water_schedule.h"
 #include "sim/terrain/grid.h"
 #include "sim/terrain/springs.h"
@@ -24,14 +25,7 @@ class WaterTwin {
               const std::vector<Spring>& springs = {})
         : nx(grid.nx),
           ny(grid.ny),
-          cell_m(static_cast<Real>(grid.dx), static_cast<Real>(grid.dy)),
           water_order(settings.order),
-          water_gravity(static_cast<Real>(settings.gravity_m_per_s2)),
-          edge_level_m(static_cast<Real>(settings.level_m)),
-          rain_m_per_s(static_cast<Real>(settings.rain_m_per_s)),
-          rain_masked(settings.rain_masked ? 1 : 0),
-          loss_m_per_s(static_cast<Real>(settings.infiltration_m_per_s + settings.evaporation_m_per_s)),
-          samples(grid.nx, grid.ny),
           grid_(grid),
           settings_(settings),
           front_(static_cast<std::size_t>(nx + 4) * (ny + 4), real4(0)),
@@ -56,31 +50,18 @@ class WaterTwin {
         for (int y = 0; y < ny; ++y)
             for (int x = 0; x < nx; ++x)
                 load_front_[texel(int2(x, y))] = load[static_cast<std::size_t>(y) * nx + x];
-        const SedimentStep step =
-            sediment_step(settings_.sediment, settings_.gravity_m_per_s2, settings_.manning_s_per_m13);
-        sediment_drag = step.drag;
-        sediment_critical = step.critical;
-        sediment_regolith = step.regolith;
-        sediment_bedrock = step.bedrock;
-        sediment_settling = step.settling;
-        sediment_speedup = step.speedup;
-        sediment_bulking = step.bulking;
-        sediment_per_rock = step.per_rock;
-        sediment_per_loose = step.per_loose;
-        sediment_strata = real2(step.strata);
-        sediment_masked = step.masked;
-        sediment_below = step.below;
+        take(sediment_numbers(settings_));
     }
     const std::vector<real4>& solid() const { return solid_; }
     std::vector<real2> read_load() const { return samples_of(load_front_); }
 
     /// One tick that begins at a time since the start.
-    void tick(double tick_s, double start_s) {
-        series_ = edge_series(settings_, grid_, tick_s, start_s);
+    void tick(double whole_s, double start_s) {
+        series_ = edge_series(settings_, grid_, whole_s, start_s);
         edge_speed_ = 0;
-        const real whole = static_cast<Real>(tick_s);
-        real left = whole;
-        while (left > 0) left = substep(left, whole);
+        take(water_numbers(grid_, {0, 0}, settings_, whole_s, springs_.size()));
+        real left = tick_s;
+        while (left > 0) left = substep(left);
     }
 
     std::vector<real4> read() const { return samples_of(front_); }
@@ -88,41 +69,28 @@ class WaterTwin {
   private:
     int nx;
     int ny;
-    real2 cell_m;
     int water_order;
-    real water_gravity;
     real2 water_share{0};
     real water_drain = 0;
     real water_friction = 0;
-    real edge_level_m;
     real edge_inflow = 0;
     real edge_wave_m = 0;
-    real rain_m_per_s;
-    int rain_masked;
-    real loss_m_per_s;
-    int2 samples;
+    real sediment_dt = 0;
+#define NUMBER TALUS_MEMBER
+#include "maths/sediment_numbers.glsl"
+#include "maths/water_numbers.glsl"
+#undef NUMBER
     const std::vector<real4>* shown_ = nullptr;  // the image that edges see
 
-    real sediment_dt = 0;
-    real sediment_drag = 0;
-    real sediment_critical = 0;
-    real sediment_regolith = 0;
-    real sediment_bedrock = 0;
-    real sediment_settling = 0;
-    real sediment_speedup = 1;
-    real sediment_bulking = 1;
-    real sediment_per_rock = 1;
-    real sediment_per_loose = 1;
-    real2 sediment_strata{0};
-    int sediment_masked = 0;
-    int sediment_below = 0;
-
-    int edge_kind_of(int side) const {
-        return static_cast<int>(settings_.edges[static_cast<std::size_t>(side)]);
+    real4 load_water(int2 at) const {
+        return (*shown_)[texel(at)];
     }
-    real4 load_water(int2 at) const { return (*shown_)[texel(at)]; }
-    real load_bed(int2 at) const { return bed_[texel(at)]; }
-    real load_edge_series(int at) const { return series_[static_cast<std::size_t>(at)]; }
+    real load_bed(int2 at) const {
+        return bed_[texel(at)];
+    }
+    real load_edge_series(int at) const {
+        return series_[static_cast<std::size_t>(at)];
+    }
     static real inverse_cube_root_seed(real x) {
         const auto bits = static_cast<float>(std::bit_cast<std::int32_t>(static_cast<float>(x)));
         const float seed = bits * -0.33333333333333333F + 1419967116.0F;
@@ -153,14 +121,13 @@ class WaterTwin {
         return static_cast<std::size_t>(at.y + 2) * (nx + 4) + static_cast<std::size_t>(at.x + 2);
     }
 
-    real substep(real left, real tick) {
+    real substep(real left) {
         real speed = 0;
         for (int y = 0; y < ny; ++y)
             for (int x = 0; x < nx; ++x) speed = max(speed, water_speed(front_[texel(int2(x, y))]));
         speed = max(speed, edge_speed_);
         edge_speed_ = 0;
-        step_ = water_next_substep(left, tick, speed, static_cast<real>(friction_of(settings_)),
-                                   euler_steps(settings_));
+        step_ = water_next_substep(left, speed);
         water_share = step_.share;
         water_drain = step_.drain;
         water_friction = step_.friction;
@@ -170,7 +137,7 @@ class WaterTwin {
                 number == 1 ? stage(front_, back_, load_front_, load_back_, 1)
                             : stage(back_, front_, load_back_, load_front_, 2);
             },
-            [&] { exchange(step_.dt * real(euler_steps(settings_))); });
+            [&] { exchange(step_.dt * real(water_eulers)); });
         return step_.left;
     }
 
@@ -254,7 +221,7 @@ class WaterTwin {
         for (const Spring& spring : springs_) {
             real4& water = front_[texel(sample_of(grid_, spring))];
             const auto rate = static_cast<float>(spring.rate_m3_per_s / (grid_.dx * grid_.dy));
-            water = water_with_spring(water, spring_gain(rate, step_.dt, euler_steps(settings_)));
+            water = water_with_spring(water, spring_gain(rate, step_.dt));
         }
     }
 
@@ -277,9 +244,7 @@ class WaterTwin {
             store(place.at + 2 * place.outward, place.outward, made.ghost_2);
             if (!solid_.empty())
                 loads[texel(place.at + place.outward)] =
-                    real2(edge_load(made, loads[texel(made.shown_at)].x,
-                                    static_cast<float>(settings_.sediment.inflow_concentration)),
-                          0);
+                    real2(edge_load(made, loads[texel(made.shown_at)].x, sediment_inflow), 0);
             if (!edge_mirrors(made.kind))
                 edge_speed_ =
                     max(edge_speed_,
@@ -300,6 +265,17 @@ class WaterTwin {
     std::vector<real4> solid_;  // empty: no load is carried
     std::vector<real2> load_front_;
     std::vector<real2> load_back_;
+
+    void take(const WaterNumbers& numbers) {
+#define NUMBER TALUS_TAKE
+#include "maths/water_numbers.glsl"
+#undef NUMBER
+    }
+    void take(const SedimentNumbers& numbers) {
+#define NUMBER TALUS_TAKE
+#include "maths/sediment_numbers.glsl"
+#undef NUMBER
+    }
 };
 
 }  // namespace talus::maths

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "shaders/maths/twin.h"
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/terrain/filter.h"
 
 namespace talus::maths {

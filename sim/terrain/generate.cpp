@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "shaders/maths/twin.h"
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 
 namespace talus::maths {
 

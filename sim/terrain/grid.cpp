@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 
 namespace talus {
 namespace {

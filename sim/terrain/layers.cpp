@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/terrain/gauge.h"
 #include "sim/terrain/terrain.h"
 

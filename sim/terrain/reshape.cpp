@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/terrain/filter.h"
 #include "sim/terrain/layers.h"
 

@@ -179,7 +179,7 @@ void large_field(double patch_pixels) {
         state.bedrock[i].x *= 0.02F;
         state.water[i].x = 100 - state.bedrock[i].x + 0.5F * std::sin(0.05F * static_cast<float>(i % side));
     }
-    scenes::WaterRun run(state, {});
+    scenes::WaterRun run(state, scenes::scene_settings());
     state = {};
     measure("waves run", run.terrain, [&] { run.tick(0.05); });
 }

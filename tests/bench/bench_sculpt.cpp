@@ -45,11 +45,10 @@ struct Place {
         simulation.begin_stroke("erode");
         for (int i = 0; i < 16; ++i) {
             Dab dab;
-            dab.mode = BrushMode::erode;
             dab.x_m = 2500 + 10 * i;
             dab.y_m = 2500;
             dab.radius_m = 256;
-            dab.erode = {5000, 2, 3000, i == 0, i == 15};
+            dab.act = ErodeDab{5000, 2, 3000, i == 0, i == 15};
             simulation.apply(dab);
         }
         simulation.end_entry();

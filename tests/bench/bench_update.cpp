@@ -111,8 +111,8 @@ void bench_update() {
         Case& here = *cases.back();
         const auto dab = [&here] {
             const Grid& grid = here.terrain.grid();
-            here.brush.dab(here.terrain, {BrushMode::raise, grid.width_m() / 2, grid.height_m() / 2, 320, 1,
-                                          1, 0, 0, Material::bedrock});
+            here.brush.dab(here.terrain, {RaiseDab{}, grid.width_m() / 2, grid.height_m() / 2, 320, 1, 1, 0,
+                                          0, Material::bedrock});
         };
         contestants.push_back({fmt::format("{}² dab", size), [dab] {
                                    for (int i = 0; i < 50; ++i) dab();

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <random>
 
+#include "sim/error.h"
 #include "sim/gpu/context.h"
-#include "sim/gpu/error.h"
 #include "sim/simulation.h"
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"
@@ -42,8 +42,8 @@ class RandomActs {
 
     Dab dab(const Grid& grid, bool has_stamp) {
         Dab dab;
-        dab.mode = static_cast<BrushMode>(random_() % 9);
-        if (dab.mode == BrushMode::stamp && !has_stamp) dab.mode = BrushMode::raise;
+        dab.act = act_of(static_cast<BrushMode>(random_() % 9));
+        if (dab.mode() == BrushMode::stamp && !has_stamp) dab.act = RaiseDab{};
         dab.material = static_cast<Material>(random_() % 6);
         dab.x_m = grid.width_m() * (1.2 * unit() - 0.1);
         dab.y_m = grid.height_m() * (1.2 * unit() - 0.1);
@@ -54,18 +54,21 @@ class RandomActs {
         dab.blend = unit();
         dab.target_m = dab.is_paint() ? unit() * (dab.material == Material::rain ? 500 : 1) : 900 * unit();
         dab.masked = random_() % 3 == 0 && dab.material != Material::mask;
-        if (dab.mode == BrushMode::ramp) dab.way_m = {600 * (unit() - 0.5), 600 * (unit() - 0.5)};
-        dab.rise_m = 100 * (unit() - 0.5);
-        dab.step_m = 5 + 50 * unit();
-        dab.noise = {static_cast<int>(random_() % 3),      30 + 300 * unit(), 4, 0.5, 0.2 * unit(),
-                     static_cast<std::uint32_t>(random_())};
-        dab.stamp = {static_cast<StampMode>(random_() % 4),
-                     {60 + 200 * unit(), 60 + 200 * unit()},
-                     360 * unit(),
-                     random_() % 2 == 0,
-                     unit()};
-        dab.erode = {5000 * unit(), 0.5 + 3 * unit(), 1 + 500 * unit(), random_() % 4 == 0,
-                     random_() % 4 == 0};
+        if (auto* ramp = dab.as<RampDab>())
+            *ramp = {{600 * (unit() - 0.5), 600 * (unit() - 0.5)}, 100 * (unit() - 0.5)};
+        if (auto* terrace = dab.as<TerraceDab>()) terrace->step_m = 5 + 50 * unit();
+        if (auto* noise = dab.as<NoiseDab>())
+            *noise = {static_cast<int>(random_() % 3),      30 + 300 * unit(), 4, 0.5, 0.2 * unit(),
+                      static_cast<std::uint32_t>(random_())};
+        if (auto* stamp = dab.as<StampDab>())
+            *stamp = {static_cast<StampMode>(random_() % 4),
+                      {60 + 200 * unit(), 60 + 200 * unit()},
+                      360 * unit(),
+                      random_() % 2 == 0,
+                      unit()};
+        if (auto* erode = dab.as<ErodeDab>())
+            *erode = {5000 * unit(), 0.5 + 3 * unit(), 1 + 500 * unit(), random_() % 4 == 0,
+                      random_() % 4 == 0};
         return dab;
     }
 
@@ -223,7 +226,7 @@ TEST(History, StaysUnderItsCap) {
 TEST(History, AStrokeThatDidNothingTakesNoRedo) {
     const gpu::Context context;
     Simulation simulation(mountains(70, 70, 6), Parameters(simulation_parameters()), std::size_t{1} << 30U);
-    simulation.apply(everywhere(simulation.terrain().grid(), Dab{BrushMode::raise, 0, 0, 1, 1, 12}));
+    simulation.apply(everywhere(simulation.terrain().grid(), Dab{RaiseDab{}, 0, 0, 1, 1, 12}));
     const Seen raised = seen(simulation);
     simulation.undo();
     simulation.begin_stroke("raise");
@@ -233,7 +236,7 @@ TEST(History, AStrokeThatDidNothingTakesNoRedo) {
     EXPECT_EQ(seen(simulation), raised);
     simulation.undo();
     simulation.begin_stroke("lower");
-    simulation.apply(everywhere(simulation.terrain().grid(), Dab{BrushMode::lower, 0, 0, 1, 1, 12}));
+    simulation.apply(everywhere(simulation.terrain().grid(), Dab{LowerDab{}, 0, 0, 1, 1, 12}));
     simulation.end_entry();
     EXPECT_FALSE(simulation.can_redo());
 }
@@ -299,10 +302,10 @@ TEST(History, WaterThatComesWithAnImportIsInTheInundationMapAtOnce) {
 TEST(History, AnActThatFailsLeavesEverythingAsItWas) {
     const gpu::Context context;
     Simulation simulation(mountains(70, 70, 6), Parameters(simulation_parameters()), std::size_t{1} << 30U);
-    simulation.apply(everywhere(simulation.terrain().grid(), Dab{BrushMode::raise, 0, 0, 1, 1, 12}));
+    simulation.apply(everywhere(simulation.terrain().grid(), Dab{RaiseDab{}, 0, 0, 1, 1, 12}));
     const Seen before = seen(simulation);
     Dab stamp;
-    stamp.mode = BrushMode::stamp;
+    stamp.act = StampDab{};
     const Operation wrong[] = {Resample{1, 40},
                                Resample{100000, 40},
                                Crop{{500, 0, 400, 900}},

@@ -60,16 +60,16 @@ TEST(BrushStroke, ErodesForAsLongAsItIsHeldWithOneWater) {
         const std::optional<Dab> last = stroke.end(parameters);
         ASSERT_TRUE(last);
         double time_s = 0;
-        for (const Dab& dab : dabs) time_s += dab.erode.time_s;
+        for (const Dab& dab : dabs) time_s += dab.as<ErodeDab>()->time_s;
         EXPECT_NEAR(time_s, 100, 1e-9);
-        EXPECT_LT(last->erode.time_s, 0.01);
+        EXPECT_LT(last->as<ErodeDab>()->time_s, 0.01);
         EXPECT_EQ(last->x_m, 90);
         for (std::size_t i = 0; i < dabs.size(); ++i) {
-            EXPECT_EQ(dabs[i].erode.begins, i == 0);
-            EXPECT_FALSE(dabs[i].erode.ends);
+            EXPECT_EQ(dabs[i].as<ErodeDab>()->begins, i == 0);
+            EXPECT_FALSE(dabs[i].as<ErodeDab>()->ends);
         }
-        EXPECT_FALSE(last->erode.begins);
-        EXPECT_TRUE(last->erode.ends);
+        EXPECT_FALSE(last->as<ErodeDab>()->begins);
+        EXPECT_TRUE(last->as<ErodeDab>()->ends);
     }
 }
 
@@ -83,15 +83,15 @@ TEST(BrushStroke, KeepsItsTool) {
     others.set("brush.radius_m", 300.0);
     others.set("erode.acceleration", 7.0);
     for (const Dab& dab : erosion.move(others, {20, 0, 0}, 0.1, nullptr)) {
-        EXPECT_EQ(dab.mode, BrushMode::erode);
+        EXPECT_EQ(dab.mode(), BrushMode::erode);
         EXPECT_EQ(dab.radius_m, 100);
-        EXPECT_EQ(dab.erode.acceleration, parameters.number("erode.acceleration"));
+        EXPECT_EQ(dab.as<ErodeDab>()->acceleration, parameters.number("erode.acceleration"));
     }
     ASSERT_TRUE(erosion.end(others));
-    EXPECT_EQ(erosion.end(others)->mode, BrushMode::erode);
+    EXPECT_EQ(erosion.end(others)->mode(), BrushMode::erode);
     BrushStroke raise(view("raise"), {}, {0, 0, 0}, 0);
     for (const Dab& dab : raise.move(parameters, {20, 0, 0}, 0.1, nullptr))
-        EXPECT_EQ(dab.mode, BrushMode::raise);
+        EXPECT_EQ(dab.mode(), BrushMode::raise);
     for (const Dab& dab : raise.move(others, {30, 0, 0}, 0.1, nullptr)) EXPECT_EQ(dab.radius_m, 300);
     EXPECT_FALSE(raise.end(parameters));
 }
@@ -100,10 +100,10 @@ TEST(BrushStroke, CtrlTurnsAroundAndShiftSmooths) {
     const auto dab = [](const std::string& tool, const Modifiers& modifiers) {
         return tool_dab(view(tool), modifiers, 12, 1, nullptr);
     };
-    EXPECT_EQ(dab("raise", {true, false}).mode, BrushMode::lower);
-    EXPECT_EQ(dab("lower", {true, false}).mode, BrushMode::raise);
-    EXPECT_EQ(dab("raise", {false, true}).mode, BrushMode::smooth);
-    EXPECT_EQ(dab("mask", {false, true}).mode, BrushMode::smooth);
+    EXPECT_EQ(dab("raise", {true, false}).mode(), BrushMode::lower);
+    EXPECT_EQ(dab("lower", {true, false}).mode(), BrushMode::raise);
+    EXPECT_EQ(dab("raise", {false, true}).mode(), BrushMode::smooth);
+    EXPECT_EQ(dab("mask", {false, true}).mode(), BrushMode::smooth);
     EXPECT_LT(dab("noise", {true, false}).amount_m, 0);
     EXPECT_EQ(dab("mask", {true, false}).target_m, 0);
     EXPECT_TRUE(dab("water", {true, false}).is_water());
@@ -131,9 +131,9 @@ TEST(BrushStroke, ARampIsOneDabFromItsBeginningToItsEnd) {
     EXPECT_TRUE(stroke.move(parameters, {300, 250, 90}, 0.5, nullptr).empty());
     const std::optional<Dab> dab = stroke.end(parameters);
     ASSERT_TRUE(dab);
-    EXPECT_EQ(dab->way_m, glm::dvec2(200, 50));
+    EXPECT_EQ(dab->way_m(), glm::dvec2(200, 50));
     EXPECT_EQ(dab->target_m, 50);
-    EXPECT_EQ(dab->rise_m, 40);
+    EXPECT_EQ(dab->as<RampDab>()->rise_m, 40);
 }
 
 TEST(BrushStroke, JitterIsTheSameForTheSameSeedAndStroke) {

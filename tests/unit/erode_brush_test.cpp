@@ -19,11 +19,10 @@ namespace {
 
 Dab erosion(double x_m, double y_m, double radius_m) {
     Dab dab;
-    dab.mode = BrushMode::erode;
     dab.x_m = x_m;
     dab.y_m = y_m;
     dab.radius_m = radius_m;
-    dab.erode = {5000, 10, 1000, true, true};
+    dab.act = ErodeDab{5000, 10, 1000, true, true};
     return dab;
 }
 
@@ -40,8 +39,8 @@ double distance_m(const Grid& grid, int column, int row, const Dab& dab) {
 // A stroke that is held at a place.
 void hold(Simulation& simulation, Dab dab, int dabs) {
     for (int i = 0; i < dabs; ++i) {
-        dab.erode.begins = i == 0;
-        dab.erode.ends = i + 1 == dabs;
+        dab.as<ErodeDab>()->begins = i == 0;
+        dab.as<ErodeDab>()->ends = i + 1 == dabs;
         simulation.apply(dab);
     }
 }
@@ -104,8 +103,8 @@ TEST(ErodeBrush, IsTheSameOnALargerMap) {
     const double south_m = (large.grid.ny - 1 - (top + small.grid.ny - 1)) * large.grid.dy;
     for (int i = 0; i < 6; ++i) {
         Dab dab = erosion(700 + 40 * i, 900 + 15 * i, 200);
-        dab.erode.begins = i == 0;
-        dab.erode.ends = i == 5;
+        dab.as<ErodeDab>()->begins = i == 0;
+        dab.as<ErodeDab>()->ends = i == 5;
         on_small.apply(dab);
         dab.x_m += left * large.grid.dx;
         dab.y_m += south_m;
@@ -129,8 +128,8 @@ TEST(ErodeBrush, StrokesThatTakeTurnsAreAsEachAlone) {
     const TerrainState before = mountains(4);
     const auto dab_at = [](int i) {
         Dab dab = erosion(700 + 40 * i, 900 + 15 * i, 200);
-        dab.erode.begins = i == 0;
-        dab.erode.ends = i == dabs - 1;
+        dab.as<ErodeDab>()->begins = i == 0;
+        dab.as<ErodeDab>()->ends = i == dabs - 1;
         return dab;
     };
     Simulation alone(before, without_slides());
@@ -158,14 +157,14 @@ TEST(ErodeBrush, ItsWaterStaysWhereItIsWhenTheBrushMoves) {
     for (const glm::dvec2 way : {glm::dvec2(120, 30), glm::dvec2(-70, -50), glm::dvec2(20, -110)}) {
         Simulation simulation(bedrock_terrain(grid, heights), without_slides());
         Dab dab = erosion(800, 800, 150);
-        dab.erode.ends = false;
-        for (int i = 0; i < 4; ++i, dab.erode.begins = false) simulation.apply(dab);
+        dab.as<ErodeDab>()->ends = false;
+        for (int i = 0; i < 4; ++i, dab.as<ErodeDab>()->begins = false) simulation.apply(dab);
         const TerrainState before = simulation.read();
         dab.x_m += way.x;
         dab.y_m += way.y;
-        dab.erode.ends = true;
-        dab.erode.rain_mm_per_h = 0;
-        dab.erode.time_s = 1e-3;
+        dab.as<ErodeDab>()->ends = true;
+        dab.as<ErodeDab>()->rain_mm_per_h = 0;
+        dab.as<ErodeDab>()->time_s = 1e-3;
         simulation.apply(dab);
         const TerrainState after = simulation.read();
         double settled = 0;
@@ -249,7 +248,7 @@ TEST(ErodeBrush, MakesNoNeedles) {
                     Simulation simulation(before,
                                           slides ? Parameters(simulation_parameters()) : without_slides());
                     Dab dab = erosion(0.55 * grid.width_m(), 0.48 * grid.height_m(), radius * grid.dx);
-                    dab.erode = {5000, seconds * grid.dx / 5, acceleration, true, true};
+                    dab.act = ErodeDab{5000, seconds * grid.dx / 5, acceleration, true, true};
                     hold(simulation, dab, 24);
                     const std::vector<float> is = simulation.read().ground();
                     double grown = 0;
@@ -275,9 +274,9 @@ TEST(ErodeBrush, ReplaysAfterUndoInMidStroke) {
     const gpu::Context context;
     Simulation simulation(mountains(6), Parameters(simulation_parameters()), std::size_t{1} << 30U);
     Dab dab = erosion(1300, 1200, 260);
-    dab.erode.ends = false;
+    dab.as<ErodeDab>()->ends = false;
     simulation.apply(dab);
-    dab.erode.begins = false;
+    dab.as<ErodeDab>()->begins = false;
     simulation.apply(dab);
     simulation.undo();
     dab.x_m += 55;
@@ -287,7 +286,7 @@ TEST(ErodeBrush, ReplaysAfterUndoInMidStroke) {
     for (const Operation& operation : read_journal(write_journal({}, simulation.journal()), "j").operations)
         replayed.apply(operation);
     EXPECT_EQ(state_hash(replayed.read()), state_hash(simulation.read()));
-    EXPECT_TRUE(std::get<Dab>(simulation.journal().operations()[1]).erode.begins);
+    EXPECT_TRUE(std::get<Dab>(simulation.journal().operations()[1]).as<ErodeDab>()->begins);
 }
 
 }  // namespace

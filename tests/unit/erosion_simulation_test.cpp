@@ -49,14 +49,14 @@ Dab random_dab(std::mt19937& random) {
     std::uniform_real_distribution<double> unit(0, 1);
     const Material materials[] = {Material::bedrock, Material::regolith, Material::water, Material::hardness};
     Dab dab;
-    dab.mode = random() % 3 == 0 ? BrushMode::lower : BrushMode::raise;
+    dab.act = act_of(random() % 3 == 0 ? BrushMode::lower : BrushMode::raise);
     dab.x_m = grid.width_m() * unit(random);
     dab.y_m = grid.height_m() * unit(random);
     dab.radius_m = 30 + 300 * unit(random);
     dab.amount_m = 10 * unit(random);
     dab.blend = 0.6;
     dab.material = materials[random() % 4];
-    dab.target_m = dab.is_paint() && dab.mode == BrushMode::raise ? 1 : 0;
+    dab.target_m = dab.is_paint() && dab.mode() == BrushMode::raise ? 1 : 0;
     return dab;
 }
 

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <map>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/colour_image.h"
 #include "sim/io/export.h"

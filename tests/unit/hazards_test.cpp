@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "sim/error.h"
 #include "sim/gpu/context.h"
-#include "sim/gpu/error.h"
 #include "sim/gpu/program.h"
 #include "sim/gpu/readback.h"
 #include "sim/gpu/shader_text.h"

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "app/scene.h"
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/document.h"
 #include "sim/io/endings.h"

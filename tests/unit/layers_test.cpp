@@ -7,8 +7,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "sim/error.h"
 #include "sim/gpu/context.h"
-#include "sim/gpu/error.h"
 #include "sim/io/document.h"
 #include "sim/packed_terrain.h"
 #include "sim/terrain/layers.h"

@@ -3,7 +3,9 @@
 
 #include "app/app_parameters.h"
 #include "render/view.h"
-#include "sim/gpu/error.h"
+#include "sim/error.h"
+#include "sim/passes/thermal_settings.h"
+#include "sim/passes/water_settings.h"
 #include "sim/preset.h"
 
 namespace talus::parameters_test {
@@ -44,6 +46,17 @@ TEST(Parameters, EveryOneIsDeclaredWithHelpAndItsDefaultIsAllowed) {
         EXPECT_FALSE(parameter.help.empty()) << parameter.name;
         EXPECT_NE(parameter.name.find('.'), std::string::npos) << parameter.name;
     }
+}
+
+// Also after units were converted there and back.
+TEST(Parameters, HaveTheDefaultsOfTheSettingsThatTheySet) {
+    const Parameters p(all_parameters());
+    EXPECT_EQ(bound_settings(water_parameters(), p), WaterSettings());
+    EXPECT_EQ(bound_settings(sediment_parameters(), p), SedimentSettings());
+    EXPECT_EQ(bound_settings(thermal_parameters(), p), ThermalSettings());
+    EXPECT_EQ(p.number("water.manning"), 0.03);
+    EXPECT_EQ(p.number("erosion.settling_mm_per_s"), 10);
+    EXPECT_EQ(p.number("erosion.bedrock_erodibility"), 0.1);
 }
 
 TEST(Parameters, SayTheirUnitsInTheirNames) {

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "sim/error.h"
 #include "sim/gpu/context.h"
 #include "sim/gpu/embedded_text.h"
-#include "sim/gpu/error.h"
 #include "sim/gpu/program.h"
 #include "sim/gpu/shader_text.h"
 #include "sim/gpu/texture.h"

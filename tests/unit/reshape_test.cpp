@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/terrain/generate.h"
 #include "sim/terrain/reshape.h"
 #include "sim/terrain/state_hash.h"

@@ -62,14 +62,13 @@ TEST(Ring, LiesWhereTheBrushReaches) {
 TEST(Ring, AStampIsShownWhereItWouldBePressed) {
     Plane plane;
     Dab dab;
-    dab.mode = BrushMode::stamp;
     dab.x_m = 210;
     dab.y_m = 190;
     dab.radius_m = 200;
     dab.falloff = 0;
     dab.amount_m = 5;
     dab.blend = 1;
-    dab.stamp = {StampMode::add, {90, 40}, 30, false};
+    dab.act = StampDab{StampMode::add, {90, 40}, 30, false};
     gpu::Texture stamp("stamp", gpu::Format::r32f, 10, 5);
     stamp.fill(1);
     const DabStep step = dab_step(plane.grid, dab, {10, 5});

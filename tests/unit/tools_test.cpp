@@ -5,9 +5,9 @@
 
 #include "app/app_parameters.h"
 #include "app/tools/tools.h"
-#include "sim/gpu/error.h"
+#include "sim/error.h"
 #include "sim/journal.h"
-#include "sim/passes/dab_fields.h"
+#include "sim/passes/dab.h"
 
 namespace talus::tools_test {
 namespace {
@@ -47,9 +47,9 @@ struct Vary {
 TEST(Dab, ComesBackFromAJournalWithEveryFieldOfEveryMode) {
     for (std::size_t mode = 0; mode < brush_mode_names().size(); ++mode) {
         Dab dab;
-        dab.mode = static_cast<BrushMode>(mode);
+        dab.act = act_of(static_cast<BrushMode>(mode));
         visit_footprint(dab, Vary());
-        visit_own(dab, dab.mode, Vary());
+        visit_own(dab, Vary());
         dab.falloff = dab.blend = 0.5;
         ASSERT_NO_THROW(check_dab(dab)) << brush_mode_names()[mode];
         Journal journal;
@@ -62,8 +62,7 @@ TEST(Dab, ComesBackFromAJournalWithEveryFieldOfEveryMode) {
 
 TEST(Dab, RefusesAFieldBeyondItsLimitsByItsName) {
     Dab dab;
-    dab.mode = BrushMode::terrace;
-    dab.step_m = 0;
+    dab.act = TerraceDab{.step_m = 0};
     try {
         check_dab(dab);
         FAIL() << "a terrace without a step";
@@ -82,7 +81,7 @@ TEST(Dab, OfAnOlderJournalIsRead) {
     EXPECT_EQ(old.material, Material::regolith);
     EXPECT_EQ(old.curve, FalloffCurve::smooth);
     EXPECT_FALSE(old.masked);
-    EXPECT_EQ(old.stamp.zero, 0);
+    EXPECT_EQ(old.as<StampDab>()->zero, 0);
     EXPECT_THROW(read_journal(start + "\n" + R"({"op":"dab","mode":"raise","x_m":1})" + "\n", "a journal"),
                  Error);
 }

@@ -9,6 +9,7 @@
 #include "app/claims/arithmetic.h"
 #include "app/claims/twin_agreement.h"
 #include "sim/gpu/context.h"
+#include "sim/passes/brush.h"
 #include "sim/passes/brush_twin.h"
 #include "sim/terrain/generate.h"
 
@@ -86,12 +87,12 @@ TEST(Twins, DabsOfAllKindsInTurnAgreeToTheBit) {
         // Terrains that take each other's place bring programs of their own.
         if (i % 20 == 19) brush = Brush(terrain);
         Dab dab;
-        dab.mode = static_cast<BrushMode>(random() % 7);
+        dab.act = act_of(static_cast<BrushMode>(random() % 7));
         dab.curve = static_cast<FalloffCurve>(random() % 4);
         dab.masked = random() % 2 == 0;
-        dab.way_m = 900.0 * (glm::dvec2(unit(random), unit(random)) - 0.5);
-        dab.rise_m = 100 * (unit(random) - 0.5);
-        dab.step_m = 40;
+        if (auto* ramp = dab.as<RampDab>())
+            *ramp = {900.0 * (glm::dvec2(unit(random), unit(random)) - 0.5), 100 * (unit(random) - 0.5)};
+        if (auto* terrace = dab.as<TerraceDab>()) terrace->step_m = 40;
         dab.x_m = unit(random) * grid.width_m();
         dab.y_m = unit(random) * grid.height_m();
         dab.radius_m = 40 + 500 * unit(random);

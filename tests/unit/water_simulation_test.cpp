@@ -10,8 +10,8 @@
 #include "app/wave_note.h"
 #include "render/overview.h"
 #include "render/renderer.h"
+#include "sim/error.h"
 #include "sim/gpu/context.h"
-#include "sim/gpu/error.h"
 #include "sim/io/document.h"
 #include "sim/passes/water_settings.h"
 #include "sim/preset.h"
@@ -51,7 +51,7 @@ std::uint64_t hash_of(const Simulation& simulation) {
 Dab water_dab(std::mt19937& random) {
     std::uniform_real_distribution<double> unit(0, 1);
     Dab dab;
-    dab.mode = random() % 3 == 0 ? BrushMode::lower : BrushMode::raise;
+    dab.act = act_of(random() % 3 == 0 ? BrushMode::lower : BrushMode::raise);
     dab.x_m = grid.width_m() * unit(random);
     dab.y_m = grid.height_m() * unit(random);
     dab.radius_m = 30 + 300 * unit(random);
@@ -64,7 +64,7 @@ Dab paint_dab(std::mt19937& random) {
     Dab dab = water_dab(random);
     dab.material = random() % 2 == 0 ? Material::rain : Material::mask;
     dab.blend = 0.7;
-    dab.target_m = dab.mode == BrushMode::lower ? 0 : dab.material == Material::rain ? 400 : 1;
+    dab.target_m = dab.mode() == BrushMode::lower ? 0 : dab.material == Material::rain ? 400 : 1;
     return dab;
 }
 
@@ -352,13 +352,13 @@ TEST(WaterSimulation, RainFallsWhereItWasPainted) {
     }
     EXPECT_NEAR(simulation.ledger().water_in, static_cast<double>(wet) * 100 * 1e-4, 1e-6);
     // Wiped, it stops; by a mask of one half, half of it falls.
-    dab.mode = BrushMode::lower;
+    dab.act = LowerDab{};
     dab.target_m = 0;
     simulation.apply(dab);
     const double before = simulation.ledger().water_in;
     simulation.apply(Ticks{10});
     EXPECT_EQ(simulation.ledger().water_in, before);
-    dab.mode = BrushMode::raise;
+    dab.act = RaiseDab{};
     dab.material = Material::mask;
     dab.target_m = 0.5;
     simulation.apply(dab);

@@ -1,0 +1,19 @@
+#pragma once
+#include "shaders/maths/twin.h"
+#include "sim/passes/water_settings.h"
+
+namespace talus {
+
+/// What shaders are told of the water in a tick; the twin takes the same numbers.
+struct WaterNumbers {
+    TALUS_TWIN_NAMES(float)
+#define NUMBER TALUS_MEMBER
+#include "maths/water_numbers.glsl"
+#undef NUMBER
+    bool operator==(const WaterNumbers&) const = default;
+};
+/// `tiles`: of the terrain, across and down.
+WaterNumbers water_numbers(const Grid& grid, glm::ivec2 tiles, const WaterSettings& settings, double tick_s,
+                           std::size_t springs);
+
+}  // namespace talus
