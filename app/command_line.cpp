@@ -10,8 +10,9 @@
 #include <filesystem>
 
 #include "app/commands/commands.h"
-#include "app/report.h"
-#include "app/window.h"
+#include "app/core/report.h"
+#include "app/window/glfw.h"
+#include "app/window/window.h"
 #include "sim/error.h"
 #include "sim/gpu/shader_text.h"
 #include "sim/io/heightmap_formats.h"

@@ -53,8 +53,8 @@ struct Turn {
     bool operator==(const Turn& other) const { return quarters == other.quarters; }
 };
 
-/// A file that an operation reads. What it holds comes with the operation (app/sources.h): the simulation
-/// reads no files.
+/// A file that an operation reads. What it holds comes with the operation (app/core/sources.h): the
+/// simulation reads no files.
 struct Source {
     std::string path;
     std::string import_guess;  ///< how it was read, as the app's import settings write themselves

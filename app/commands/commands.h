@@ -4,20 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "app/scene.h"
+#include "app/core/outputs.h"
+#include "app/core/scene.h"
 #include "sim/gpu/context.h"
 
 namespace talus {
-
-/// Files that a run leaves, and what goes into single-layer ones.
-struct Outputs {
-    std::vector<std::string> files;
-    std::string layer;  ///< empty: ground; with a name, .exr holds that layer alone instead of the document
-    std::string image;
-    std::string report;
-    std::string journal;
-    bool json = false;  ///< the report on stdout
-};
 
 struct RunOptions {
     gpu::ContextChoice gpu;

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/calibration.h"
 #include "app/commands/commands.h"
-#include "app/flight.h"
-#include "app/outputs.h"
-#include "app/report.h"
+#include "app/core/calibration.h"
+#include "app/core/flight.h"
+#include "app/core/outputs.h"
+#include "app/core/report.h"
 #include "render/hits_target.h"
 #include "render/measure.h"
 #include "render/methods/method.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "app/outputs.h"
+#include "app/core/outputs.h"
 #include "sim/error.h"
 #include "sim/io/endings.h"
 #include "sim/io/export.h"

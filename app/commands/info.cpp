@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/app_parameters.h"
 #include "app/commands/commands.h"
+#include "app/core/app_parameters.h"
 #include "sim/preset.h"
 #include "sim/terrain/state_hash.h"
 

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/calibration.h"
 #include "app/commands/commands.h"
-#include "app/flight.h"
-#include "app/report.h"
-#include "app/still.h"
+#include "app/core/calibration.h"
+#include "app/core/flight.h"
+#include "app/core/report.h"
+#include "app/core/still.h"
 #include "render/overview.h"
 #include "sim/error.h"
 #include "sim/io/atomic_file.h"

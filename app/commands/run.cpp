@@ -5,10 +5,10 @@
 #include <cmath>
 #include <optional>
 
-#include "app/gauges.h"
-#include "app/outputs.h"
-#include "app/sources.h"
-#include "app/wave_note.h"
+#include "app/core/gauges.h"
+#include "app/core/outputs.h"
+#include "app/core/sources.h"
+#include "app/core/wave_note.h"
 #include "sim/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/terrain/state_hash.h"

@@ -8,7 +8,7 @@
 
 #include "app/claims/claims.h"
 #include "app/commands/commands.h"
-#include "app/report.h"
+#include "app/core/report.h"
 #include "sim/error.h"
 #include "sim/io/atomic_file.h"
 

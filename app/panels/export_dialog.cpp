@@ -72,13 +72,6 @@ void follow_losses(const Session& session, ExportDialog& dialog) {
 
 }  // namespace
 
-void ExportDialog::close() {
-    shown = false;
-    error.clear();
-    state.reset();
-    lost_with.clear();
-}
-
 void draw_export_dialog(PanelContext& context) {
     ExportDialog& dialog = context.state.write;
     if (!dialog.shown) return;

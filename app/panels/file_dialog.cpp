@@ -11,18 +11,6 @@ namespace talus {
 
 namespace fs = std::filesystem;
 
-void FileDialog::begin(Purpose what, const std::string& near) {
-    std::error_code ignored;
-    purpose = what;
-    folder = fs::absolute(near.empty() ? fs::path("terrain.exr") : fs::path(near), ignored)
-                 .parent_path()
-                 .lexically_normal()
-                 .string();
-    name = what == Purpose::save ? (near.empty() ? "terrain.exr" : fs::path(near).filename().string()) : "";
-    error.clear();
-    accepted = cancelled = false;
-}
-
 namespace {
 
 const char* title_of(FileDialog::Purpose purpose) {

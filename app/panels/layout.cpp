@@ -113,16 +113,6 @@ PictureArea picture_area(const PanelState& state, glm::ivec2 size) {
     return {{left, top}, glm::max(size - glm::ivec2(left + right, top + bottom), 16)};
 }
 
-bool PanelRequests::any() const {
-    return open || save || import || look_at || import_here || stamp || write || map || reset || undo ||
-           redo || framing || verify || !acts.empty() || answer;
-}
-
-bool is_dialog_open(const PanelState& state) {
-    return state.dialog.purpose != FileDialog::Purpose::none || !state.import.path.empty() ||
-           state.write.shown || state.question.has_value() || state.self_check.has_value();
-}
-
 void draw_panels(PanelContext& context, const StatusFigures& figures, glm::ivec2 size) {
     begin_widgets();
     if (ImGui::BeginMainMenuBar()) {

@@ -11,11 +11,10 @@ void line(const char* name, double value, const char* unit) {
 }
 
 template <typename Value>
-void plot(const std::vector<Session::Balance>& balances, const char* name, const char* unit, Value value) {
+void plot(const std::vector<Balance>& balances, const char* name, const char* unit, Value value) {
     std::vector<float> values;
     values.reserve(balances.size());
-    for (const Session::Balance& balance : balances)
-        values.push_back(static_cast<float>(value(balance.ledger)));
+    for (const Balance& balance : balances) values.push_back(static_cast<float>(value(balance.ledger)));
     plot_line(name, values, unit);
 }
 
@@ -26,7 +25,7 @@ void draw_ledger_panel(PanelContext& context) {
     session.follow_ledger();
     if (button("Balance now", "reads the ledger as it stands"))
         context.requests.acts.emplace_back([](Session& s) { s.balance(); });
-    const std::vector<Session::Balance>& balances = session.balances();
+    const std::vector<Balance>& balances = session.balances();
     if (balances.empty()) return;
     const auto& [ledger, simulated_s] = balances.back();
     ImGui::SameLine();

@@ -35,7 +35,7 @@ void draw_marks(const Session& session, const PictureArea& area) {
         list->AddCircleFilled({at->x, at->y - 28}, 9, yellow);
         list->AddText({at->x - 4, at->y - 35}, dark, name.c_str());
     }
-    const auto& stroke = session.stroke_made();
+    const auto& stroke = session.sculpting().stroke();
     if (!stroke || stroke->name() != "ramp") return;
     const auto begin = in_window(camera, rays, stroke->begin(), area);
     const auto end = in_window(camera, rays, stroke->at(), area);

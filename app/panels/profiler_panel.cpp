@@ -10,7 +10,7 @@ namespace talus {
 void draw_profiler_panel(PanelContext& context) {
     Session& session = context.session;
     session.follow_activity();
-    const Session::Activity& activity = session.activity();
+    const Activity::Counts& activity = session.activity();
     heading("Tiles that are active");
     const int all = session.simulation().terrain().tiles.count();
     figure_line("slopes", fmt::format("{} of {}", activity.slope_tiles, all));

@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "app/session.h"
+#include "app/core/figure.h"
+#include "app/core/session.h"
 
 namespace talus {
 
@@ -58,9 +59,6 @@ Edit draw_parameter(const Parameter& parameter, Value& value);
 void draw_parameters(const Session& session, PanelRequests& requests, const std::vector<std::string>& names);
 /// All of a section.
 void draw_section(const Session& session, PanelRequests& requests, const std::string& section);
-
-/// A number as people write it: without an exponent from 0.0001 to 10^15, and no -0.
-std::string figure(double value, int digits);
 
 /// A line of values with its name, its last value and its range.
 void plot_line(const char* label, const std::vector<float>& values, const char* unit);

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "app/claims/water_scenes.h"
-#include "app/report.h"
+#include "app/core/report.h"
 #include "render/renderer.h"
 #include "sim/passes/thermal.h"
 #include "sim/passes/water_twin.h"

@@ -8,7 +8,7 @@
 #include <map>
 #include <numbers>
 
-#include "app/flight.h"
+#include "app/core/flight.h"
 #include "render/hits_target.h"
 #include "render/methods/method.h"
 #include "render/survey.h"

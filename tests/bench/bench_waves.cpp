@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/claims/water_scenes.h"
-#include "app/report.h"
+#include "app/core/report.h"
 #include "tests/bench/measure.h"
 
 namespace talus::bench {

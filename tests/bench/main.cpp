@@ -5,7 +5,7 @@
 #include <exception>
 #include <string_view>
 
-#include "app/calibration.h"
+#include "app/core/calibration.h"
 #include "sim/gpu/context.h"
 #include "sim/gpu/shader_text.h"
 #include "tests/bench/measure.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "app/report.h"
+#include "app/core/report.h"
 
 namespace talus::bench {
 namespace {

@@ -1,7 +1,7 @@
 // What a hand's stroke does follows from where it went and for how long, not from how many frames that took.
 #include <gtest/gtest.h>
 
-#include "app/app_parameters.h"
+#include "app/core/app_parameters.h"
 #include "app/tools/brush_stroke.h"
 
 namespace talus::brush_stroke_test {

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "app/still.h"
-#include "app/tools/camera_control.h"
-#include "app/tools/ground_probe.h"
+#include "app/core/still.h"
+#include "app/window/camera_control.h"
+#include "app/window/ground_probe.h"
 #include "render/overview.h"
 #include "sim/gpu/context.h"
 #include "sim/terrain/generate.h"

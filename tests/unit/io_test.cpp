@@ -10,7 +10,7 @@
 #include <random>
 #include <thread>
 
-#include "app/scene.h"
+#include "app/core/scene.h"
 #include "sim/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/document.h"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "app/flight.h"
+#include "app/core/flight.h"
 #include "render/renderer.h"
 #include "sim/gpu/context.h"
 #include "sim/terrain/generate.h"

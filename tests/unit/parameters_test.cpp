@@ -1,7 +1,7 @@
 // Parameters, presets: what is refused, in which words, and what round-trips.
 #include <gtest/gtest.h>
 
-#include "app/app_parameters.h"
+#include "app/core/app_parameters.h"
 #include "render/view.h"
 #include "sim/error.h"
 #include "sim/passes/thermal_settings.h"

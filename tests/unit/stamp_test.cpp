@@ -4,8 +4,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "app/app_parameters.h"
-#include "app/sources.h"
+#include "app/core/app_parameters.h"
+#include "app/core/sources.h"
 #include "app/tools/brush_stroke.h"
 #include "sim/gpu/context.h"
 #include "sim/io/heightmap.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "app/app_parameters.h"
+#include "app/core/app_parameters.h"
 #include "app/tools/tools.h"
 #include "sim/error.h"
 #include "sim/journal.h"

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <random>
 
-#include "app/gauges.h"
-#include "app/scene.h"
-#include "app/wave_note.h"
+#include "app/core/gauges.h"
+#include "app/core/scene.h"
+#include "app/core/wave_note.h"
 #include "render/overview.h"
 #include "render/renderer.h"
 #include "sim/error.h"

@@ -1,0 +1,100 @@
+#include "app/core/app_parameters.h"
+
+#include "app/tools/tools.h"
+#include "render/view.h"
+#include "sim/passes/brush.h"
+#include "sim/passes/mask.h"
+#include "sim/simulation_parameters.h"
+
+namespace talus {
+
+std::vector<Parameter> app_parameters() {
+    std::vector<Parameter> all = {
+        choice(
+            "brush.tool", "raise", tool_names(),
+            "What a stroke does. Flatten: to the height where it began; height: to brush.height_m; ramp: a "
+            "slope from where it begins to where it ends; water, rain, hardness and mask: put there, with "
+            "Ctrl "
+            "taken away; erode: rain that falls under the brush alone carves the ground. Ctrl turns raise "
+            "and lower, noise and stamps around; Shift smooths with any tool."),
+        number("brush.radius_m", 250, 1e-2, 1e6, "m",
+               "Reach of the brush; unless set, it follows the terrain's size."),
+        number("brush.rate_m_per_s", 60, 0, 1e6, "m/s",
+               "Raise, lower, noise and water: metres a second in the middle; unless set, it follows the "
+               "terrain's "
+               "size."),
+        number(
+            "brush.blend_per_s", 4, 0, 1000, "1/s",
+            "Smooth, flatten, height, terrace and what is painted: share of the way a second in the middle."),
+        number("brush.falloff", 1, 0, 1, "",
+               "How much of the radius fades out: 0 a hard edge, 1 soft all the way."),
+        choice("brush.curve", "smooth", falloff_curve_names(),
+               "How it fades: smooth, linear, round like a ball, sharp like a thorn."),
+        number("brush.spacing", 0.25, 0.02, 4, "",
+               "Way between two dabs of a stroke, in radii; stamps: between two of them."),
+        number("brush.jitter", 0, 0, 4, "", "How far dabs scatter about the stroke, in radii."),
+        whole("brush.seed", 1, 0, 1000000, "", "Another seed scatters otherwise."),
+        choice("brush.over", "everywhere", {"everywhere", "mask"},
+               "Where the brush acts; by the mask: as far as it says."),
+        choice("brush.material", "bedrock", {"bedrock", "regolith"}, "What raising adds."),
+        number("brush.height_m", 0, -1e6, 1e6, "m",
+               "Tool height: the height that it brings the ground to; Ctrl and a click pick it."),
+        number("brush.rain_mm_per_h", 100, 0, 1e4, "mm/h", "Rain that the tool rain paints.")
+            .once("brush.rain"),
+        number("brush.value", 1, 0, 1, "", "Hardness or mask that the tools of this name paint.")};
+    for (const Tool& tool : tools()) all.insert(all.end(), tool.parameters.begin(), tool.parameters.end());
+    const std::vector<Parameter> others = {
+        whole("map.nx", 513, min_samples, max_samples, "samples",
+              "Resample: columns; unless set, as many as there are."),
+        whole("map.ny", 513, min_samples, max_samples, "samples",
+              "Resample: rows; unless set, as many as there are."),
+        number("map.offset_m", 0, -1e5, 1e5, "m", "Whole map: added to every height."),
+        number("map.scale", 1, 0, 100, "", "Whole map: times the height above map.base_m."),
+        number("map.base_m", 0, -1e6, 1e6, "m", "Whole map: the height that scaling keeps."),
+        number("map.noise_m", 100, 0, 1e5, "m", "Whole map: height of the noise that is added."),
+        number("map.blur_m", 20, 1e-3, 1e6, "m", "Whole map: standard deviation of the blur."),
+        number("map.west_m", 0, -1e6, 1e6, "m", "Crop: western edge, from the south-west sample."),
+        number("map.south_m", 0, -1e6, 1e6, "m", "Crop: southern edge."),
+        number("map.east_m", 0, -1e6, 1e6, "m", "Crop: eastern edge; unless set, the terrain's."),
+        number("map.north_m", 0, -1e6, 1e6, "m", "Crop: northern edge; unless set, the terrain's."),
+        choice("mask.from", "slope", mask_source_names(),
+               "What a mask is made of: height, slope, curvature (crests above 0, hollows below), depth of "
+               "water, "
+               "the mask itself (to invert it), everything."),
+        number("mask.low", 30, -1e6, 1e6, "m, ° or 1/km", "The mask is 1 from here …"),
+        number("mask.high", 90, -1e6, 1e6, "m, ° or 1/km", "… to here …"),
+        number("mask.fade", 5, 0, 1e6, "m, ° or 1/km", "… and falls to 0 over so much beyond each."),
+        choice("mask.join", "replace", mask_join_names(),
+               "It takes the place of the painted mask, is added to it, keeps what both have, or is taken "
+               "away."),
+        toggle("mask.inverted", false, "1 where it would be 0."),
+        number("mask.blur_m", 50, 1e-3, 1e6, "m", "Standard deviation of a blur of the mask."),
+        choice("camera.mode", "orbit", {"orbit", "fly", "walk"},
+               "Orbit turns about a point on the ground; fly moves with W A S D, Q and E; walk keeps the eye "
+               "over the "
+               "ground."),
+        number("camera.eye_height_m", 1.8, 1e-2, 1e4, "m", "Walking: the eye over the ground."),
+        number("camera.walk_m_per_s", 10, 1e-2, 1e6, "m/s", "Walking: speed."),
+        toggle("camera.collision", true,
+               "The ground stops the camera; off: it may go below, where the ground is solid."),
+        number("camera.fov_deg", 50, 5, 120, "°", "Vertical field of view."),
+        number("camera.speed_m_per_s", 500, 1e-2, 1e6, "m/s",
+               "Speed of flying; unless set, it follows the terrain's size."),
+        number("time.speed", 1, 1e-3, 1e6, "s/s", "Simulated seconds a second of play."),
+        number("autosave.interval_s", 120, 1, 86400, "s",
+               "Unsaved work is kept by itself so often, for the case that Talus ends unexpectedly."),
+        whole("undo.memory_mib", 1024, 1, 1 << 20, "MiB",
+              "Memory that the history may take, packed; the oldest acts go first."),
+    };
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
+}
+
+std::vector<Parameter> all_parameters() {
+    std::vector<Parameter> all = simulation_parameters();
+    for (auto& more : {render_parameters(), app_parameters()})
+        all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+}  // namespace talus

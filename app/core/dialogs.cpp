@@ -1,0 +1,56 @@
+#include "app/core/dialogs.h"
+
+namespace talus {
+
+bool PanelRequests::any() const {
+    return open || save || import || look_at || import_here || stamp || write || map || reset || undo ||
+           redo || framing || verify || !acts.empty() || answer;
+}
+
+bool is_dialog_open(const PanelState& state) {
+    return state.dialog.purpose != FileDialog::Purpose::none || !state.import.path.empty() ||
+           state.write.shown || state.question.has_value() || state.self_check.has_value();
+}
+
+void FileDialog::begin(Purpose what, const std::string& near) {
+    std::error_code ignored;
+    purpose = what;
+    folder = std::filesystem::absolute(
+                 near.empty() ? std::filesystem::path("terrain.exr") : std::filesystem::path(near), ignored)
+                 .parent_path()
+                 .lexically_normal()
+                 .string();
+    name = what == Purpose::save
+               ? (near.empty() ? "terrain.exr" : std::filesystem::path(near).filename().string())
+               : "";
+    error.clear();
+    accepted = cancelled = false;
+}
+
+void ExportDialog::close() {
+    shown = false;
+    error.clear();
+    state.reset();
+    lost_with.clear();
+}
+
+void ImportDialog::show(const ImportPreview& found) {
+    path = found.wish.path;
+    settings = found.wish.settings;
+    error = found.error;
+    preview = {};
+    if (!error.empty()) return;
+    samples = {found.grid.nx, found.grid.ny};
+    spacing_m = found.grid.dx;
+    low_m = found.low_m;
+    high_m = found.high_m;
+    if (!settings.raw) raw_size = samples;
+    notes = found.notes;
+    kind = found.kind;
+    crs = found.crs;
+    preview_size = found.picture_size;
+    preview = gpu::Texture("import preview", gpu::Format::rgba8, preview_size.x, preview_size.y);
+    preview.write(preview.whole(), std::as_bytes(std::span(found.picture)));
+}
+
+}  // namespace talus

@@ -1,0 +1,137 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/core/recovery.h"
+#include "app/core/self_check.h"
+#include "app/core/session.h"
+#include "sim/gpu/profile.h"
+#include "sim/io/export.h"
+
+namespace talus {
+
+/// A file, and how it is read.
+struct ImportWish {
+    std::string path;
+    ImportSettings settings = ImportSettings();
+};
+
+/// What panels ask the window to do, once the frame's panels are done.
+struct PanelRequests {
+    std::optional<SceneRequest> open;       ///< another scene; unsaved work is asked about
+    std::optional<std::string> save;        ///< the document, to this path
+    std::optional<std::string> import;      ///< a file, by the import dialog
+    std::optional<ImportWish> look_at;      ///< a file, shown by the same dialog, whatever kind it is of
+    std::optional<ImportWish> import_here;  ///< a file in place of the terrain
+    std::optional<std::string> stamp;       ///< a file, as the stamp
+    std::optional<ExportSettings> write;    ///< files for other programs
+    std::optional<Operation> map;           ///< an act on the whole map, which may take long
+    bool reset = false;
+    bool verify = false;  ///< what Talus claims of its numbers, on this device
+    bool undo = false;
+    bool redo = false;
+    bool quit = false;
+    bool framing = false;
+    bool picture = false;                             ///< saved as a file
+    std::vector<std::function<void(Session&)>> acts;  ///< may throw; done after the panels
+    std::function<void()> answer;                     ///< to a question; may throw
+    bool cancel_work = false;                         ///< the long work that goes on
+    /// Whether anything was asked that may change title or picture.
+    bool any() const;
+};
+
+/// A dialog that picks a path; the window keeps one.
+struct FileDialog {
+    enum class Purpose { none, open, save, import, stamp };
+    Purpose purpose = Purpose::none;
+    std::string folder;
+    std::string name;
+    std::string error;
+    bool accepted = false;   ///< Enter was pressed
+    bool cancelled = false;  ///< Escape was pressed
+    void begin(Purpose what, const std::string& near);
+};
+
+/// What a file holds when it is read so.
+struct ImportPreview {
+    ImportWish wish;
+    std::string error;  ///< what is wrong with it; else:
+    Grid grid;
+    float low_m = 0;
+    float high_m = 0;
+    std::vector<std::string> notes;
+    std::string kind;
+    std::string crs;
+    std::vector<std::uint8_t> picture;  ///< RGBA, of its ground
+    glm::ivec2 picture_size{0};
+};
+/// Reads it. Takes long where the file is large; touches no OpenGL.
+ImportPreview preview_of(const ImportWish& wish);
+
+/// A heightmap that is to be opened or imported: how it is read, and what it looks like then.
+struct ImportDialog {
+    std::string path;  ///< empty: the dialog is not there
+    ImportSettings settings;
+    double spacing_m = 1;
+    double low_m = 0;
+    double high_m = 1000;
+    glm::ivec2 raw_size{0};
+    bool big_endian = false;
+    bool south_first = false;
+    std::vector<std::string> notes;
+    std::string kind;
+    std::string crs;
+    std::string error;
+    glm::ivec2 samples{0};
+    gpu::Texture preview;
+    glm::ivec2 preview_size{0};
+    /// What a person chose, until it can be done.
+    enum class Then { stay, open, import_here } then = Then::stay;
+    /// Shows what was found.
+    void show(const ImportPreview& found);
+};
+
+/// Files for other programs: what is written and what gets lost.
+struct ExportDialog {
+    bool shown = false;
+    ExportSettings settings;
+    std::string error;
+    std::optional<TerrainState> state;  ///< read when the dialog opens
+    std::vector<std::string> lost;      ///< with the settings as text below
+    std::string lost_with;
+    void close();
+};
+
+/// A question with two or three answers, in the middle of the window.
+struct Question {
+    std::string text;
+    std::vector<std::pair<std::string, std::function<void()>>> answers;  ///< the last one: Escape
+};
+
+/// What the panels keep between frames.
+struct PanelState {
+    std::string shown = "Simulation";  ///< of the panels on the right
+    bool panels_shown = true;
+    bool start_page = false;
+    bool placing_gauge = false;
+    FileDialog dialog;
+    ImportDialog import;
+    ExportDialog write;
+    std::optional<Question> question;
+    std::optional<SelfCheck> self_check;  ///< what was found of this device, while it is shown
+    std::vector<std::string> recent;      ///< files, the last one first
+    std::vector<LeftBehind> left;         ///< by sessions that ended without saving
+    std::vector<std::string> log;         ///< what was said, oldest first
+    std::vector<gpu::PassTime> passes;    ///< of the last half second
+    double passes_s = 0;                  ///< how long that was
+    std::map<std::string, gpu::Texture> thumbnails;
+};
+
+/// Whether a dialog stands over everything else and has the keys.
+bool is_dialog_open(const PanelState& state);
+
+}  // namespace talus

@@ -1,0 +1,100 @@
+#include "app/core/gauges.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/error.h"
+
+namespace talus {
+
+void Gauges::place(glm::dvec2 place_m) {
+    if (!(place_m.x >= 0 && place_m.x <= grid_.width_m() && place_m.y >= 0 && place_m.y <= grid_.height_m()))
+        throw Error(fmt::format("gauge at {},{} m lies off the map, it must lie within 0,0 and {},{} m",
+                                place_m.x, place_m.y, grid_.width_m(), grid_.height_m()));
+    gauges_.push_back({place_m, times_s_.size(), {}});
+    asking_ = false;
+    asked_s_ = -1;
+}
+
+void Gauges::remove(std::size_t index) {
+    gauges_.erase(gauges_.begin() + static_cast<std::ptrdiff_t>(index));
+    asking_ = false;
+    if (gauges_.empty()) times_s_.clear();
+}
+
+void Gauges::append(double time_s, const std::vector<GaugeReading>& readings) {
+    times_s_.push_back(time_s);
+    for (std::size_t i = 0; i < gauges_.size(); ++i) gauges_[i].readings.push_back(readings[i]);
+}
+
+void Gauges::record(const Terrain& terrain, double time_s) {
+    std::vector<GaugeReading> readings;
+    readings.reserve(gauges_.size());
+    for (const Gauge& gauge : gauges_)
+        readings.push_back(read_gauge(terrain, gauge.place_m.x, gauge.place_m.y));
+    append(time_s, readings);
+}
+
+void Gauges::follow(const Terrain& terrain, double time_s) {
+    if (gauges_.empty()) return;
+    // Undo goes back in time.
+    if (!times_s_.empty() && time_s < times_s_.back()) {
+        const auto kept = static_cast<std::size_t>(
+            std::upper_bound(times_s_.begin(), times_s_.end(), time_s) - times_s_.begin());
+        times_s_.resize(kept);
+        for (Gauge& gauge : gauges_) {
+            gauge.first_row = std::min(gauge.first_row, kept);
+            gauge.readings.resize(kept - gauge.first_row);
+        }
+        asking_ = false;
+    }
+    if (asking_) {
+        bool whole = true;
+        for (std::size_t i = 0; i < gauges_.size(); ++i) {
+            if (const auto ground = ground_[i]->poll()) coming_[i].ground_m = ground->front();
+            if (const auto water = water_[i]->poll())
+                set_water(coming_[i], {(*water)[0], (*water)[1], (*water)[2], (*water)[3]});
+            whole = whole && !ground_[i]->pending() && !water_[i]->pending();
+        }
+        if (!whole) return;
+        append(asked_s_, coming_);
+        asking_ = false;
+    }
+    if (time_s == asked_s_) return;
+    asked_s_ = time_s;
+    asking_ = true;
+    coming_.assign(gauges_.size(), GaugeReading());
+    water_.clear();
+    ground_.clear();
+    for (const Gauge& gauge : gauges_) {
+        const gpu::Region sample = gauge_sample(grid_, gauge.place_m.x, gauge.place_m.y);
+        ground_.push_back(std::make_unique<gpu::Readback>());
+        ground_.back()->start(terrain.ground, sample);
+        water_.push_back(std::make_unique<gpu::Readback>());
+        if (terrain.water) water_.back()->start(terrain.water->front, terrain.water->texels(sample));
+    }
+}
+
+std::string Gauges::to_csv() const {
+    std::string csv = "time_s";
+    for (std::size_t i = 1; i <= gauges_.size(); ++i)
+        csv += fmt::format(",level_{0}_m,depth_{0}_m,speed_{0}_m_per_s", i);
+    csv += "\n";
+    for (std::size_t row = 0; row < times_s_.size(); ++row) {
+        csv += fmt::format("{}", times_s_[row]);
+        for (const Gauge& gauge : gauges_) {
+            if (row < gauge.first_row) {
+                csv += ",,,";
+                continue;
+            }
+            const GaugeReading& reading = gauge.readings[row - gauge.first_row];
+            csv += fmt::format(",{},{},{}", reading.level_m(), reading.depth_m,
+                               glm::length(reading.velocity_m_per_s));
+        }
+        csv += "\n";
+    }
+    return csv;
+}
+
+}  // namespace talus

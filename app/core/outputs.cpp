@@ -1,0 +1,102 @@
+#include "app/core/outputs.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+
+#include "app/core/calibration.h"
+#include "app/core/still.h"
+#include "render/overview.h"
+#include "sim/error.h"
+#include "sim/io/atomic_file.h"
+#include "sim/io/endings.h"
+#include "sim/io/heightmap_formats.h"
+#include "sim/io/image_file.h"
+#include "sim/preset.h"
+#include "sim/terrain/layers.h"
+
+namespace talus {
+
+namespace {
+
+// The first look at the terrain, with the view's legend.
+void write_overview(const std::string& path, const Scene& scene, Simulation& simulation,
+                    const gpu::Device& device) {
+    constexpr int width = 1280;
+    constexpr int height = 720;
+    Renderer renderer(simulation.terrain(), patch_pixels(device));
+    const ViewSettings settings = view_settings(scene.view, simulation.parameters());
+    const std::vector<float> ground = scene.document.state.ground();
+    const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
+    const Camera camera =
+        overview(scene.document.state.grid, *low, *high,
+                 {static_cast<double>(width) / height, scene.view.number("camera.fov_deg")});
+    drape(renderer, scene);
+    const Still still =
+        draw_still(renderer, simulation.terrain(), camera, settings, legend_of(settings, *low, *high),
+                   {width, height}, scene.view.whole("render.samples"));
+    write_rgb(path, width, height, still.rgb);
+}
+
+}  // namespace
+
+void check_outputs(const Outputs& outputs) {
+    for (const std::string& file : outputs.files)
+        if (!can_write_heightmap(file))
+            throw Error(fmt::format("cannot write '{}': its ending must be one of {}", file,
+                                    fmt::join(writable_endings(), ", ")));
+    if (!outputs.image.empty() && ending_of(outputs.image) != ".png")
+        throw Error(fmt::format("cannot write the picture '{}': its ending must be .png", outputs.image));
+    if (!outputs.layer.empty()) output_of({}, outputs.layer);
+    std::vector<std::string> all = outputs.files;
+    for (const std::string& file : {outputs.image, outputs.report, outputs.journal})
+        if (!file.empty()) all.push_back(file);
+    for (const std::string& file : all) check_folder(file);
+}
+
+void check_folder(const std::string& file) {
+    const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+    if (!std::filesystem::is_directory(folder))
+        throw Error(fmt::format("cannot write '{}': there is no folder '{}'", file, folder.string()));
+}
+
+void write_terrain(const std::string& path, const Document& document, const std::string& layer,
+                   std::optional<glm::dvec2> range_m) {
+    if (ending_of(path) == ".exr" && layer.empty()) return save_document(path, document);
+    Heightmap heightmap;
+    heightmap.grid = document.state.grid;
+    heightmap.heights = output_of(document.state, layer.empty() ? "ground" : layer);
+    heightmap.georeference = document.state.georeference;
+    write_heightmap(path, heightmap, range_m);
+}
+
+void write_outputs(const Outputs& outputs, Scene& scene, Simulation& simulation, const RunFigures& figures) {
+    scene.document.state = simulation.read();
+    scene.document.parameters = to_toml(simulation.parameters());
+    // One output that fails takes none of the others with it.
+    std::string failures;
+    const auto attempt = [&](const std::function<void()>& write) {
+        try {
+            write();
+        } catch (const Error& error) {
+            failures += (failures.empty() ? "" : "; ") + std::string(error.what());
+        }
+    };
+    for (const std::string& file : outputs.files)
+        attempt([&] { write_terrain(file, scene.document, outputs.layer, std::nullopt); });
+    if (!outputs.image.empty())
+        attempt([&] { write_overview(outputs.image, scene, simulation, figures.device); });
+    if (!outputs.journal.empty())
+        attempt([&] { write_atomically(outputs.journal, write_journal(scene.start, simulation.journal())); });
+    if (!outputs.report.empty() || outputs.json) {
+        const std::string report = run_report(figures, scene.document.state, simulation);
+        if (!outputs.report.empty()) attempt([&] { write_atomically(outputs.report, report); });
+        if (outputs.json) fmt::print("{}", report);
+    }
+    if (!failures.empty()) throw Error(failures);
+}
+
+}  // namespace talus

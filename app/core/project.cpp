@@ -1,0 +1,240 @@
+#include "app/core/project.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "app/core/outputs.h"
+#include "app/core/recent_files.h"
+#include "app/core/sources.h"
+
+namespace talus {
+
+Project::Project(Session& session, PanelState& state, std::string journal_path, Voice voice)
+    : session_(session), state_(state), journal_path_(std::move(journal_path)), voice_(std::move(voice)) {
+    if (!recovery_.why().empty()) voice_.tell(recovery_.why());
+    state_.left = left_behind();
+    if (!session_.request().input.empty()) remember(session_.request().input);
+    state_.recent = recent_files();
+}
+
+void Project::poll() {
+    recovery_.follow(session_.simulation(), session_.scene(), session_.path(), session_.unsaved(),
+                     session_.revision(), session_.view().number("autosave.interval_s"));
+    if (const auto message = recovery_.take_message()) voice_.tell(*message);
+    work_.poll();
+}
+
+void Project::cancel() {
+    cancel_self_check();
+    work_.cancel();
+    after_saving_ = nullptr;
+}
+
+void Project::write_journal() const {
+    if (!journal_path_.empty()) session_.write_journal_to(journal_path_);
+}
+
+void Project::remember(const std::string& path) {
+    remember_file(path);
+    state_.recent = recent_files();
+}
+
+void Project::forget_recovered() {
+    if (recovering_) forget(*recovering_);
+    recovering_.reset();
+    recovery_.forget_work();
+}
+
+void Project::serve(const PanelRequests& asked) {
+    follow_dialogs(asked);
+    if (asked.import) {
+        if (is_document(*asked.import)) {
+            SceneRequest request;
+            request.input = *asked.import;
+            when_saved([this, request] {
+                state_.start_page = false;
+                open(request);
+            });
+        } else {
+            look_at({*asked.import});
+        }
+    }
+    if (asked.look_at) look_at(*asked.look_at);
+    if (asked.import_here)
+        act_when_ready(fmt::format("Importing {}", asked.import_here->path),
+                       [wish = *asked.import_here] { return read_import(wish.path, wish.settings); });
+    if (asked.open) when_saved([this, request = *asked.open] { open(request); });
+    if (asked.save) {
+        const auto then = std::exchange(after_saving_, nullptr);
+        when_replaceable(*asked.save, [this, path = *asked.save, then] { save(path, then); });
+    }
+    if (asked.stamp)
+        act_when_ready(fmt::format("Reading {}", *asked.stamp),
+                       [path = *asked.stamp] { return read_stamp(path, {}); });
+    if (asked.write)
+        when_replaceable(asked.write->path.string(),
+                         [this, settings = *asked.write] { export_files(settings); });
+    if (asked.map) act_on_map(*asked.map);
+    if (asked.verify) verify();
+    if (asked.reset) when_saved([this] { reset(); });
+}
+
+// A dialog that was closed without a name: what should have come after saving does not.
+void Project::follow_dialogs(const PanelRequests& asked) {
+    if (state_.dialog.purpose == FileDialog::Purpose::none && !asked.save && !asked.answer)
+        after_saving_ = nullptr;
+}
+
+void Project::when_saved(const std::function<void()>& act) {
+    if (work_.busy()) return voice_.tell(fmt::format("{} goes on: wait for it", work_.name()));
+    if (!session_.unsaved()) return act();
+    Question question;
+    question.text = fmt::format("'{}' was changed and not saved. Save it first?", session_.scene().title);
+    question.answers.emplace_back("Save", [this, act] {
+        if (!session_.path().empty()) return save(session_.path(), act);
+        state_.dialog.begin(FileDialog::Purpose::save, "");
+        after_saving_ = act;
+    });
+    // What is dropped goes once the act has succeeded.
+    question.answers.emplace_back("Drop the changes", act);
+    question.answers.emplace_back("Cancel", [] {});
+    state_.question = std::move(question);
+    voice_.changed();
+}
+
+// Does it, once a file that is there and not the session's own may be replaced.
+void Project::when_replaceable(const std::string& path, const std::function<void()>& act) {
+    std::error_code ignored;
+    if (path == session_.path() || !std::filesystem::exists(path, ignored)) return act();
+    Question question;
+    question.text = fmt::format("'{}' is there already. Replace it?", path);
+    question.answers.emplace_back("Replace it", act);
+    question.answers.emplace_back("Cancel", [] {});
+    state_.question = std::move(question);
+    voice_.changed();
+}
+
+// The layers are read now and written on a thread of their own; what is done meanwhile stays unsaved.
+void Project::save(const std::string& path, const std::function<void()>& then) {
+    session_.pause();
+    auto document = std::make_shared<Document>(session_.document());
+    const std::size_t revision = session_.revision();
+    const auto write = [this, path, document, revision, then]() -> Work::Then {
+        write_terrain(path, *document, "", std::nullopt);
+        return [this, path, revision, then] {
+            session_.saved(path, revision);
+            remember(path);
+            forget_recovered();
+            write_journal();
+            voice_.tell(fmt::format("saved {}", path));
+            voice_.changed();
+            if (then) then();
+        };
+    };
+    work_.start(fmt::format("Saving {}", path), write, false);
+}
+
+void Project::open(const SceneRequest& wish) {
+    const SceneRequest request = session_.request_for(wish);
+    const auto left = std::find_if(state_.left.begin(), state_.left.end(),
+                                   [&](const LeftBehind& one) { return one.document == request.input; });
+    std::optional<LeftBehind> recovering;
+    if (left != state_.left.end()) recovering = *left;
+    const auto make = [this, request, recovering]() -> Work::Then {
+        auto scene = std::make_shared<Scene>(make_scene(request));
+        return [this, request, scene, recovering] {
+            session_.open(request, std::move(*scene));
+            forget_recovered();
+            if (recovering) {
+                session_.recovered(recovering->project, recovering->title);
+                std::erase_if(state_.left,
+                              [&](const LeftBehind& one) { return one.folder == recovering->folder; });
+            } else if (!request.input.empty()) {
+                remember(request.input);
+            }
+            recovering_ = recovering;
+            for (const std::string& guess : session_.scene().document.notes) voice_.note("note: " + guess);
+            voice_.changed();
+            voice_.opened();
+        };
+    };
+    work_.start(fmt::format("Opening {}", request.input.empty() ? request.preset : request.input), make);
+}
+
+void Project::reset() {
+    session_.reset();
+    forget_recovered();
+    voice_.changed();
+    voice_.opened();
+}
+
+void Project::export_files(const ExportSettings& settings) {
+    session_.pause();
+    auto document = std::make_shared<Document>(session_.document());
+    const auto write = [this, settings, document]() -> Work::Then {
+        Exported exported;
+        try {
+            exported = export_terrain(*document, settings);
+        } catch (const std::exception& failed) {
+            return [this, message = std::string(failed.what())] {
+                state_.write.error = message;
+                voice_.tell(message);
+            };
+        }
+        return [this, exported] {
+            state_.write.close();
+            const std::size_t more = exported.files.size() - 1;
+            voice_.tell(fmt::format("wrote {}{}", exported.files.front().string(),
+                                    more > 0 ? fmt::format(" and {} more", more) : ""));
+            for (const auto& [name, value] : exported.values) voice_.note(fmt::format("{}: {}", name, value));
+        };
+    };
+    work_.start(fmt::format("Writing {}", settings.path.string()), write);
+}
+
+void Project::verify() {
+    work_.start("Verifying this device, a minute or two", [this]() -> Work::Then {
+        return [this, found = run_self_check()] {
+            voice_.note(found.holds ? "verified: all claims hold" : "verified: not all claims hold");
+            state_.self_check = found;
+            voice_.changed();
+        };
+    });
+}
+
+void Project::look_at(const ImportWish& wish) {
+    work_.start(fmt::format("Reading {}", wish.path), [this, wish]() -> Work::Then {
+        return [this, found = preview_of(wish)] {
+            state_.import.show(found);
+            voice_.changed();
+        };
+    });
+}
+
+void Project::act_on_map(const Operation& operation) {
+    if (!makes_terrain(operation)) return session_.apply(operation);
+    session_.end_stroke();
+    session_.pause();
+    auto state = std::make_shared<TerrainState>(session_.simulation().read());
+    act_when_ready(name_of(operation), [operation, state] { return made_ready(operation, *state); });
+}
+
+// What takes long is made ready on a thread.
+void Project::act_when_ready(const std::string& name, const std::function<Operation()>& make) {
+    session_.end_stroke();
+    session_.pause();
+    work_.start(name, [this, make, revision = session_.revision()]() -> Work::Then {
+        return [this, operation = make(), revision]() mutable {
+            // It was made of what was there then.
+            if (makes_terrain(operation) && session_.revision() != revision) forget_made(operation);
+            session_.apply(operation);
+            voice_.changed();
+        };
+    });
+}
+
+}  // namespace talus

@@ -1,0 +1,68 @@
+#pragma once
+#include <filesystem>
+#include <future>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/core/scene.h"
+#include "sim/simulation.h"
+#include "sim/terrain/state_readback.h"
+
+namespace talus {
+
+/// What a session that ended without saving left behind.
+struct LeftBehind {
+    std::filesystem::path folder;
+    std::filesystem::path document;  ///< its last autosave
+    std::string title;
+    std::string project;  ///< the document it was saved to; empty: none yet
+    std::string saved_at;
+};
+
+/// Sessions that are not alive any more and left unsaved work, newest first. Empty folders of dead sessions
+/// go.
+std::vector<LeftBehind> left_behind();
+/// It was recovered and saved, or is not wanted.
+void forget(const LeftBehind& left);
+
+/// Keeps a session's unsaved work on disk, so that a crash costs as much as was done since the last autosave.
+/// A session has a folder of its own, with a lock that the system lets go when the process ends, however it
+/// ends.
+class Recovery {
+  public:
+    /// Without a folder where none can be made: then nothing is kept, and why() says so.
+    Recovery();
+    /// Lets go of the lock: what was kept stays, unless end() was called.
+    ~Recovery();
+    Recovery(const Recovery&) = delete;
+    Recovery& operator=(const Recovery&) = delete;
+    const std::string& why() const { return why_; }
+
+    /// Once a loop of the window: begins an autosave `interval_s` after the last one where `dirty`, takes
+    /// what was read without waiting, and writes it on a thread. `changes`: another number for everything
+    /// that was done.
+    void follow(const Simulation& simulation, const Scene& scene, const std::string& project, bool dirty,
+                std::size_t changes, double interval_s);
+    /// The work was saved, or dropped: what was kept of it is of no use any more.
+    void forget_work();
+    /// An orderly end: nothing is left behind.
+    void end();
+    /// What has been told since this was last called: that it saved, or why it could not.
+    std::optional<std::string> take_message();
+    bool busy() const { return readback_.pending() || writing_.valid(); }
+
+  private:
+    std::filesystem::path folder_;
+    int lock_ = -1;
+    std::string why_;
+    StateReadback readback_;
+    Document document_;  // of what is being read
+    std::string about_;
+    std::optional<std::size_t> changes_;  // of the last autosave
+    double last_s_ = 0;
+    std::future<std::string> writing_;
+    std::optional<std::string> message_;
+};
+
+}  // namespace talus

@@ -1,0 +1,133 @@
+#include "app/core/scene.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/core/app_parameters.h"
+#include "render/view.h"
+#include "sim/error.h"
+#include "sim/preset.h"
+#include "sim/simulation_parameters.h"
+#include "sim/terrain/generate.h"
+#include "sim/terrain/reshape.h"
+#include "sim/terrain/state_hash.h"
+
+namespace talus {
+namespace {
+
+// The values of `all` that `part` declares, given ones as given.
+Parameters part_of(const Parameters& all, std::vector<Parameter> part) {
+    Parameters parameters(std::move(part));
+    for (const Parameter& p : parameters.declared())
+        if (all.is_given(p.name)) parameters.set(p.name, all.value(p.name));
+    return parameters;
+}
+
+Grid declared_grid(const Parameters& p) {
+    const double spacing = p.number("terrain.spacing_m");
+    return {p.whole("terrain.nx"), p.whole("terrain.ny"), spacing, spacing};
+}
+
+TerrainState generated(const Parameters& p, const Grid& grid) {
+    const double relief_m = p.number("terrain.relief_m");
+    const std::vector<float> heights = generate_heights(
+        grid, {p.choice("terrain.kind"), static_cast<std::uint32_t>(p.whole("terrain.seed")), relief_m});
+    TerrainState state = bedrock_terrain(grid, heights);
+    state.water = generate_water(grid, heights,
+                                 {p.choice("terrain.water"), relief_m, p.number("water.sea_level_m"),
+                                  p.number("water.wave_height_m"), p.number("water.gravity_m_per_s2")});
+    return state;
+}
+
+Scene assemble(const Parameters& all, Document document) {
+    std::vector<Parameter> view = render_parameters();
+    const std::vector<Parameter> app = app_parameters();
+    view.insert(view.end(), app.begin(), app.end());
+    Scene scene{
+        std::move(document), part_of(all, simulation_parameters()), part_of(all, view), {}, {}, {}, {}};
+    scene.start.parameters = to_toml(scene.simulation);
+    scene.view.suggest("render.level_m", scene.simulation.number("water.sea_level_m"));
+    return scene;
+}
+
+}  // namespace
+
+Scene make_scene(const SceneRequest& request) {
+    Parameters all(all_parameters());
+    // Someone's own ground starts from the plain defaults, unless a preset is asked for by name.
+    const Preset preset = find_preset(request.preset.empty() ? "alpine" : request.preset);
+    if (request.input.empty()) apply_preset(preset, all);
+    Document document;
+    if (!request.input.empty()) {
+        document = open_document(request.input, request.import);
+        // What a document was made with holds, unless a preset was asked for by name.
+        if (!document.parameters.empty()) from_toml(document.parameters, request.input, all);
+        if (!request.preset.empty()) apply_preset(preset, all);
+    }
+    if (request.size && !request.input.empty())
+        throw Error(
+            fmt::format("--size sets generated terrain, '{}' has a size of its own: leave one of the two out",
+                        request.input));
+    if (request.size) {
+        all.set("terrain.nx", request.size->x);
+        all.set("terrain.ny", request.size->y);
+    }
+    if (request.import.spacing_m) all.set("terrain.spacing_m", *request.import.spacing_m);
+    for (const std::string& assignment : request.assignments) all.set_assignment(assignment);
+    if (request.input.empty()) {
+        document.state = generated(all, declared_grid(all));
+        document.kind = "generated";
+    }
+    Scene scene = assemble(all, std::move(document));
+    // Other inflow or waves than the document's begin now.
+    if (!scene.document.parameters.empty()) {
+        Parameters before(all_parameters());
+        from_toml(scene.document.parameters, request.input, before);
+        for (const Parameter& p : scene.simulation.declared())
+            if (p.sets_off == SetsOff::edge_clock && scene.simulation.value(p.name) != before.value(p.name))
+                scene.document.state.edges_since_s = scene.document.state.clock.simulated_s;
+    }
+    if (!request.texture.empty()) scene.texture = read_colour_image(request.texture);
+    scene.start.input = request.input.empty() ? "" : std::filesystem::absolute(request.input).string();
+    scene.start.import_guess = to_text(request.import);
+    scene.title =
+        request.input.empty() ? preset.title : std::filesystem::path(request.input).filename().string();
+    return scene;
+}
+
+Scene make_scene(const JournalFile& journal, const std::string& journal_path,
+                 std::optional<glm::ivec2> size) {
+    Parameters all(all_parameters());
+    from_toml(journal.start.parameters, journal_path, all);
+    Document document;
+    if (journal.start.input.empty()) {
+        document.state = generated(all, declared_grid(all));
+        document.kind = "generated";
+    } else {
+        document = open_document(journal.start.input, import_settings_from(journal.start.import_guess));
+    }
+    const std::uint64_t hash = state_hash(document.state);
+    if (hash != journal.start.hash)
+        throw Error(fmt::format(
+            "{}: starts from a terrain with hash {:016x} where {} gives {:016x}, so it was made from another "
+            "file "
+            "or version",
+            journal_path, journal.start.hash,
+            journal.start.input.empty() ? "its generator" : "'" + journal.start.input + "'", hash));
+    const Grid grid = document.state.grid;
+    if (size && journal.start.input.empty()) {
+        const Grid other{size->x, size->y, grid.width_m() / (size->x - 1), grid.height_m() / (size->y - 1)};
+        check_grid(other);
+        document.state = generated(all, other);
+    } else if (size) {
+        document.state = resampled(document.state, size->x, size->y);
+    }
+    Scene scene = assemble(all, std::move(document));
+    scene.start = journal.start;
+    scene.recorded_samples = {grid.nx, grid.ny};
+    scene.title = "replay";
+    return scene;
+}
+
+}  // namespace talus

@@ -1,0 +1,304 @@
+#include "app/core/session.h"
+
+#include "app/core/still.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "app/core/calibration.h"
+#include "app/core/outputs.h"
+#include "app/core/wall_clock.h"
+#include "app/core/wave_note.h"
+#include "render/overview.h"
+#include "sim/error.h"
+#include "sim/io/atomic_file.h"
+#include "sim/io/endings.h"
+#include "sim/preset.h"
+#include "sim/terrain/state_hash.h"
+
+namespace talus {
+Session::Session(const SceneRequest& request, gpu::Device device)
+    : device_(std::move(device)), request_(request), scene_(make_scene(request)) {
+    start(std::move(scene_));
+    path_ = document_path();
+}
+
+void Session::start(Scene scene) {
+    scene.start.hash = state_hash(scene.document.state);
+    const std::size_t undo_bytes = static_cast<std::size_t>(scene.view.whole("undo.memory_mib")) << 20U;
+    auto simulation = std::make_unique<Simulation>(scene.document.state, scene.simulation, undo_bytes);
+    auto renderer = std::make_unique<Renderer>(simulation->terrain(), patch_pixels(device_));
+    drape(*renderer, scene);
+    const std::vector<float> ground = scene.document.state.ground();
+    const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
+    bounds_ = {*low, *high};
+    scene_ = std::move(scene);
+    ++terrain_number_;
+    simulation_ = std::move(simulation);
+    renderer_ = std::move(renderer);
+    wave_note_ = talus::wave_note(scene_.document.state, simulation_->parameters());
+    gauges_ = Gauges(grid());
+    balances_.clear();
+    saved_operations_.clear();
+    recovered_ = false;
+    compared_revision_.reset();
+    activity_.forget();
+    playing = false;
+    sculpting_.forget();
+    simulated_terrain_ = simulation_->terrain_number();
+    forget_rectangle();
+    suggest_for_terrain();
+    frame_terrain();
+}
+
+// What was said of another terrain's size and place is not of this one.
+void Session::forget_rectangle() {
+    for (const char* name : {"map.nx", "map.ny", "map.west_m", "map.south_m", "map.east_m", "map.north_m"})
+        scene_.view.reset(name);
+}
+
+void Session::suggest_for_terrain() {
+    const Grid& g = grid();
+    const double extent = std::max(g.width_m(), g.height_m());
+    scene_.view.suggest("brush.radius_m", extent / 40);
+    scene_.view.suggest("brush.rate_m_per_s", extent / 160);
+    scene_.view.suggest("camera.speed_m_per_s", extent / 12);
+    scene_.view.suggest("erode.speed", 6 * std::min(g.dx, g.dy));
+    scene_.view.suggest("noise.wavelength_m", extent / 12);
+    scene_.view.suggest("map.nx", g.nx);
+    scene_.view.suggest("map.ny", g.ny);
+    scene_.view.suggest("map.east_m", g.width_m());
+    scene_.view.suggest("map.north_m", g.height_m());
+    scene_.view.suggest("terrace.step_m", std::max(0.01, (bounds_.y - bounds_.x) / 20));
+    scene_.view.suggest("brush.height_m", bounds_.x);
+    scene_.view.suggest("map.base_m", bounds_.x);
+    scene_.view.suggest("render.level_m", simulation_->parameters().number("water.sea_level_m"));
+    if (const Stamp* stamp = simulation_->stamp().get())
+        scene_.view.suggest("stamp.relief_m", stamp->relief_m);
+}
+
+void Session::follow_terrain() {
+    if (simulated_terrain_ == simulation_->terrain_number()) return;
+    simulated_terrain_ = simulation_->terrain_number();
+    ++terrain_number_;
+    const glm::dvec2 extent_before(scene_.document.state.grid.width_m(),
+                                   scene_.document.state.grid.height_m());
+    renderer_ = std::make_unique<Renderer>(simulation_->terrain(), patch_pixels(device_));
+    const std::vector<float> ground = simulation_->terrain().ground.read_all<float>();
+    const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
+    bounds_ = {*low, *high};
+    scene_.document.state.grid = grid();
+    // A picture over the terrain before is not one over this.
+    scene_.texture = {};
+    gauges_ = Gauges(grid());
+    balances_.clear();
+    activity_.forget();
+    forget_rectangle();
+    suggest_for_terrain();
+    if (extent_before != glm::dvec2(grid().width_m(), grid().height_m())) frame_terrain();
+}
+
+void Session::frame_terrain() {
+    camera_ = overview(grid(), bounds_.x, bounds_.y, {picture_aspect, scene_.view.number("camera.fov_deg")});
+}
+
+SceneRequest Session::request_for(const SceneRequest& wish) const {
+    SceneRequest request = request_;
+    request.input = wish.input;
+    // The preset that the window began with may be made for other ground: an opened file brings its own
+    // settings.
+    request.preset = wish.preset;
+    request.import = wish.import;
+    // What the command line set was meant for the scene that it named.
+    request.size.reset();
+    request.assignments.clear();
+    // An image over one terrain is not one over another.
+    if (wish.input != request_.input) request.texture.clear();
+    return request;
+}
+
+void Session::open(const SceneRequest& request, Scene scene) {
+    start(std::move(scene));
+    request_ = request;
+    path_ = document_path();
+}
+
+void Session::recovered(const std::string& project, const std::string& title) {
+    path_ = project;
+    scene_.title = title;
+    recovered_ = true;
+    // What lies in the recovery folder is no file to come back to.
+    request_.input = project;
+}
+
+bool Session::unsaved() const {
+    if (recovered_) return true;
+    if (compared_revision_ != revision()) {
+        compared_revision_ = revision();
+        unsaved_ = simulation_->journal().operations() != saved_operations_;
+    }
+    return unsaved_;
+}
+
+std::string Session::document_path() const {
+    return scene_.document.kind == "Talus document" ? request_.input : "";
+}
+
+void Session::reset() {
+    start(make_scene(request_));
+    path_ = document_path();
+}
+
+Document Session::document() {
+    while (simulation_->mid_tick()) simulation_->advance(1 << 20);
+    scene_.document.state = simulation_->read();
+    scene_.document.parameters = to_toml(simulation_->parameters());
+    return scene_.document;
+}
+
+void Session::saved(const std::string& path, std::size_t revision_then) {
+    // Other formats hold the ground alone: what was saved there is an export.
+    if (ending_of(path) != ".exr") return;
+    path_ = path;
+    scene_.title = std::filesystem::path(path).filename().string();
+    if (recovered_) request_.input = path;
+    recovered_ = false;
+    // What was done while it was written is not saved.
+    if (revision_then == revision()) saved_operations_ = simulation_->journal().operations();
+    compared_revision_.reset();
+}
+
+void Session::write_journal_to(const std::string& path) const {
+    write_atomically(path, write_journal(scene_.start, simulation_->journal()));
+}
+
+bool Session::is_simulated(const std::string& name) const {
+    const auto& declared = simulation_->parameters().declared();
+    return std::any_of(declared.begin(), declared.end(), [&](const Parameter& p) { return p.name == name; });
+}
+
+void Session::set(const std::string& name, const Value& value) {
+    if (is_simulated(name)) return set_simulated(name, value);
+    scene_.view.set(name, value);
+    follow_undo_memory();
+}
+
+void Session::unset(const std::string& name) {
+    if (is_simulated(name)) return set_simulated(name, std::nullopt);
+    scene_.view.reset(name);
+    suggest_for_terrain();
+    follow_undo_memory();
+}
+
+void Session::follow_undo_memory() {
+    simulation_->set_undo_capacity(static_cast<std::size_t>(scene_.view.whole("undo.memory_mib")) << 20U);
+}
+
+void Session::set_simulated(const std::string& name, const std::optional<Value>& value) {
+    while (simulation_->mid_tick()) simulation_->advance(1 << 20);
+    simulation_->apply(SetParameter{name, value});
+    if (name.starts_with("water."))
+        wave_note_ = talus::wave_note(scene_.document.state, simulation_->parameters());
+}
+
+const Value& Session::value(const std::string& name) const {
+    return is_simulated(name) ? simulation_->parameters().value(name) : scene_.view.value(name);
+}
+
+bool Session::is_given(const std::string& name) const {
+    return is_simulated(name) ? simulation_->parameters().is_given(name) : scene_.view.is_given(name);
+}
+
+const Parameter& Session::declaration(const std::string& name) const {
+    return is_simulated(name) ? simulation_->parameters().declaration(name) : scene_.view.declaration(name);
+}
+
+void Session::play(double wall_s, double budget_s) {
+    const double simulated_before = simulation_->clock().simulated_s;
+    if (const auto ms = tick_timer_.milliseconds()) ticks_.took(*ms, timed_);
+    const bool timing = !tick_timer_.pending();
+    if (timing) tick_timer_.begin();
+    const TickPacing::Ran ran = ticks_.play(
+        {[&](int substeps) { return simulation_->advance(substeps); },
+         [&] { return simulation_->mid_tick(); }, [&] { return simulation_->substeps_sent(); }, wall_clock_s},
+        {wall_s, budget_s, simulation_->parameters().number("time.tick_s"), scene_.view.number("time.speed"),
+         stroking()});
+    if (timing) {
+        timed_ = ran;
+        if (ran.substeps > 0) tick_timer_.end();
+    }
+    if (wall_s > 0) {
+        const double reached = (simulation_->clock().simulated_s - simulated_before) / wall_s;
+        speed_reached_ += 0.1 * (reached - speed_reached_);
+    }
+}
+
+void Session::pause() {
+    playing = false;
+    speed_reached_ = 0;
+    ticks_.stop();
+    while (simulation_->mid_tick()) simulation_->advance(1 << 20);
+    if (!stroking()) simulation_->end_entry();
+}
+
+void Session::toggle_play() {
+    if (playing)
+        pause();
+    else
+        playing = true;
+}
+
+void Session::step() {
+    pause();
+    simulation_->apply(Ticks{1});
+    simulation_->end_entry();
+}
+
+void Session::let_go_of_stroke() {
+    if (!simulation_->mid_tick()) end_stroke();
+}
+
+void Session::apply(const Operation& operation) {
+    end_stroke();
+    pause();
+    simulation_->apply(operation);
+    simulation_->end_entry();
+    suggest_for_terrain();
+    follow_terrain();
+}
+
+void Session::balance() {
+    while (simulation_->mid_tick()) simulation_->advance(1 << 20);
+    balances_.keep({simulation_->ledger(), simulation_->clock().simulated_s});
+}
+
+void Session::follow_gauges() {
+    // Within a tick the water is at no time of the clock's.
+    if (!simulation_->mid_tick()) gauges_.follow(simulation_->terrain(), simulation_->clock().simulated_s);
+}
+
+void Session::undo() {
+    end_stroke();
+    pause();
+    simulation_->undo();
+    follow_terrain();
+}
+
+void Session::redo() {
+    end_stroke();
+    pause();
+    simulation_->redo();
+    follow_terrain();
+}
+
+void Session::go_to(std::size_t done) {
+    end_stroke();
+    pause();
+    while (simulation_->can_undo() && simulation_->undo_history().done().size() > done) simulation_->undo();
+    while (simulation_->can_redo() && simulation_->undo_history().done().size() < done) simulation_->redo();
+    follow_terrain();
+}
+
+}  // namespace talus

@@ -1,0 +1,160 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/core/activity.h"
+#include "app/core/balances.h"
+#include "app/core/gauges.h"
+#include "app/core/scene.h"
+#include "app/core/sculpting.h"
+#include "app/core/tick_pacing.h"
+#include "render/renderer.h"
+#include "sim/gpu/context.h"
+#include "sim/gpu/timestamp.h"
+#include "sim/simulation.h"
+
+namespace talus {
+
+/// What the window works on: a scene, its simulation and its picture. Knows no window and no panel.
+class Session {
+  public:
+    /// Throws talus::Error when the scene cannot be made.
+    Session(const SceneRequest& request, gpu::Device device);
+
+    Simulation& simulation() { return *simulation_; }
+    const Simulation& simulation() const { return *simulation_; }
+    Renderer& renderer() { return *renderer_; }
+    /// Parameters of drawing and of the hand: not recorded.
+    Parameters& view() { return scene_.view; }
+    const Parameters& view() const { return scene_.view; }
+    const Scene& scene() const { return scene_; }
+    const SceneRequest& request() const { return request_; }
+    Camera& camera() { return camera_; }
+    /// Another number for every terrain that was opened or reset, or took the place of the one before.
+    int terrain_number() const { return terrain_number_; }
+    const Grid& grid() const { return simulation_->terrain().grid(); }
+    /// Heights at the last open or reset, for the camera and for legends.
+    glm::dvec2 bounds() const { return bounds_; }
+
+    /// What is to be said of the wave maker's truth to nature (app/core/wave_note.h), of the ground that was
+    /// opened.
+    const std::string& wave_note() const { return wave_note_; }
+
+    bool playing = false;
+    /// Plays for this much wall time within this much work (seconds), on average: where a sub-step is longer,
+    /// it is saved for. Measures the speed reached. While a stroke waits for the tick's end, no other tick is
+    /// begun.
+    void play(double wall_s, double budget_s);
+    double speed_reached() const { return speed_reached_; }
+    double tick_ms() const { return ticks_.tick_ms(); }
+    void pause();
+    void toggle_play();
+    void step();
+
+    /// What another scene asks for besides what this session was started with.
+    SceneRequest request_for(const SceneRequest& wish) const;
+    /// Another scene, made as the request says: what was here before stays where that fails.
+    void open(const SceneRequest& request, Scene scene);
+    /// The scene came from an autosave of this project (empty: none yet): it is unsaved, and saved there.
+    void recovered(const std::string& project, const std::string& title);
+    void reset();
+    double picture_aspect = 16.0 / 9;  ///< width by height of the picture that the terrain is framed in
+    void frame_terrain();
+    /// What is to be saved, as it is now. Waits for the device.
+    Document document();
+    /// It was written there, as it was at this revision: what was done since is not saved.
+    void saved(const std::string& path, std::size_t revision);
+    /// The document that save goes to; empty where a heightmap was opened or nothing was saved yet.
+    const std::string& path() const { return path_; }
+    /// Whether anything was done since it was opened or saved, and not taken back.
+    bool unsaved() const;
+    /// Rises with everything that is done.
+    std::size_t revision() const { return simulation_->journal().revision(); }
+    void write_journal_to(const std::string& path) const;
+
+    /// Sets any parameter by name: simulation parameters as recorded operations, the others at once.
+    void set(const std::string& name, const Value& value);
+    /// As if nobody had ever set it: its default, or what it follows.
+    void unset(const std::string& name);
+    const Value& value(const std::string& name) const;
+    /// Whether a preset, a person or a file set it.
+    bool is_given(const std::string& name) const;
+    const Parameter& declaration(const std::string& name) const;
+
+    void begin_stroke(glm::dvec3 at, const Modifiers& modifiers = {}) {
+        sculpting_.begin(scene_.view, at, modifiers);
+    }
+    /// The hand is at a place on the ground after this much wall time.
+    void stroke(glm::dvec3 at, double wall_s) { sculpting_.move(*simulation_, scene_.view, at, wall_s); }
+    void end_stroke() { sculpting_.end(*simulation_, scene_.view); }
+    /// The same once the tick that goes on has ended: the stroke goes on until then.
+    void let_go_of_stroke();
+    bool stroking() const { return sculpting_.stroke().has_value(); }
+    const Sculpting& sculpting() const { return sculpting_; }
+    /// What the brush shows of itself there.
+    Ring ring(glm::dvec2 at_m) { return sculpting_.ring(*simulation_, scene_.view, at_m); }
+
+    /// An act of its own: ends what is open, pauses, and does it. Throws talus::Error, with nothing changed,
+    /// when it cannot be done.
+    void apply(const Operation& operation);
+
+    void undo();
+    void redo();
+    /// Undoes or redoes until so many acts are done.
+    void go_to(std::size_t done);
+    /// What goes on behind the acts' back. Once a loop of the window, drawn or not.
+    void poll() { simulation_->poll_undo(); }
+
+    /// Reads the ledger now. Waits for the device: an act, not part of a frame.
+    void balance();
+    const std::vector<Balance>& balances() const { return balances_.all(); }
+    void follow_ledger() { balances_.follow(*simulation_); }
+
+    const Activity::Counts& activity() const { return activity_.counts(); }
+    void follow_activity() { activity_.follow(simulation_->terrain().tiles); }
+
+    Gauges& gauges() { return gauges_; }
+    const Gauges& gauges() const { return gauges_; }
+    const Camera& camera() const { return camera_; }
+    /// Takes what gauges show, without waiting. Once a frame.
+    void follow_gauges();
+
+  private:
+    void start(Scene scene);
+    /// Makes anew what hangs on the terrain's size, where another one took its place.
+    void follow_terrain();
+    void suggest_for_terrain();
+    void forget_rectangle();
+    void follow_undo_memory();
+    void set_simulated(const std::string& name, const std::optional<Value>& value);
+    std::string document_path() const;
+    bool is_simulated(const std::string& name) const;
+
+    gpu::Device device_;
+    SceneRequest request_;
+    Scene scene_;
+    std::unique_ptr<Simulation> simulation_;
+    std::unique_ptr<Renderer> renderer_;
+    Camera camera_;
+    int terrain_number_ = 0;
+    glm::dvec2 bounds_{0};
+    Balances balances_;
+    Activity activity_;
+    Gauges gauges_{Grid()};
+    std::string wave_note_;
+    std::string path_;
+    std::vector<Operation> saved_operations_;
+    bool recovered_ = false;
+    mutable std::optional<std::size_t> compared_revision_;  // at which unsaved_ was found
+    mutable bool unsaved_ = false;
+    Sculpting sculpting_;
+    TickPacing ticks_;
+    gpu::Timestamp tick_timer_{"ticks"};
+    TickPacing::Ran timed_;  // what the timer is of
+    double speed_reached_ = 0;
+    int simulated_terrain_ = 0;  // the simulation's number of it
+};
+
+}  // namespace talus

@@ -1,0 +1,50 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+
+namespace talus {
+
+/// What is paced: a simulation, and the clock on the wall.
+struct PacedTicks {
+    std::function<bool(int)> advance;  ///< up to so many sub-steps; says whether a tick was completed
+    std::function<bool()> is_mid_tick;
+    std::function<std::uint64_t()> substeps_sent;
+    std::function<double()> now_s;
+};
+
+/// How many ticks a frame gets, so that simulated time follows the time on the wall and frames keep coming.
+/// Knows no window: what passed and what a frame may spend is told.
+class TickPacing {
+  public:
+    struct Frame {
+        double wall_s = 0;    ///< that passed since the last one
+        double budget_s = 0;  ///< for ticks, on average
+        double tick_s = 1;    ///< simulated
+        double speed = 1;     ///< simulated seconds a second
+        bool stroking = false;
+    };
+    struct Ran {
+        int ticks = 0;
+        std::uint64_t substeps = 0;
+    };
+
+    /// Runs what this frame owes and may spend. What does not fit in a frame is saved for; what could not be
+    /// simulated in time is dropped. Under a stroke ticks are whole, one a frame at most: dabs wait for a
+    /// tick's end.
+    Ran play(const PacedTicks& ticks, const Frame& frame);
+    /// What play() ran took this long (ms), as the device says: where it runs behind our back, the clock on
+    /// the wall does not know.
+    void took(double ms, const Ran& ran);
+    /// Nothing is owed any more.
+    void stop();
+    /// Of a tick, lately, ms.
+    double tick_ms() const { return tick_ms_; }
+
+  private:
+    double owed_s_ = 0;    // simulated
+    double credit_s_ = 0;  // work that ticks may do and have not
+    double tick_ms_ = 0;
+    double substep_ms_ = 0;
+};
+
+}  // namespace talus

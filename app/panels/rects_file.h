@@ -1,0 +1,18 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/panels/widgets.h"
+
+namespace talus {
+
+/// A file that says where every named widget of the last frame is, a line each: left, top, right, bottom,
+/// name.
+struct RectsFile {
+    std::string path;  ///< empty: none is kept
+    std::vector<WidgetRect> written = {};
+    /// After a frame's panels: writes it where something moved.
+    void keep();
+};
+
+}  // namespace talus

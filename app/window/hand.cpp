@@ -1,0 +1,158 @@
+#include "app/window/hand.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/window/camera_control.h"
+
+namespace talus {
+
+void Hand::act(Session& session, glm::dvec2 mouse, double passed_s, glm::ivec2 size, const HandMay& may,
+               bool& placing_gauge) {
+    moving_s_ = std::max(0.0, moving_s_ - passed_s);
+    follow_terrain(session);
+    read_cursor(session.grid());
+    move_camera(session, mouse, passed_s, size.y, may);
+    mouse_ = mouse;
+    sculpt(session, passed_s, may, placing_gauge);
+}
+
+// What was read of another terrain is not of this one.
+void Hand::follow_terrain(const Session& session) {
+    if (terrain_number_ == session.terrain_number()) return;
+    terrain_number_ = session.terrain_number();
+    ground_.forget();
+    cursor_readback_.cancel();
+    cursor_.reset();
+    cursor_mouse_ = glm::dvec2(-1);
+}
+
+// Where the mouse's ray met the ground when it was last read.
+void Hand::read_cursor(const Grid& grid) {
+    const auto texels = cursor_readback_.poll();
+    if (!texels) return;
+    const float distance = (*texels)[0];
+    cursor_.reset();
+    if (!std::isfinite(distance)) return;
+    const glm::dvec3 point = cursor_camera_.eye + cursor_direction_ * static_cast<double>(distance);
+    // On the terrain's sides there is nothing to sculpt.
+    const glm::dvec2 edge(1e-3 * grid.dx, 1e-3 * grid.dy);
+    if (point.x > edge.x && point.y > edge.y && point.x < grid.width_m() - edge.x &&
+        point.y < grid.height_m() - edge.y)
+        cursor_ = point;
+}
+
+void Hand::look(Session& session, glm::dvec2 mouse, glm::ivec2 size, glm::ivec2 drawn, bool changed) {
+    // Over a picture at rest the cursor is read where it came to, once.
+    if (!changed && mouse == cursor_mouse_) return;
+    if (cursor_readback_.pending()) {
+        // The picture has changed since: again, when it has come.
+        cursor_mouse_ = glm::dvec2(-1);
+        return;
+    }
+    if (mouse.x < 0 || mouse.y < 0 || mouse.x >= size.x || mouse.y >= size.y) return;
+    const int x = std::clamp(static_cast<int>(mouse.x * drawn.x / size.x), 0, drawn.x - 1);
+    const int y = std::clamp(static_cast<int>(mouse.y * drawn.y / size.y), 0, drawn.y - 1);
+    cursor_mouse_ = mouse;
+    cursor_camera_ = session.camera();
+    cursor_direction_ = pixel_direction(cursor_camera_, x + 0.5, y + 0.5, drawn.x, drawn.y);
+    cursor_readback_.start(session.renderer().hits(), {x, drawn.y - 1 - y, 1, 1});
+}
+
+void Hand::move_camera(Session& session, glm::dvec2 mouse, double passed_s, int height, const HandMay& may) {
+    Camera& camera = session.camera();
+    const Camera before = camera;
+    camera.fov_deg = session.view().number("camera.fov_deg");
+    const glm::dvec2 drag = mouse - mouse_;
+    const std::string& mode = session.view().choice("camera.mode");
+    const bool walking = mode == "walk";
+    const bool flying = mode == "fly" || walking;
+    const glm::dvec3 ahead = cursor_.value_or(camera.target);
+    const auto held = [&](int button) { return glfwGetMouseButton(window_, button) == GLFW_PRESS; };
+    const bool turning = held(GLFW_MOUSE_BUTTON_RIGHT) && may.use_mouse;
+    if (turning && !turning_) pivot_ = ahead;
+    turning_ = turning;
+    if (turning && drag != glm::dvec2(0)) {
+        if (flying)
+            talus::look(camera, drag.x, drag.y);
+        else
+            orbit(camera, pivot_, drag.x, drag.y);
+    }
+    if (held(GLFW_MOUSE_BUTTON_MIDDLE) && may.use_mouse)
+        pan(camera, drag.x, drag.y, glm::length(ahead - camera.eye), height);
+    if (wheel_ != 0 && may.use_mouse) zoom(camera, ahead, wheel_);
+    wheel_ = 0;
+    if (may.use_keys) {
+        const auto down = [&](int k) { return glfwGetKey(window_, k) == GLFW_PRESS ? 1.0 : 0.0; };
+        const double along = down(GLFW_KEY_W) - down(GLFW_KEY_S);
+        const double aside = down(GLFW_KEY_D) - down(GLFW_KEY_A);
+        if (walking) {
+            const double step = session.view().number("camera.walk_m_per_s") * passed_s;
+            walk(camera, step * along, step * aside);
+        } else {
+            const double step = session.view().number("camera.speed_m_per_s") * passed_s;
+            fly(camera, step * along, step * aside, step * (down(GLFW_KEY_E) - down(GLFW_KEY_Q)));
+        }
+    }
+    meet_ground(session, camera, walking, passed_s);
+    camera_moved_ = !(camera == before);
+    if (camera_moved_) moving_s_ = 0.25;
+}
+
+// Walking stands on the ground; else the eye stays out of it, where collision is on.
+void Hand::meet_ground(Session& session, Camera& camera, bool walking, double passed_s) {
+    const bool collides = session.view().toggle("camera.collision");
+    if (!walking) walking_ = false;
+    if (!walking && !collides) {
+        ground_.forget();
+        return;
+    }
+    const Grid& grid = session.grid();
+    // Who begins to walk looks ahead.
+    if (walking && !walking_) look_level(camera);
+    walking_ = walking;
+    if (walking) keep_within(camera, grid);
+    ground_.follow(session.simulation().terrain(), camera.eye);
+    const std::optional<double> ground_m = ground_.height_m(grid, camera.eye);
+    if (!ground_m) return;
+    const double eye_m = session.view().number("camera.eye_height_m");
+    if (walking)
+        stand(camera, *ground_m + eye_m, *ground_m + 0.2 * eye_m, passed_s);
+    else
+        keep_above(camera, *ground_m + 0.02 * std::min(grid.dx, grid.dy));
+}
+
+void Hand::sculpt(Session& session, double passed_s, const HandMay& may, bool& placing_gauge) {
+    const bool held = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS && may.use_mouse;
+    const auto down = [&](int left, int right) {
+        return glfwGetKey(window_, left) == GLFW_PRESS || glfwGetKey(window_, right) == GLFW_PRESS;
+    };
+    const Modifiers modifiers{down(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
+                              down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT)};
+    // A press counts from its second frame on: only then does the panel know whether it was meant for it.
+    const bool presses = std::exchange(held_before_, held) && held;
+    if (presses && placing_gauge && cursor_) {
+        placing_gauge = false;
+        placed_ = true;
+        session.gauges().place({cursor_->x, cursor_->y});
+    }
+    // The click that placed a gauge, or picked a height, is no stroke.
+    placed_ = placed_ && held;
+    if (presses && !session.stroking() && cursor_ && modifiers.inverted && !modifiers.smooth &&
+        tool_named(session.view().choice("brush.tool")).picks_height) {
+        session.set("brush.height_m", cursor_->z);
+        placed_ = true;
+    }
+    if (presses && !placed_ && !session.stroking() && cursor_) session.begin_stroke(*cursor_, modifiers);
+    if (!session.stroking()) return;
+    moving_s_ = 0.25;
+    if (!held)
+        session.let_go_of_stroke();
+    else if (cursor_)
+        session.stroke(*cursor_, passed_s);
+}
+
+}  // namespace talus

@@ -1,0 +1,68 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "app/core/session.h"
+#include "app/window/ground_probe.h"
+#include "sim/gpu/readback.h"
+
+struct GLFWwindow;
+
+namespace talus {
+
+/// What the panels leave to the hand in a frame.
+struct HandMay {
+    bool use_mouse = true;
+    bool use_keys = true;
+};
+
+/// A person's hand over the terrain: where the mouse's ray meets the ground, strokes of the brush, and the
+/// camera's ways.
+class Hand {
+  public:
+    explicit Hand(GLFWwindow* window) : window_(window) {}
+
+    /// Moves the camera and makes the stroke of `passed_s` seconds; the mouse is in pixels of a picture of
+    /// this size.
+    /// `placing_gauge`: the next click on the ground places one, and ends that.
+    void act(Session& session, glm::dvec2 mouse, double passed_s, glm::ivec2 size, const HandMay& may,
+             bool& placing_gauge);
+    /// After a picture was drawn: asks where the mouse's ray meets it. `drawn`: the picture's size,
+    /// `changed`: whether it is another one than before.
+    void look(Session& session, glm::dvec2 mouse, glm::ivec2 size, glm::ivec2 drawn, bool changed);
+    void turn_wheel(double steps) { wheel_ += steps; }
+    /// Where the mouse is on the ground; none: beside it.
+    const std::optional<glm::dvec3>& cursor() const { return cursor_; }
+    /// True while a read-back that it asked for is on its way.
+    bool waits() const { return cursor_readback_.pending() || ground_.pending(); }
+    bool camera_moved() const { return camera_moved_; }
+    /// Whether camera or brush moved something within the last quarter of a second.
+    bool moving() const { return moving_s_ > 0; }
+
+  private:
+    void read_cursor(const Grid& grid);
+    void move_camera(Session& session, glm::dvec2 mouse, double passed_s, int height, const HandMay& may);
+    void meet_ground(Session& session, Camera& camera, bool walking, double passed_s);
+    void sculpt(Session& session, double passed_s, const HandMay& may, bool& placing_gauge);
+    void follow_terrain(const Session& session);
+
+    GLFWwindow* window_;
+    int terrain_number_ = 0;
+    GroundProbe ground_;
+    gpu::Readback cursor_readback_;
+    Camera cursor_camera_;
+    glm::dvec2 cursor_mouse_{-1};  // where the last read-back began
+    glm::dvec3 cursor_direction_{0};
+    std::optional<glm::dvec3> cursor_;
+    glm::dvec2 mouse_{0};
+    glm::dvec3 pivot_{0};
+    bool turning_ = false;
+    bool walking_ = false;
+    double wheel_ = 0;
+    double moving_s_ = 0;
+    bool camera_moved_ = false;
+    bool placed_ = false;       // a gauge, by the click that is held
+    bool held_before_ = false;  // the left button, in the frame before
+};
+
+}  // namespace talus

@@ -1,0 +1,399 @@
+#include "app/window/window.h"
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app/core/frame_log.h"
+#include "app/core/frame_pacing.h"
+#include "app/core/pass_times.h"
+#include "app/core/picture_file.h"
+#include "app/core/project.h"
+#include "app/core/report.h"
+#include "app/core/session.h"
+#include "app/core/window_layout.h"
+#include "app/panels/legend.h"
+#include "app/panels/panels.h"
+#include "app/panels/rects_file.h"
+#include "app/panels/style.h"
+#include "app/window/glfw.h"
+#include "app/window/hand.h"
+#include "app/window/shortcuts.h"
+#include "app/window/typed_keys.h"
+#include "sim/error.h"
+#include "sim/gpu/shader_text.h"
+#include "sim/io/atomic_file.h"
+#include "sim/terrain/state_hash.h"
+
+namespace talus {
+namespace {
+
+// The window: its events, its frames, and what panels and keys ask of it.
+class Window {
+  public:
+    Window(const Glfw& glfw, const WindowOptions& options, const WindowLayout& layout)
+        : window_(glfw.open(options.size.value_or(layout.size), true)),
+          device_(gpu::adopt_current_context("window")),
+          session_(options.scene, device_),
+          hand_(window_),
+          project_(session_, state_, options.journal,
+                   {[this](const std::string& message) { tell(message); },
+                    [this](const std::string& message) { note(message); },
+                    [this] {
+                        title();
+                        wake();
+                    },
+                    [this] { note_start(); }}),
+          frame_log_path_(options.frame_log),
+          rects_{options.ui_rects} {
+        note(gpu::describe(device_));
+        for (const std::string& guess : session_.scene().document.notes) note("note: " + guess);
+        gpu::on_shader_message([this](const std::string& message) { tell(message); });
+        listen();
+        begin_panels(options.ui_scale);
+        const std::vector<std::string> panels = panel_names();
+        if (std::find(panels.begin(), panels.end(), layout.panel) != panels.end())
+            state_.shown = layout.panel;
+        state_.panels_shown = layout.panels_shown;
+        // The start page opens where nothing was named; a file that was named is not covered by it.
+        state_.start_page = options.scene.input.empty() && options.scene.preset.empty();
+        if (!state_.start_page && !state_.left.empty())
+            tell("an earlier session ended with unsaved work: File > Start page offers it");
+        glm::ivec2 size(0);
+        glfwGetFramebufferSize(window_, &size.x, &size.y);
+        follow_area(size);
+        session_.frame_terrain();
+        title();
+        note_start();
+    }
+    ~Window() {
+        // What hangs on OpenGL goes before it.
+        state_ = {};
+        ImGui_ImplOpenGL3_Shutdown();
+        ImGui_ImplGlfw_Shutdown();
+        ImGui::DestroyContext();
+    }
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    void loop() {
+        last_s_ = glfwGetTime();
+        while (!glfwWindowShouldClose(window_)) {
+            if (busy())
+                glfwPollEvents();
+            else
+                glfwWaitEventsTimeout(0.3);
+            if (gpu::poll_shader_folder()) {
+                session_.renderer().forget();
+                wake();
+            }
+            if (!message_.empty() && glfwGetTime() >= message_until_s_) {
+                message_.clear();
+                wake();
+            }
+            // What fails costs a frame, never the work: it is told, and the window goes on.
+            attempt([&] { session_.poll(); });
+            attempt([&] { project_.poll(); });
+            // At rest nothing is drawn and nothing presented.
+            if (busy()) frame();
+            if (glfwWindowShouldClose(window_) && !closing_) {
+                glfwSetWindowShouldClose(window_, GLFW_FALSE);
+                quit();
+            }
+        }
+        session_.pause();
+        project_.write_journal();
+        if (!frame_log_path_.empty()) write_atomically(frame_log_path_, to_csv(frames_));
+        WindowLayout layout;
+        glfwGetWindowSize(window_, &layout.size.x, &layout.size.y);
+        layout.panel = state_.shown;
+        layout.panels_shown = state_.panels_shown;
+        keep_window_layout(layout);
+        project_.end();
+    }
+
+  private:
+    static Window* self(GLFWwindow* window) { return static_cast<Window*>(glfwGetWindowUserPointer(window)); }
+
+    void listen() {
+        glfwSetWindowUserPointer(window_, this);
+        glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
+            if (count > 0) self(w)->requests_.import = paths[0];
+            self(w)->wake();
+        });
+        // Whatever a person does wakes the window, and goes to the panels too.
+        glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) {
+            self(w)->hand_.turn_wheel(y);
+            self(w)->wake();
+            ImGui_ImplGlfw_ScrollCallback(w, x, y);
+        });
+        glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int code, int action, int mods) {
+            self(w)->wake();
+            const bool typing = is_dialog_open(self(w)->state_) || ImGui::GetIO().WantTextInput;
+            self(w)->typed_.hear({key, code, action, mods}, typing, self(w)->keys_to_);
+        });
+        glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int mouse_button, int action, int mods) {
+            self(w)->wake();
+            ImGui_ImplGlfw_MouseButtonCallback(w, mouse_button, action, mods);
+        });
+        glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) {
+            self(w)->wake();
+            ImGui_ImplGlfw_WindowFocusCallback(w, focused);
+        });
+        glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int entered) {
+            self(w)->wake();
+            ImGui_ImplGlfw_CursorEnterCallback(w, entered);
+        });
+        glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned letter) {
+            self(w)->wake();
+            self(w)->typed_.hear_letter(letter);
+        });
+        glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { self(w)->wake(); });
+        glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { self(w)->wake(); });
+        glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { self(w)->wake(); });
+        glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { self(w)->wake(); });
+    }
+
+    void begin_panels(double scale) {
+        ImGui::CreateContext();
+        ImGui::GetIO().IniFilename = nullptr;
+        ImGui::GetIO().ConfigWindowsMoveFromTitleBarOnly = true;
+        float asked = 1;
+        glfwGetWindowContentScale(window_, &asked, nullptr);
+        const float used = scale > 0 ? static_cast<float>(scale) : std::clamp(asked, 1.0F, 4.0F);
+        set_style(used);
+        // The callbacks above pass on what it needs.
+        ImGui_ImplGlfw_InitForOpenGL(window_, false);
+        ImGui_ImplOpenGL3_Init("#version 450 core");
+    }
+
+    // What the panels leave to the picture.
+    void follow_area(glm::ivec2 size) {
+        area_ = picture_area(state_, size);
+        session_.picture_aspect = static_cast<double>(area_.size.x) / area_.size.y;
+    }
+
+    bool busy() const {
+        return session_.playing || session_.stroking() || pacing_.is_awake() || hand_.moving() ||
+               hand_.waits() || refining_ || project_.busy();
+    }
+    void wake() { pacing_.wake(); }
+    void note(const std::string& message) {
+        say(message);
+        constexpr std::size_t most = 1000;
+        if (state_.log.size() >= most) state_.log.erase(state_.log.begin());
+        state_.log.push_back(message);
+    }
+    // For who drives the window by name, and wants to know whether undo leads back to it.
+    void note_start() {
+        if (rects_.path.empty()) return;
+        note(fmt::format("begun with hash {:016x}", state_hash(session_.simulation().read())));
+    }
+    void tell(const std::string& message) {
+        note(message);
+        message_ = message;
+        message_until_s_ = glfwGetTime() + 6;
+        wake();
+    }
+    void title() {
+        glfwSetWindowTitle(
+            window_,
+            fmt::format("{}{} - Talus", session_.scene().title, session_.unsaved() ? " *" : "").c_str());
+    }
+
+    // Errors of what a person asked for are told, and everything stays as it was.
+    template <typename Act>
+    void attempt(Act&& act) {
+        try {
+            act();
+        } catch (const std::exception& error) {
+            session_.playing = false;
+            tell(fmt::format("talus: {}", error.what()));
+        }
+    }
+
+    void quit() {
+        project_.when_saved([this] {
+            closing_ = true;
+            glfwSetWindowShouldClose(window_, GLFW_TRUE);
+        });
+    }
+
+    void serve_requests() {
+        PanelRequests asked;
+        std::swap(asked, requests_);
+        // Long work has the session to itself.
+        const auto waits = [&] {
+            const bool busy = project_.work().busy();
+            if (busy && asked.any()) tell(fmt::format("{} goes on: wait for it", project_.work().name()));
+            return busy;
+        };
+        if (waits()) return;
+        if (asked.answer) attempt(asked.answer);
+        attempt([&] { project_.serve(asked); });
+        if (project_.work().busy()) return title();
+        for (const auto& act : asked.acts) attempt([&] { act(session_); });
+        if (asked.undo) attempt([&] { session_.undo(); });
+        if (asked.redo) attempt([&] { session_.redo(); });
+        if (asked.framing) session_.frame_terrain();
+        if (asked.picture)
+            attempt([&] { tell(fmt::format("saved the picture {}", save_picture(session_, area_.size))); });
+        if (asked.quit) quit();
+        if (asked.any()) {
+            title();
+            wake();
+        }
+    }
+
+    // Milliseconds.
+    static double since(double begin_s) { return 1000 * (glfwGetTime() - begin_s); }
+
+    void frame() {
+        const double now = glfwGetTime();
+        const double passed_s = std::min(now - last_s_, 0.25);
+        last_s_ = now;
+        glm::ivec2 size(0);
+        glfwGetFramebufferSize(window_, &size.x, &size.y);
+        if (size.x <= 0 || size.y <= 0) return;
+        glm::dvec2 mouse;
+        glfwGetCursorPos(window_, &mouse.x, &mouse.y);
+        if (mouse != mouse_) wake();
+        mouse_ = mouse;
+        follow_area(size);
+
+        const ImGuiIO& io = ImGui::GetIO();
+        const bool dialog = is_dialog_open(state_) || project_.work().busy();
+        const HandMay may{!io.WantCaptureMouse && !dialog, !io.WantTextInput && !io.KeyCtrl && !dialog};
+        const bool stroked = session_.stroking();
+        FrameTimes times{now};
+        const int dabs_before = session_.sculpting().dabs();
+        attempt([&] {
+            hand_.act(session_, mouse - glm::dvec2(area_.corner), passed_s, area_.size, may,
+                      state_.placing_gauge);
+        });
+        if (stroked && !session_.stroking()) title();
+        times.act_ms = since(now);
+        times.dabs = session_.sculpting().dabs() - dabs_before;
+        if (times.dabs > 0) times.waited_ms = 1000 * session_.sculpting().dabs_waited_s();
+        if (session_.playing) attempt([&] { session_.play(passed_s, pacing_.ticks_budget_s()); });
+        session_.follow_gauges();
+        if (auto times_of = pass_times_.follow(state_.panels_shown && state_.shown == "Profiler", passed_s)) {
+            state_.passes = std::move(times_of->passes);
+            state_.passes_s = times_of->span_s;
+        }
+
+        const bool moving = session_.playing || session_.stroking() || hand_.moving();
+        const double used = pacing_.picture_scale(moving, hand_.camera_moved());
+        const glm::ivec2 drawn_size = glm::max(glm::ivec2(glm::dvec2(area_.size) * used), 1);
+        pacing_.begin(moving);
+        times.scale = used;
+        times.play_ms = since(now) - times.act_ms;
+        draw_picture(mouse - glm::dvec2(area_.corner), area_.size, drawn_size, moving);
+        times.picture_ms = since(now) - times.total_ms();
+        draw_window(size, drawn_size, used);
+        times.panels_ms = since(now) - times.total_ms();
+        glfwSwapBuffers(window_);
+        times.present_ms = since(now) - times.total_ms();
+        pacing_.took((times.total_ms() - times.play_ms) / 1000);
+        if (!frame_log_path_.empty()) frames_.push_back(times);
+        if (!std::exchange(first_picture_shown_, true))
+            note(fmt::format("first picture after {:.2f} s", seconds_since_start()));
+        rects_.keep();
+        serve_requests();
+        frame_s_ = glfwGetTime() - now;
+    }
+
+    void draw_picture(glm::dvec2 mouse, glm::ivec2 size, glm::ivec2 drawn_size, bool moving) {
+        settings_ = view_settings(session_.view(), session_.simulation().parameters());
+        settings_.quick = moving && pacing_.is_late();
+        // A shader that does not compile is told, and the last picture stays.
+        try {
+            Ring ring;
+            if (hand_.cursor() && !ImGui::GetIO().WantCaptureMouse) ring = session_.ring(*hand_.cursor());
+            Terrain& terrain = session_.simulation().terrain();
+            const Drawn drawn = session_.renderer().draw(terrain, session_.camera(), settings_, drawn_size.x,
+                                                         drawn_size.y, ring);
+            hand_.look(session_, mouse, size, drawn_size, drawn != Drawn::nothing);
+            // At rest the picture gathers samples, one a frame; while somebody works at the panels they come
+            // first.
+            if (!moving && !pacing_.is_awake() && !ImGui::IsAnyItemActive())
+                refining_ = session_.renderer().refine(terrain, session_.view().whole("render.samples"));
+            else
+                refining_ = !pacing_.is_awake() && refining_ && !ImGui::IsAnyItemActive();
+        } catch (const std::exception& error) {
+            refining_ = false;
+            if (message_ != error.what()) tell(error.what());
+        }
+    }
+
+    void draw_window(glm::ivec2 size, glm::ivec2 drawn_size, double used) {
+        gpu::bind_window(size.x, size.y);
+        // The window counts rows from below.
+        session_.renderer().framebuffer().blit_to_window(
+            {0, 0, drawn_size.x, drawn_size.y},
+            {area_.corner.x, size.y - area_.corner.y - area_.size.y, area_.size.x, area_.size.y});
+        ImGui_ImplOpenGL3_NewFrame();
+        ImGui_ImplGlfw_NewFrame();
+        if (typed_.pass(keys_to_)) wake();
+        ImGui::NewFrame();
+        draw_marks(session_, area_);
+        StatusFigures figures{device_.renderer, glfwGetTime() < message_until_s_ ? message_ : "",
+                              std::nullopt, frame_s_ * 1000, used};
+        if (hand_.cursor()) figures.cursor_height_m = hand_.cursor()->z;
+        draw_legend(legend_of(settings_, session_.renderer().bounds().x, session_.renderer().bounds().y),
+                    area_.corner.x + area_.size.x, area_.corner.y + area_.size.y);
+        PanelContext context{session_, state_, requests_, project_.work()};
+        draw_panels(context, figures, size);
+        bool cancelled = false;
+        draw_work(project_.work(), cancelled);
+        if (cancelled || std::exchange(requests_.cancel_work, false)) project_.cancel();
+        ImGui::Render();
+        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    }
+
+    GLFWwindow* window_;
+    gpu::Device device_;
+    Session session_;
+    Hand hand_;
+    PanelState state_;
+    std::string message_;
+    double message_until_s_ = 0;
+    FramePacing pacing_;
+    Project project_;
+    std::string frame_log_path_;
+    std::vector<FrameTimes> frames_;
+    RectsFile rects_;
+    PanelRequests requests_;
+    bool closing_ = false;
+    ViewSettings settings_;
+    PictureArea area_;  // what the panels leave to the picture
+    PassTimes pass_times_;
+    bool first_picture_shown_ = false;
+
+    glm::dvec2 mouse_{0};
+    const TypedKeys::To keys_to_{
+        [this](const TypedKeys::Key& key) { press_key(key.key, key.mods, session_, state_, requests_); },
+        [this](const TypedKeys::Key& key) {
+            ImGui_ImplGlfw_KeyCallback(window_, key.key, key.code, key.action, key.mods);
+        },
+        [this](unsigned letter) { ImGui_ImplGlfw_CharCallback(window_, letter); }};
+    TypedKeys typed_;
+    bool refining_ = false;
+    double last_s_ = 0;
+    double frame_s_ = 0;
+};
+
+}  // namespace
+
+void run_window(const WindowOptions& options) {
+    const Glfw glfw;
+    Window window(glfw, options, read_window_layout());
+    window.loop();
+}
+
+}  // namespace talus

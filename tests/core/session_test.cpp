@@ -1,0 +1,181 @@
+// A session and its files without a window: what is unsaved, what is asked before something is lost, and what
+// the ledger's plot keeps.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "app/core/balances.h"
+#include "app/core/project.h"
+#include "sim/error.h"
+#include "sim/gpu/context.h"
+
+namespace talus::session_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder of its own, for files and for what sessions keep.
+class SessionFiles : public testing::Test {
+  protected:
+    SessionFiles() : folder_(fs::temp_directory_path() / ("talus_session_" + std::to_string(getpid()))) {
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+        setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
+        setenv("XDG_CACHE_HOME", (folder_ / "cache").c_str(), 1);
+        context_.emplace();
+        SceneRequest request;
+        request.preset = "blank";
+        request.size = glm::ivec2(65, 65);
+        session_.emplace(request, context_->device());
+        project_.emplace(*session_, state_, "",
+                         Project::Voice{[this](const std::string& message) { told_.push_back(message); },
+                                        [](const std::string&) {}, [] {}, [] {}});
+    }
+    ~SessionFiles() override {
+        project_->end();
+        project_.reset();
+        session_.reset();
+        fs::remove_all(folder_);
+    }
+
+    void sculpt() {
+        Dab dab;
+        dab.x_m = dab.y_m = session_->grid().width_m() / 2;
+        dab.radius_m = session_->grid().width_m() / 4;
+        dab.amount_m = 5;
+        session_->apply(dab);
+    }
+    void serve(const std::function<void(PanelRequests&)>& ask) {
+        PanelRequests asked;
+        ask(asked);
+        project_->serve(asked);
+        finish();
+    }
+    void answer(const std::string& words) {
+        ASSERT_TRUE(state_.question) << words;
+        for (const auto& [text, act] : std::exchange(state_.question, std::nullopt)->answers)
+            if (text == words) act();
+        finish();
+    }
+    void finish() {
+        for (int i = 0; i < 2000 && project_->work().busy(); ++i) {
+            project_->poll();
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        ASSERT_FALSE(project_->work().busy());
+    }
+    std::string file(const std::string& name) const { return (folder_ / name).string(); }
+
+    fs::path folder_;
+    std::optional<gpu::Context> context_;
+    std::optional<Session> session_;
+    PanelState state_;
+    std::optional<Project> project_;
+    std::vector<std::string> told_;
+};
+
+TEST_F(SessionFiles, WhatIsDoneIsUnsavedUntilItIsSavedOrTakenBack) {
+    EXPECT_FALSE(session_->unsaved());
+    sculpt();
+    EXPECT_TRUE(session_->unsaved());
+    session_->undo();
+    EXPECT_FALSE(session_->unsaved());
+    session_->redo();
+    serve([&](PanelRequests& asked) { asked.save = file("a.exr"); });
+    EXPECT_FALSE(session_->unsaved());
+    EXPECT_EQ(session_->path(), file("a.exr"));
+    session_->undo();
+    EXPECT_TRUE(session_->unsaved()) << "the file has the dab";
+}
+
+TEST_F(SessionFiles, ASavedSessionComesBackToTheBit) {
+    sculpt();
+    const std::vector<float> ground = session_->simulation().read().ground();
+    serve([&](PanelRequests& asked) { asked.save = file("a.exr"); });
+    sculpt();
+    serve([&](PanelRequests& asked) {
+        SceneRequest wish;
+        wish.input = file("a.exr");
+        asked.open = wish;
+    });
+    answer("Drop the changes");
+    EXPECT_EQ(session_->simulation().read().ground(), ground);
+    EXPECT_FALSE(session_->unsaved());
+}
+
+TEST_F(SessionFiles, NothingIsLostWithoutAQuestion) {
+    sculpt();
+    const std::size_t revision = session_->revision();
+    bool done = false;
+    project_->when_saved([&] { done = true; });
+    EXPECT_FALSE(done);
+    answer("Cancel");
+    EXPECT_FALSE(done);
+    EXPECT_EQ(session_->revision(), revision);
+    project_->when_saved([&] { done = true; });
+    answer("Drop the changes");
+    EXPECT_TRUE(done);
+}
+
+TEST_F(SessionFiles, AFileIsReplacedOnlyWhenThatWasSaid) {
+    std::ofstream(file("b.exr")) << "somebody's";
+    sculpt();
+    serve([&](PanelRequests& asked) { asked.save = file("b.exr"); });
+    answer("Cancel");
+    EXPECT_EQ(fs::file_size(file("b.exr")), 10U);
+    EXPECT_TRUE(session_->unsaved());
+    serve([&](PanelRequests& asked) { asked.save = file("b.exr"); });
+    answer("Replace it");
+    EXPECT_GT(fs::file_size(file("b.exr")), 1000U);
+    EXPECT_FALSE(session_->unsaved());
+}
+
+TEST_F(SessionFiles, AFileThatCannotBeOpenedLeavesEverythingAsItWas) {
+    std::ofstream(file("c.tif")) << "no heightmap";
+    sculpt();
+    session_->saved(file("a.exr"), session_->revision());
+    const std::vector<float> ground = session_->simulation().read().ground();
+    EXPECT_THROW(serve([&](PanelRequests& asked) {
+                     SceneRequest wish;
+                     wish.input = file("c.tif");
+                     asked.open = wish;
+                 }),
+                 Error);
+    EXPECT_EQ(session_->simulation().read().ground(), ground);
+    EXPECT_EQ(session_->path(), file("a.exr"));
+}
+
+TEST_F(SessionFiles, AStrokeIsOneEntryAndPlayingGoesOn) {
+    const std::size_t before = session_->simulation().undo_history().done().size();
+    const double middle = session_->grid().width_m() / 2;
+    session_->begin_stroke({middle, middle, 0});
+    for (int i = 0; i < 10; ++i) session_->stroke({middle + i, middle, 0}, 0.02);
+    session_->let_go_of_stroke();
+    EXPECT_FALSE(session_->stroking());
+    EXPECT_GT(session_->sculpting().dabs(), 5);
+    EXPECT_EQ(session_->simulation().undo_history().done().size(), before + 1);
+    session_->playing = true;
+    session_->play(10, 1);
+    EXPECT_GT(session_->simulation().clock().simulated_s, 0);
+}
+
+TEST(Balances, KeepsAFewHundredOverAnyTimeAndForgetsWhatUndoTookBack) {
+    Balances balances;
+    for (int i = 0; i < 10000; ++i) balances.keep({{}, static_cast<double>(i)});
+    const std::vector<Balance>& all = balances.all();
+    EXPECT_LE(all.size(), 512U);
+    EXPECT_GE(all.size(), 256U);
+    EXPECT_EQ(all.front().simulated_s, 0);
+    EXPECT_EQ(all.back().simulated_s, 9999);
+    for (std::size_t i = 1; i < all.size(); ++i) EXPECT_LT(all[i - 1].simulated_s, all[i].simulated_s);
+    balances.keep({{}, 5000});
+    EXPECT_EQ(balances.all().back().simulated_s, 5000);
+    EXPECT_LT(balances.all()[balances.all().size() - 2].simulated_s, 5000);
+}
+
+}  // namespace
+}  // namespace talus::session_test
