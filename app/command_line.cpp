@@ -18,7 +18,7 @@
 #include "sim/io/heightmap_formats.h"
 #include "sim/terrain/layers.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 constexpr std::int64_t max_ticks = 1000000000;
@@ -61,15 +61,15 @@ struct Texts {
     bool json = false;
 
     gpu::ContextChoice context() const { return {gpu, require_hardware}; }
-    ImportSettings import() const {
-        ImportSettings settings;
+    io::ImportSettings import() const {
+        io::ImportSettings settings;
         if (!spacing.empty()) {
             settings.spacing_m = numbers("--spacing", spacing, ',', 1)[0];
             if (!(*settings.spacing_m > 0))
                 throw Error(fmt::format("--spacing {} cannot be used, it must be positive", spacing));
         }
         if (!range.empty()) settings.range_m = range_m();
-        if (!raw.empty()) settings.raw = parse_raw_layout(raw);
+        if (!raw.empty()) settings.raw = io::parse_raw_layout(raw);
         return settings;
     }
     std::optional<glm::dvec2> range_m() const {
@@ -117,7 +117,7 @@ void add_import(CLI::App& app, Texts& t) {
 void add_outputs(CLI::App& app, Texts& t, Outputs& outputs) {
     app.add_option("--out", outputs.files,
                    fmt::format("write the terrain: {}; .exr is a document; may be repeated",
-                               fmt::join(writable_endings(), ", ")))
+                               fmt::join(io::writable_endings(), ", ")))
         ->type_name("FILE");
     app.add_option("--image", outputs.image, "write a picture")->type_name("FILE.png");
     app.add_option("--report", outputs.report, "write the report")->type_name("FILE.json");
@@ -376,4 +376,4 @@ int command_line(int argc, char** argv) {
     return 1;
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -1,5 +1,5 @@
 #include "app/command_line.h"
 
 int main(int argc, char** argv) {
-    return talus::command_line(argc, argv);
+    return talus::app::command_line(argc, argv);
 }

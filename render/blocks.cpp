@@ -1,6 +1,6 @@
 #include "render/blocks.h"
 
-namespace talus {
+namespace talus::render {
 using glsl::block_pixels;
 using glsl::large_block;
 
@@ -26,4 +26,4 @@ void draw_blocks(gpu::Program& program, const gpu::Framebuffer& target, glm::ive
     target.bind({0, 0, size.x, size.y});
 }
 
-}  // namespace talus
+}  // namespace talus::render

@@ -5,7 +5,7 @@
 #include "sim/gpu/program.h"
 #include "sim/gpu/texture.h"
 
-namespace talus {
+namespace talus::render {
 
 namespace glsl {
 using uint = std::uint32_t;
@@ -31,4 +31,4 @@ struct BlockList {
 void draw_blocks(gpu::Program& program, const gpu::Framebuffer& target, glm::ivec2 size,
                  const BlockList& list, gpu::Depth depth);
 
-}  // namespace talus
+}  // namespace talus::render

@@ -10,7 +10,7 @@
 #include "render/methods/method.h"
 #include "sim/terrain/generate.h"
 
-namespace talus {
+namespace talus::render {
 namespace {
 
 constexpr int picture_width = 640;
@@ -76,4 +76,4 @@ double measure_patch_pixels(bool software) {
     return std::exp2(0.5 * std::round(2 * std::log2(std::clamp(exact, 4.0, 1024.0))));
 }
 
-}  // namespace talus
+}  // namespace talus::render

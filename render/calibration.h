@@ -1,6 +1,6 @@
 #pragma once
 
-namespace talus {
+namespace talus::render {
 
 /// From how many pixels a patch on triangles are cheaper than rays on the current device: the hybrid method's
 /// choice. Measured with the methods themselves on a small terrain; rounded to a power of the square root of
@@ -8,4 +8,4 @@ namespace talus {
 /// shaders were never compiled, compiling takes most of the time.
 double measure_patch_pixels(bool software);
 
-}  // namespace talus
+}  // namespace talus::render

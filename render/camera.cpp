@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace talus {
+namespace talus::render {
 
 CameraRays camera_rays(const Camera& camera, double width, double height) {
     const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
@@ -58,4 +58,4 @@ void set_camera(gpu::Program& program, const Grid& grid, const Camera& camera, i
     program.set("origin_height_m", glm::vec2(high, origin.height_m - high));
 }
 
-}  // namespace talus
+}  // namespace talus::render

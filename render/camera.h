@@ -5,7 +5,7 @@
 #include "sim/gpu/program.h"
 #include "sim/terrain/grid.h"
 
-namespace talus {
+namespace talus::render {
 
 /// Where the eye is and looks: world metres (x east, y north, z up), vertical field of view in degrees, up is
 /// +z. Looking straight up or down, the picture's top is north.
@@ -47,4 +47,4 @@ std::optional<glm::dvec2> place_in_picture(const Camera& camera, const CameraRay
 /// Sets the uniforms of shaders/render/picture.glsl and the origin's of surface.glsl.
 void set_camera(gpu::Program& program, const Grid& grid, const Camera& camera, int width, int height);
 
-}  // namespace talus
+}  // namespace talus::render

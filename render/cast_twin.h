@@ -79,9 +79,9 @@ struct CastTwin {
 #include "maths/pixel_ray.glsl"
 
     /// Sets the camera for a picture; its pixels are then cast by position.
-    void look(const Grid& grid, const Camera& camera, int width, int height) {
-        const CameraRays rays = camera_rays(camera, width, height);
-        const CastOrigin origin = cast_origin(grid, camera.eye);
+    void look(const Grid& grid, const render::Camera& camera, int width, int height) {
+        const render::CameraRays rays = camera_rays(camera, width, height);
+        const render::CastOrigin origin = render::cast_origin(grid, camera.eye);
         ray_forward = real3(rays.middle);
         ray_right = real3(rays.right);
         ray_up = real3(rays.up);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace talus {
+namespace talus::render {
 namespace {
 
 constexpr int grain_side = 512;
@@ -53,4 +53,4 @@ gpu::Texture grain_texture() {
     return texture;
 }
 
-}  // namespace talus
+}  // namespace talus::render

@@ -2,7 +2,7 @@
 
 #include <glm/glm.hpp>
 
-namespace talus {
+namespace talus::render {
 namespace {
 
 std::vector<float> read_component(const gpu::Texture& hits, int width, int height, int component) {
@@ -36,4 +36,4 @@ std::vector<float> HitsTarget::read_details(int width, int height) const {
     return read_component(hits_, width, height, 1);
 }
 
-}  // namespace talus
+}  // namespace talus::render

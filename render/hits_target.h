@@ -4,7 +4,7 @@
 
 #include "sim/gpu/texture.h"
 
-namespace talus {
+namespace talus::render {
 
 /// What methods draw into: distance and detail of every pixel (methods/method.h), and depth for triangles.
 class HitsTarget {
@@ -25,4 +25,4 @@ class HitsTarget {
     gpu::Framebuffer framebuffer_;
 };
 
-}  // namespace talus
+}  // namespace talus::render

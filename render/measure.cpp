@@ -6,7 +6,7 @@
 #include <numbers>
 #include <thread>
 
-namespace talus {
+namespace talus::render {
 namespace {
 
 constexpr double agreement = 1e-4;
@@ -194,4 +194,4 @@ PictureError Measure::compare(const Camera& camera, int width, int height,
     return all;
 }
 
-}  // namespace talus
+}  // namespace talus::render

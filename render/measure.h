@@ -3,7 +3,7 @@
 
 #include "render/cast_twin.h"
 
-namespace talus {
+namespace talus::render {
 
 /// How far a picture is from the reference (law 1). Errors in pixels: the smallest offset of a reference ray
 /// that agrees with what the pixel shows, in coverage and within 1e-4 of its distance. Where no ray within
@@ -42,4 +42,4 @@ class Measure {
     maths::CastTwin<double> twin_;
 };
 
-}  // namespace talus
+}  // namespace talus::render

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-namespace talus {
+namespace talus::render {
 namespace {
 
 // What the picture must hold: the corners of the terrain's box or, all around, circles through them.
@@ -73,4 +73,4 @@ Camera overview(const Grid& grid, double lowest_m, double highest_m, const Frami
     return camera;
 }
 
-}  // namespace talus
+}  // namespace talus::render

@@ -1,7 +1,7 @@
 #pragma once
 #include "render/camera.h"
 
-namespace talus {
+namespace talus::render {
 
 /// The picture that a terrain is to be framed in.
 struct Framing {
@@ -15,4 +15,4 @@ struct Framing {
 /// first look. The target is the point of the view's axis that is nearest to the terrain's middle.
 Camera overview(const Grid& grid, double lowest_m, double highest_m, const Framing& framing = {});
 
-}  // namespace talus
+}  // namespace talus::render

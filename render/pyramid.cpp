@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace talus {
+namespace talus::render {
 namespace {
 
 int padded(int patches, int levels) {
@@ -86,4 +86,4 @@ void Pyramid::bind(gpu::Program& program, const Terrain& terrain) const {
     program.set("level_1_size", level_1_size_);
 }
 
-}  // namespace talus
+}  // namespace talus::render

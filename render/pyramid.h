@@ -3,7 +3,7 @@
 #include "sim/gpu/texture.h"
 #include "sim/terrain/terrain.h"
 
-namespace talus {
+namespace talus::render {
 
 /// The highest and lowest sample of blocks of patches: level l covers 2^l x 2^l patches, from level 1 up to
 /// top_level(); level 0 is a patch's four samples and is not stored. Cells without a patch hold -infinity and
@@ -51,4 +51,4 @@ class Pyramid {
     TileList dirty_;
 };
 
-}  // namespace talus
+}  // namespace talus::render

@@ -4,7 +4,7 @@
 
 #include "render/blocks.h"
 
-namespace talus {
+namespace talus::render {
 namespace {}  // namespace
 
 Redraw::Redraw() : mark_("render/redraw_mark.comp"), list_("render/redraw_list.comp") {}
@@ -54,4 +54,4 @@ void Redraw::draw(gpu::Program& program, const gpu::Framebuffer& target, gpu::De
     draw_blocks(program, target, {width_, height_}, {listed_, 0, glsl::draw_words}, depth);
 }
 
-}  // namespace talus
+}  // namespace talus::render

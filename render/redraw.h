@@ -4,7 +4,7 @@
 #include "render/camera.h"
 #include "render/pyramid.h"
 
-namespace talus {
+namespace talus::render {
 
 /// The blocks of a picture (render/blocks.h) that a change of the terrain may touch. Marked, listed and drawn
 /// on the device; all other pixels would keep their bits (law 2).
@@ -37,4 +37,4 @@ class Redraw {
     gpu::Buffer listed_;
 };
 
-}  // namespace talus
+}  // namespace talus::render

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace talus {
+namespace talus::render {
 
 Refinement::Refinement() : add_("render/refine.comp") {}
 
@@ -41,4 +41,4 @@ void Refinement::add(const gpu::Texture& picture, int width, int height) {
     gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::texture_transfer, gpu::Use::framebuffer});
 }
 
-}  // namespace talus
+}  // namespace talus::render

@@ -2,7 +2,7 @@
 #include "render/hits_target.h"
 #include "sim/gpu/program.h"
 
-namespace talus {
+namespace talus::render {
 
 /// Where a picture at rest gathers more samples a pixel: each is the same picture shifted within its pixels,
 /// so the mean is a function of the picture and the number of samples alone (law 2).
@@ -37,4 +37,4 @@ class Refinement {
     gpu::Framebuffer mean_buffer_;
 };
 
-}  // namespace talus
+}  // namespace talus::render

@@ -8,7 +8,7 @@
 
 #include "sim/error.h"
 
-namespace talus {
+namespace talus::render {
 
 namespace {
 
@@ -53,9 +53,9 @@ void Renderer::resize(int width, int height) {
 }
 
 const Method& Renderer::method_of(const ViewSettings& settings, const char* use, bool& redraws_blocks) {
-    const auto entry = std::find_if(talus::methods().begin(), talus::methods().end(),
+    const auto entry = std::find_if(render::methods().begin(), render::methods().end(),
                                     [&](const MethodEntry& e) { return e.name == settings.method; });
-    if (entry == talus::methods().end()) throw Error("there is no method '" + settings.method + "'");
+    if (entry == render::methods().end()) throw Error("there is no method '" + settings.method + "'");
     const Detail detail = detail_of(settings);
     // Steps of a walk depend on bounds far from where it ends.
     redraws_blocks = entry->redraws_blocks && detail != Detail::steps;
@@ -268,4 +268,4 @@ void Renderer::follow_bounds(bool again) {
     bounds_stale_ = false;
 }
 
-}  // namespace talus
+}  // namespace talus::render

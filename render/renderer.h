@@ -17,7 +17,7 @@
 #include "render/water_surface.h"
 #include "sim/gpu/readback.h"
 
-namespace talus {
+namespace talus::render {
 
 /// How much of a picture had to be drawn.
 enum class Drawn { nothing, colours, changes, everything };
@@ -111,4 +111,4 @@ class Renderer {
     bool bounds_stale_ = true;
 };
 
-}  // namespace talus
+}  // namespace talus::render

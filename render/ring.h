@@ -3,7 +3,7 @@
 
 #include "sim/gpu/texture.h"
 
-namespace talus {
+namespace talus::render {
 
 /// What lies over a picture, on the ground under the mouse: a brush's ring, or a stamp as it would be
 /// pressed.
@@ -15,4 +15,4 @@ struct Ring {
     glm::dvec2 stamp_rows{0};
 };
 
-}  // namespace talus
+}  // namespace talus::render

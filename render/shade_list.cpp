@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace talus {
+namespace talus::render {
 namespace {
 
 // Two draws: of blocks with nothing and with something in them.
@@ -34,4 +34,4 @@ BlockList ShadeList::something() const {
     return {words_, glsl::draw_words, shade_head_words + blocks_};
 }
 
-}  // namespace talus
+}  // namespace talus::render

@@ -6,7 +6,7 @@
 #include "sim/gpu/program.h"
 #include "sim/gpu/texture.h"
 
-namespace talus {
+namespace talus::render {
 
 /// Lists the blocks of a picture in which rays hit something, and those in which none did, so that each kind
 /// is coloured by a shader of its own: software runs all of a shader for every pixel that it is drawn over.
@@ -25,4 +25,4 @@ class ShadeList {
     std::size_t blocks_ = 0;
 };
 
-}  // namespace talus
+}  // namespace talus::render

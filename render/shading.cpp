@@ -5,7 +5,7 @@
 #include "render/blocks.h"
 #include "render/grain.h"
 
-namespace talus {
+namespace talus::render {
 
 Shading::Shading() : grain_(grain_texture()) {}
 
@@ -83,4 +83,4 @@ void Shading::draw(const ShadeFrame& frame, const SkyView& sky, const Redraw* re
     draw_blocks(ground, frame.target, size, list_.something(), gpu::Depth::none);
 }
 
-}  // namespace talus
+}  // namespace talus::render

@@ -10,7 +10,7 @@
 #include "render/view.h"
 #include "sim/gpu/texture.h"
 
-namespace talus {
+namespace talus::render {
 
 /// What is shaded: the hits of a picture, and what lies there.
 struct ShadeFrame {
@@ -46,4 +46,4 @@ class Shading {
     gpu::Texture drape_;
 };
 
-}  // namespace talus
+}  // namespace talus::render

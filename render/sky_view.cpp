@@ -1,6 +1,6 @@
 #include "render/sky_view.h"
 
-namespace talus {
+namespace talus::render {
 
 SkyView::SkyView(const Terrain& terrain)
     : program_("render/sky_view.comp"),
@@ -23,4 +23,4 @@ void SkyView::refresh(const Terrain& terrain, const Pyramid& pyramid) {
     gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::texture_transfer});
 }
 
-}  // namespace talus
+}  // namespace talus::render

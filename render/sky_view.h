@@ -1,7 +1,7 @@
 #pragma once
 #include "render/pyramid.h"
 
-namespace talus {
+namespace talus::render {
 
 /// How much of the sky each square of 4 x 4 patches sees past the ground around it, 0 to 1: eight directions,
 /// each to the steepest of four cells of the pyramid up to 40 samples away. Kept up to date by tiles, like
@@ -22,4 +22,4 @@ class SkyView {
     Tiles::Reader read_;
 };
 
-}  // namespace talus
+}  // namespace talus::render

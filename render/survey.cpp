@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace talus {
+namespace talus::render {
 
 std::vector<NamedCamera> survey(const Grid& grid, const std::vector<float>& heights) {
     const double w = grid.width_m();
@@ -45,4 +45,4 @@ std::vector<NamedCamera> survey(const Grid& grid, const std::vector<float>& heig
     };
 }
 
-}  // namespace talus
+}  // namespace talus::render

@@ -4,7 +4,7 @@
 
 #include "render/camera.h"
 
-namespace talus {
+namespace talus::render {
 
 /// A camera with a name for reports.
 struct NamedCamera {
@@ -16,4 +16,4 @@ struct NamedCamera {
 /// below ground, along an axis and a diagonal, walking, through the side, from far away and from below.
 std::vector<NamedCamera> survey(const Grid& grid, const std::vector<float>& heights);
 
-}  // namespace talus
+}  // namespace talus::render

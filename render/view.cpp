@@ -8,7 +8,7 @@
 
 #include "sim/error.h"
 
-namespace talus {
+namespace talus::render {
 namespace {
 
 using Scale = Legend::Scale;
@@ -240,4 +240,4 @@ std::vector<Legend> legend_of(const ViewSettings& settings, double lowest_m, dou
     return {{view.title, 0, end, view.unit, view.scale}};
 }
 
-}  // namespace talus
+}  // namespace talus::render

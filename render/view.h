@@ -10,7 +10,7 @@
 #include "sim/parameters.h"
 #include "sim/terrain/terrain.h"
 
-namespace talus {
+namespace talus::render {
 
 /// What a view's colours mean: a title with unit, and the values at the scale's ends.
 struct Legend {
@@ -81,4 +81,4 @@ std::vector<Parameter> render_parameters();
 /// The legend of the settings' view over a terrain with these lowest and highest heights.
 std::vector<Legend> legend_of(const ViewSettings& settings, double lowest_m, double highest_m);
 
-}  // namespace talus
+}  // namespace talus::render

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace talus {
+namespace talus::render {
 namespace {
 
 gpu::Program water_program(std::vector<std::string> defines) {
@@ -40,4 +40,4 @@ void WaterShading::draw(const ShadeFrame& frame, const WaterSurface& water, cons
     draw_blocks(program, frame.target, size, list_.something(), gpu::Depth::none);
 }
 
-}  // namespace talus
+}  // namespace talus::render

@@ -3,7 +3,7 @@
 #include "render/shading.h"
 #include "render/water_surface.h"
 
-namespace talus {
+namespace talus::render {
 
 /// Lays the water over a picture of the ground: the bed seen by refraction, dimmed by the way through the
 /// water, and sky and terrain reflected (docs/numerics.md, "Seeing water").
@@ -21,4 +21,4 @@ class WaterShading {
     gpu::Program quick_;
 };
 
-}  // namespace talus
+}  // namespace talus::render

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace talus {
+namespace talus::render {
 
 WaterSurface::WaterSurface(const Terrain& terrain)
     : level_("water level", gpu::Format::r32f, terrain.grid().nx, terrain.grid().ny),
@@ -34,4 +34,4 @@ void WaterSurface::cast(const Terrain& terrain, const Camera& camera, int width,
     method_({terrain, pyramid_, camera, width, height, 0, 0, target_.framebuffer()});
 }
 
-}  // namespace talus
+}  // namespace talus::render

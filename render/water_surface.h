@@ -3,7 +3,7 @@
 #include "render/methods/method.h"
 #include "render/pyramid.h"
 
-namespace talus {
+namespace talus::render {
 
 /// The water's surface as the second one that rays are cast onto: ground + depth where it is wet; where it is
 /// dry beside water, the mean level of that water goes on below the ground, so that the shoreline lies where
@@ -32,4 +32,4 @@ class WaterSurface {
     HitsTarget target_;
 };
 
-}  // namespace talus
+}  // namespace talus::render

@@ -15,7 +15,7 @@
 #include "sim/gpu/program.h"
 #include "sim/gpu/texture.h"
 
-namespace talus {
+namespace talus::claims {
 
 bool Arithmetic::rounds_as_ieee() const {
     return std::all_of(operations.begin(), operations.end(),
@@ -88,4 +88,4 @@ std::string describe(const Arithmetic& arithmetic) {
     return text;
 }
 
-}  // namespace talus
+}  // namespace talus::claims

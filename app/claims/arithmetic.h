@@ -2,7 +2,7 @@
 #include <array>
 #include <string>
 
-namespace talus {
+namespace talus::claims {
 
 /// What this device makes of `precise` sums, products, quotients and square roots in float, of a million
 /// random operands whose results are normal numbers. OpenGL asks for exact rounding of neither ÷ (2.5 units
@@ -27,4 +27,4 @@ Arithmetic arithmetic_of_device();
 /// One line for people.
 std::string describe(const Arithmetic& arithmetic);
 
-}  // namespace talus
+}  // namespace talus::claims

@@ -11,7 +11,7 @@
 #include "app/claims/twin_agreement.h"
 #include "sim/terrain/generate.h"
 
-namespace talus {
+namespace talus::claims {
 namespace {
 
 // A device that rounds as C++ does gives the float twin's bits (law 4). Others divide and take roots by rules
@@ -143,4 +143,4 @@ Verdict verdict_on(const Claim& claim) {
     return verdict;
 }
 
-}  // namespace talus
+}  // namespace talus::claims

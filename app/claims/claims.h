@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace talus {
+namespace talus::claims {
 
 /// What was found of a claim: a figure, and the bound that it must not exceed.
 struct Finding {
@@ -37,4 +37,4 @@ struct Verdict {
 /// Checks it. Throws nothing: what is thrown is a verdict too.
 Verdict verdict_on(const Claim& claim);
 
-}  // namespace talus
+}  // namespace talus::claims

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace talus {
+namespace talus::claims {
 
 /// Elements of floats that differ in any bit; where sizes differ, all of them.
 template <typename Texel>
@@ -19,4 +19,4 @@ std::size_t differing_bits(const std::vector<Texel>& a, const std::vector<Texel>
     return count;
 }
 
-}  // namespace talus
+}  // namespace talus::claims

@@ -7,7 +7,7 @@
 #include "sim/ledger.h"
 #include "sim/passes/thermal.h"
 
-namespace talus {
+namespace talus::claims {
 
 using scenes::WaterRun;
 using scenes::WaterScene;
@@ -131,4 +131,4 @@ ConeError collapsed_column(int n, double column_radius_m, double height_m) {
     return cone;
 }
 
-}  // namespace talus
+}  // namespace talus::claims

@@ -3,7 +3,7 @@
 
 #include "app/claims/water_scenes.h"
 
-namespace talus {
+namespace talus::claims {
 
 /// A scene of water run to its end: Σ|h - exact| / Σ exact, and the sub-steps that it took.
 struct SceneError {
@@ -45,4 +45,4 @@ ConeError collapsed_column(int n, double radius_m, double height_m);
 /// The largest speed of the water, m/s.
 double fastest_of(const TerrainState& state);
 
-}  // namespace talus
+}  // namespace talus::claims

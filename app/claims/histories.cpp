@@ -15,7 +15,7 @@
 #include "sim/terrain/generate.h"
 #include "sim/terrain/state_hash.h"
 
-namespace talus {
+namespace talus::claims {
 namespace {
 
 namespace fs = std::filesystem;
@@ -71,11 +71,11 @@ std::uint64_t hash_of(const Simulation& simulation) {
 // Its state through a file: as a session that is saved and opened again.
 Simulation reopened(const Simulation& simulation) {
     const fs::path path = fs::temp_directory_path() / ("talus_verify_" + std::to_string(::getpid()) + ".exr");
-    Document document;
+    io::Document document;
     document.state = simulation.read();
     document.parameters = to_toml(simulation.parameters());
-    save_document(path, document);
-    const Document read = open_document(path, {});
+    io::save_document(path, document);
+    const io::Document read = io::open_document(path, {});
     std::error_code ignored;
     fs::remove(path, ignored);
     Parameters parameters((simulation_parameters()));
@@ -167,4 +167,4 @@ LedgerErrors ledger_errors() {
     return {std::abs(ledger.closing_error_of_moved()), std::abs(ledger.water_drift_relative())};
 }
 
-}  // namespace talus
+}  // namespace talus::claims

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace talus {
+namespace talus::claims {
 
 /// A session with brushes, rain, erosion and parameters, told by the hash of its state.
 struct HistoryFaults {
@@ -31,4 +31,4 @@ struct LedgerErrors {
 };
 LedgerErrors ledger_errors();
 
-}  // namespace talus
+}  // namespace talus::claims

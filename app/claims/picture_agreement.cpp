@@ -15,14 +15,14 @@
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"
 
-namespace talus {
+namespace talus::claims {
 namespace {
 
-Method method_named(const std::string& name) {
-    const auto found = std::find_if(methods().begin(), methods().end(),
-                                    [&](const MethodEntry& entry) { return entry.name == name; });
-    if (found == methods().end()) throw Error("there is no method '" + name + "'");
-    return found->make(Detail::kind);
+render::Method method_named(const std::string& name) {
+    const auto found = std::find_if(render::methods().begin(), render::methods().end(),
+                                    [&](const render::MethodEntry& entry) { return entry.name == name; });
+    if (found == render::methods().end()) throw Error("there is no method '" + name + "'");
+    return found->make(render::Detail::kind);
 }
 
 Dab random_dab(const Grid& grid, std::mt19937& random, double reach_m, double amount_m, double height_m) {
@@ -44,7 +44,7 @@ struct Shown {
         : simulation(bedrock_terrain(grid, heights), Parameters(simulation_parameters()), 64U << 20U),
           renderer(simulation.terrain(), 16) {}
     Simulation simulation;
-    Renderer renderer;
+    render::Renderer renderer;
 };
 
 }  // namespace
@@ -52,16 +52,16 @@ struct Shown {
 SurveyError survey_error(const Grid& grid, const std::vector<float>& heights, const std::string& method,
                          double tolerance_px, glm::ivec2 size, double patch_pixels) {
     Terrain terrain(bedrock_terrain(grid, heights));
-    Pyramid pyramid(terrain);
+    render::Pyramid pyramid(terrain);
     pyramid.refresh(terrain);
-    HitsTarget target(size.x, size.y);
-    Measure measure(grid, heights);
-    const Method draw = method_named(method);
+    render::HitsTarget target(size.x, size.y);
+    render::Measure measure(grid, heights);
+    const render::Method draw = method_named(method);
     // Tolerance 0 allows a thousandth of a pixel: a ray that grazes a crest changes its hit by metres in
     // less.
     const double limit_px = std::max(tolerance_px, 1e-3);
     SurveyError found;
-    for (const NamedCamera& view : survey(grid, heights)) {
+    for (const render::NamedCamera& view : render::survey(grid, heights)) {
         draw({terrain, pyramid, view.camera, size.x, size.y, tolerance_px, patch_pixels,
               target.framebuffer()});
         std::vector<float> distances;
@@ -69,7 +69,7 @@ SurveyError survey_error(const Grid& grid, const std::vector<float>& heights, co
             distances.push_back(hit.x);
             if (std::isfinite(hit.x)) ++found.kinds[static_cast<std::size_t>(std::clamp(hit.y, 0.0F, 3.0F))];
         }
-        const PictureError error = measure.compare(view.camera, size.x, size.y, distances, limit_px);
+        const render::PictureError error = measure.compare(view.camera, size.x, size.y, distances, limit_px);
         if (error.beyond > 0) found.beyond.push_back(view.name);
         found.all.pixels_hit += error.pixels_hit;
         found.all.beyond += error.beyond;
@@ -82,7 +82,7 @@ SurveyError survey_error(const Grid& grid, const std::vector<float>& heights, co
 
 std::size_t pyramid_texels_differing(const Grid& grid, int dabs) {
     Terrain terrain(bedrock_terrain(grid, generate_heights(grid, {"hills", 1, 300})));
-    Pyramid refreshed(terrain);
+    render::Pyramid refreshed(terrain);
     refreshed.refresh(terrain);
     Brush brush(terrain);
     std::mt19937 random(3);
@@ -90,7 +90,7 @@ std::size_t pyramid_texels_differing(const Grid& grid, int dabs) {
         brush.dab(terrain, random_dab(grid, random, 200, 40, 300));
         refreshed.refresh(terrain);
     }
-    Pyramid rebuilt(terrain);
+    render::Pyramid rebuilt(terrain);
     terrain.tiles.mark_all();
     rebuilt.refresh(terrain);
     return differing_bits(refreshed.highest.read_all<float>(), rebuilt.highest.read_all<float>()) +
@@ -103,10 +103,10 @@ KeptFrames kept_frames(const Grid& grid, const std::string& method, int frames, 
     Shown fresh(grid, heights);
     std::mt19937 random(23);
     std::uniform_real_distribution<double> unit(0, 1);
-    ViewSettings settings;
+    render::ViewSettings settings;
     settings.method = method;
     settings.sun = glm::normalize(glm::dvec3(-0.8, 0.5, 0.3));
-    Camera camera = overview(grid, 0, 1500);
+    render::Camera camera = render::overview(grid, 0, 1500);
     const auto apply = [&](const Operation& operation) {
         kept.simulation.apply(operation);
         fresh.simulation.apply(operation);
@@ -126,11 +126,12 @@ KeptFrames kept_frames(const Grid& grid, const std::string& method, int frames, 
             settings.sun =
                 glm::normalize(glm::dvec3(unit(random) - 0.5, unit(random) - 0.5, 0.1 + 0.5 * unit(random)));
         } else if (dice < 0.7) {
-            settings.view = views()[random() % views().size()].name;
+            settings.view = render::views()[random() % render::views().size()].name;
         } else if (dice < 0.73) {
             settings.tolerance_px = random() % 3;
         }
-        const Drawn drawn = kept.renderer.draw(kept.simulation.terrain(), camera, settings, size.x, size.y);
+        const render::Drawn drawn =
+            kept.renderer.draw(kept.simulation.terrain(), camera, settings, size.x, size.y);
         fresh.renderer.forget();
         fresh.renderer.draw(fresh.simulation.terrain(), camera, settings, size.x, size.y);
         ++found.drawn[static_cast<std::size_t>(drawn)];
@@ -142,4 +143,4 @@ KeptFrames kept_frames(const Grid& grid, const std::string& method, int frames, 
     return found;
 }
 
-}  // namespace talus
+}  // namespace talus::claims

@@ -8,11 +8,11 @@
 #include "render/renderer.h"
 #include "sim/terrain/grid.h"
 
-namespace talus {
+namespace talus::claims {
 
 /// Pictures of a terrain by a method from all places of the survey, against the surface in double (law 1).
 struct SurveyError {
-    PictureError all;  ///< sums, and the largest error
+    render::PictureError all;  ///< sums, and the largest error
     std::array<int, 4>
         kinds{};  ///< pixels by how they were found: nothing, mesh, rays, rays that ended early
     std::vector<std::string> beyond;  ///< views with pixels that no ray within the limit agrees with
@@ -34,4 +34,4 @@ struct KeptFrames {
 };
 KeptFrames kept_frames(const Grid& grid, const std::string& method, int frames, glm::ivec2 size);
 
-}  // namespace talus
+}  // namespace talus::claims

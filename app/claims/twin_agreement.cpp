@@ -11,7 +11,7 @@
 #include "sim/passes/water_twin.h"
 #include "sim/terrain/generate.h"
 
-namespace talus {
+namespace talus::claims {
 
 using scenes::WaterRun;
 using scenes::WaterScene;
@@ -261,4 +261,4 @@ TwinAgreement sediment_against_twin(const WaterCase& c) {
     return agreement;
 }
 
-}  // namespace talus
+}  // namespace talus::claims

@@ -3,7 +3,7 @@
 
 #include "sim/passes/water.h"
 
-namespace talus {
+namespace talus::claims {
 
 /// A pass on the device against its twins on the processor (law 4).
 struct TwinAgreement {
@@ -30,4 +30,4 @@ TwinAgreement water_against_twin(const WaterCase& c);
 /// The same water, eroding; the worst of water, ground and load. Its Manning's n is 0.03.
 TwinAgreement sediment_against_twin(const WaterCase& c);
 
-}  // namespace talus
+}  // namespace talus::claims

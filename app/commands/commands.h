@@ -8,7 +8,7 @@
 #include "app/core/scene.h"
 #include "sim/gpu/context.h"
 
-namespace talus {
+namespace talus::app {
 
 struct RunOptions {
     gpu::ContextChoice gpu;
@@ -73,7 +73,7 @@ void verify(const VerifyOptions& options);
 struct ConvertOptions {
     std::string input;
     std::string output;
-    ImportSettings import;
+    io::ImportSettings import;
     std::optional<glm::dvec2> range_m;  ///< heights of 0 and 65535 in integer outputs
     std::string layer;
     std::string kind;  ///< one of export_kind_names(); empty: by the output's ending
@@ -82,8 +82,8 @@ struct ConvertOptions {
 };
 void convert(const ConvertOptions& options);
 
-void info(const std::string& file, const ImportSettings& import, bool json);
+void info(const std::string& file, const io::ImportSettings& import, bool json);
 void list_presets(bool json);
 void list_parameters(bool json);
 
-}  // namespace talus
+}  // namespace talus::app

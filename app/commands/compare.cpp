@@ -18,7 +18,7 @@
 #include "sim/gpu/timestamp.h"
 #include "sim/io/atomic_file.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 constexpr int timed_rounds = 5;
@@ -32,30 +32,31 @@ double median(std::vector<double> values) {
 // All that one method is measured on.
 struct Subject {
     const Terrain& terrain;
-    const Pyramid& pyramid;
-    Measure& measure;
-    const std::vector<NamedCamera>& cameras;
+    const render::Pyramid& pyramid;
+    render::Measure& measure;
+    const std::vector<render::NamedCamera>& cameras;
     glm::ivec2 size;
     double patch_pixels;
     double limit_px;
 };
 
-nlohmann::ordered_json measure_method(const Subject& subject, const MethodEntry& entry, double tolerance_px) {
+nlohmann::ordered_json measure_method(const Subject& subject, const render::MethodEntry& entry,
+                                      double tolerance_px) {
     const int width = subject.size.x;
     const int height = subject.size.y;
-    const HitsTarget target(width, height);
-    const Method plain = entry.make(Detail::none);
-    const Method counting = entry.make(Detail::steps);
-    const Method telling = entry.make(Detail::kind);
+    const render::HitsTarget target(width, height);
+    const render::Method plain = entry.make(render::Detail::none);
+    const render::Method counting = entry.make(render::Detail::steps);
+    const render::Method telling = entry.make(render::Detail::kind);
     nlohmann::ordered_json frames = nlohmann::ordered_json::array();
-    PictureError all;
+    render::PictureError all;
     double mean_square = 0;
     double mean_px = 0;
     double cpu_ms = 0;
     std::array<std::int64_t, 1024> steps{};  // how many rays took so many; the last: that or more
-    for (const NamedCamera& view : subject.cameras) {
-        const Frame frame{subject.terrain, subject.pyramid, view.camera,          width,
-                          height,          tolerance_px,    subject.patch_pixels, target.framebuffer()};
+    for (const render::NamedCamera& view : subject.cameras) {
+        const render::Frame frame{subject.terrain, subject.pyramid,      view.camera,         width, height,
+                                  tolerance_px,    subject.patch_pixels, target.framebuffer()};
         gpu::Timestamp timer("frame");
         std::vector<double> seconds;
         std::optional<double> gpu_ms;
@@ -68,9 +69,9 @@ nlohmann::ordered_json measure_method(const Subject& subject, const MethodEntry&
             if (round > 0) seconds.push_back(process_cpu_s() - before);
             gpu_ms = timer.milliseconds();
         }
-        const PictureError error = subject.measure.compare(
+        const render::PictureError error = subject.measure.compare(
             view.camera, width, height, target.read_distances(width, height), subject.limit_px);
-        const MethodFigures figures = plain.figures();
+        const render::MethodFigures figures = plain.figures();
         counting(frame);
         for (const float walked : target.read_details(width, height))
             ++steps[static_cast<std::size_t>(std::clamp(walked, 0.0F, 1023.0F))];
@@ -140,18 +141,19 @@ nlohmann::ordered_json measure_method(const Subject& subject, const MethodEntry&
 }  // namespace
 
 void compare(const CompareOptions& options) {
-    std::vector<MethodEntry> entries;
+    std::vector<render::MethodEntry> entries;
     for (const std::string& name : options.methods) {
-        const auto found = std::find_if(methods().begin(), methods().end(),
-                                        [&](const MethodEntry& e) { return e.name == name; });
-        if (found == methods().end()) {
+        const auto found = std::find_if(render::methods().begin(), render::methods().end(),
+                                        [&](const render::MethodEntry& e) { return e.name == name; });
+        if (found == render::methods().end()) {
             std::string names;
-            for (const MethodEntry& e : methods()) names += (names.empty() ? "" : ", ") + e.name;
+            for (const render::MethodEntry& e : render::methods())
+                names += (names.empty() ? "" : ", ") + e.name;
             throw Error(fmt::format("--method '{}' is none, it must be one of: {}", name, names));
         }
         entries.push_back(*found);
     }
-    if (entries.empty()) entries = methods();
+    if (entries.empty()) entries = render::methods();
     if (options.size.x < 1 || options.size.y < 1 || options.size.x > 4096 || options.size.y > 4096)
         throw Error(fmt::format("--size {}x{} cannot be compared, each side must be 1 to 4096 pixels",
                                 options.size.x, options.size.y));
@@ -161,18 +163,18 @@ void compare(const CompareOptions& options) {
     const Scene scene = make_scene(options.scene);
     const Grid& grid = scene.document.state.grid;
     const std::vector<float> ground = scene.document.state.ground();
-    std::vector<NamedCamera> cameras;
+    std::vector<render::NamedCamera> cameras;
     if (options.keys.empty()) {
-        cameras = survey(grid, ground);
+        cameras = render::survey(grid, ground);
     } else {
         const auto keys = read_keys(options.keys, scene.view.number("camera.fov_deg"));
-        for (const Camera& camera : fly_along(keys, options.frames))
+        for (const render::Camera& camera : fly_along(keys, options.frames))
             cameras.push_back({fmt::format("frame {}", cameras.size()), camera});
     }
     Terrain terrain(scene.document.state);
-    Pyramid pyramid(terrain);
+    render::Pyramid pyramid(terrain);
     pyramid.refresh(terrain);
-    Measure measure(grid, ground);
+    render::Measure measure(grid, ground);
     const Subject subject{
         terrain, pyramid, measure, cameras, options.size, patch_pixels(context.device()), options.limit_px};
     nlohmann::ordered_json report;
@@ -186,7 +188,7 @@ void compare(const CompareOptions& options) {
         fmt::print("{:<8} {:>9} {:>8} {:>8} {:>9} {:>10} {:>7} {:>9} {:>11} {:>6} {:>4}\n", "method",
                    "tolerance", "CPU ms", "PSNR dB", "mean px", "largest px", "beyond", "coverage",
                    "silhouettes", "steps", "p99");
-    for (const MethodEntry& entry : entries) {
+    for (const render::MethodEntry& entry : entries) {
         std::vector<double> tolerances = {0};
         if (entry.heeds_tolerance) tolerances = options.tolerances_px;
         for (const double tolerance : tolerances) {
@@ -202,8 +204,8 @@ void compare(const CompareOptions& options) {
                        r["steps_mean"].get<double>(), r["steps_p99"].get<int>());
         }
     }
-    if (!options.report.empty()) write_atomically(options.report, report.dump(2) + "\n");
+    if (!options.report.empty()) io::write_atomically(options.report, report.dump(2) + "\n");
     if (options.json) fmt::print("{}\n", report.dump(2));
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -8,41 +8,42 @@
 #include "sim/io/endings.h"
 #include "sim/io/export.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
-ExportSettings settings_of(const ConvertOptions& options) {
-    const std::vector<std::string>& kinds = export_kind_names();
-    ExportSettings settings;
+io::ExportSettings settings_of(const ConvertOptions& options) {
+    const std::vector<std::string>& kinds = io::export_kind_names();
+    io::ExportSettings settings;
     settings.path = options.output;
     settings.range_m = options.range_m;
     settings.tiles = options.tiles;
     settings.mesh_error_m = options.mesh_error_m;
     if (!options.layer.empty()) settings.layer = options.layer;
     if (options.kind.empty()) {
-        settings.kind = ending_of(options.output) == ".obj" ? ExportKind::mesh : ExportKind::heightmap;
+        settings.kind =
+            io::ending_of(options.output) == ".obj" ? io::ExportKind::mesh : io::ExportKind::heightmap;
         return settings;
     }
     const auto kind = std::find(kinds.begin(), kinds.end(), options.kind);
     if (kind == kinds.end())
         throw Error(fmt::format("--for '{}' is not known, it must be one of: {}", options.kind,
                                 fmt::join(kinds, ", ")));
-    settings.kind = static_cast<ExportKind>(kind - kinds.begin());
+    settings.kind = static_cast<io::ExportKind>(kind - kinds.begin());
     return settings;
 }
 
 }  // namespace
 
 void convert(const ConvertOptions& options) {
-    const ExportSettings settings = settings_of(options);
+    const io::ExportSettings settings = settings_of(options);
     check_folder(options.output);
-    const Document document = open_document(options.input, options.import);
+    const io::Document document = open_document(options.input, options.import);
     for (const std::string& note : document.notes) say("note: " + note);
     // A document stays one, with all its layers.
-    if (settings.kind == ExportKind::heightmap && settings.tiles == glm::ivec2(1))
+    if (settings.kind == io::ExportKind::heightmap && settings.tiles == glm::ivec2(1))
         return write_terrain(options.output, document, options.layer, options.range_m);
-    const Exported exported = export_terrain(document, settings);
+    const io::Exported exported = export_terrain(document, settings);
     for (const auto& [name, value] : exported.values) fmt::print("{}: {}\n", name, value);
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -8,7 +8,7 @@
 #include "sim/preset.h"
 #include "sim/terrain/state_hash.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 nlohmann::ordered_json to_json(const Value& value) {
@@ -17,8 +17,8 @@ nlohmann::ordered_json to_json(const Value& value) {
 
 }  // namespace
 
-void info(const std::string& file, const ImportSettings& import, bool json) {
-    const Document document = open_document(file, import);
+void info(const std::string& file, const io::ImportSettings& import, bool json) {
+    const io::Document document = open_document(file, import);
     const TerrainState& state = document.state;
     const std::vector<float> ground = state.ground();
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
@@ -93,4 +93,4 @@ void list_parameters(bool json) {
     if (json) fmt::print("{}\n", list.dump(2));
 }
 
-}  // namespace talus
+}  // namespace talus::app

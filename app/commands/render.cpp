@@ -16,7 +16,7 @@
 #include "sim/io/image_file.h"
 #include "sim/terrain/terrain.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 // picture.png becomes picture-0007.png.
@@ -39,9 +39,9 @@ void render(const RenderOptions& options) {
     if (film && (options.image.empty() || !options.depth.empty() || !options.report.empty() || options.json))
         throw Error(
             "--keys and --turntable write frames alone: give --image, and neither --depth nor a report");
-    if (!options.image.empty() && ending_of(options.image) != ".png")
+    if (!options.image.empty() && io::ending_of(options.image) != ".png")
         throw Error(fmt::format("cannot write the picture '{}': its ending must be .png", options.image));
-    if (!options.depth.empty() && ending_of(options.depth) != ".exr")
+    if (!options.depth.empty() && io::ending_of(options.depth) != ".exr")
         throw Error(fmt::format("cannot write the depth '{}': its ending must be .exr", options.depth));
     const gpu::Context context(options.gpu);
     say(gpu::describe(context.device()));
@@ -50,28 +50,28 @@ void render(const RenderOptions& options) {
     const Grid& grid = scene.document.state.grid;
     const std::vector<float> ground = scene.document.state.ground();
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
-    Camera camera = overview(grid, *low, *high,
-                             {static_cast<double>(options.size.x) / options.size.y,
-                              scene.view.number("camera.fov_deg"), options.turntable > 0});
+    render::Camera camera = render::overview(grid, *low, *high,
+                                             {static_cast<double>(options.size.x) / options.size.y,
+                                              scene.view.number("camera.fov_deg"), options.turntable > 0});
     if (options.eye) camera.eye = *options.eye;
     if (options.target) camera.target = *options.target;
     if (camera.eye == camera.target)
         throw Error("--eye and --target are the same point, so there is no direction to look in");
-    const ViewSettings settings = view_settings(scene.view, scene.simulation);
+    const render::ViewSettings settings = render::view_settings(scene.view, scene.simulation);
     Terrain terrain(scene.document.state);
-    Renderer renderer(terrain, patch_pixels(context.device()));
+    render::Renderer renderer(terrain, patch_pixels(context.device()));
     drape(renderer, scene);
-    const std::vector<Legend> legends = legend_of(settings, *low, *high);
+    const std::vector<render::Legend> legends = render::legend_of(settings, *low, *high);
     const int samples = scene.view.whole("render.samples");
     if (film) {
         const glm::dvec2 middle(grid.width_m() / 2, grid.height_m() / 2);
-        const std::vector<Camera> way =
+        const std::vector<render::Camera> way =
             options.keys.empty() ? turn_around(camera, middle, options.turntable)
                                  : fly_along(read_keys(options.keys, camera.fov_deg), options.frames);
         for (std::size_t i = 0; i < way.size(); ++i) {
             const Still still =
                 draw_still(renderer, terrain, way[i], settings, legends, options.size, samples);
-            write_rgb(numbered(options.image, i), options.size.x, options.size.y, still.rgb);
+            io::write_rgb(numbered(options.image, i), options.size.x, options.size.y, still.rgb);
         }
         return;
     }
@@ -80,8 +80,8 @@ void render(const RenderOptions& options) {
                                    options.image.empty() ? 1 : samples);
     const double cpu_s = process_cpu_s() - cpu_start;
     const std::vector<float>& depth = still.depth_m;
-    if (!options.image.empty()) write_rgb(options.image, options.size.x, options.size.y, still.rgb);
-    if (!options.depth.empty()) write_depth(options.depth, options.size.x, options.size.y, depth);
+    if (!options.image.empty()) io::write_rgb(options.image, options.size.x, options.size.y, still.rgb);
+    if (!options.depth.empty()) io::write_depth(options.depth, options.size.x, options.size.y, depth);
     if (options.report.empty() && !options.json) return;
     nlohmann::ordered_json report;
     report["device"] = gpu::describe(context.device());
@@ -95,8 +95,8 @@ void render(const RenderOptions& options) {
         std::count_if(depth.begin(), depth.end(), [](float d) { return std::isfinite(d); });
     report["samples"] = options.image.empty() ? 1 : samples;
     report["cpu_s"] = cpu_s;
-    if (!options.report.empty()) write_atomically(options.report, report.dump(2) + "\n");
+    if (!options.report.empty()) io::write_atomically(options.report, report.dump(2) + "\n");
     if (options.json) fmt::print("{}\n", report.dump(2));
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -13,7 +13,7 @@
 #include "sim/io/atomic_file.h"
 #include "sim/terrain/state_hash.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 using Clock_ = std::chrono::steady_clock;
@@ -82,7 +82,7 @@ void run(const RunOptions& options) {
         progress.show(done + 1);
     }
     if (!gauges.all().empty()) {
-        write_atomically(options.gauge_table, gauges.to_csv());
+        io::write_atomically(options.gauge_table, gauges.to_csv());
         say(fmt::format("what the gauges showed is in {}", options.gauge_table));
     }
     const RunFigures figures{context.device(), ticks, seconds_since(start), process_cpu_s() - cpu_start};
@@ -91,7 +91,7 @@ void run(const RunOptions& options) {
 
 void replay(const ReplayOptions& options) {
     check_outputs(options.outputs);
-    const JournalFile journal = read_journal(read_text(options.journal), options.journal);
+    const JournalFile journal = read_journal(io::read_text(options.journal), options.journal);
     const gpu::Context context(options.gpu);
     say(gpu::describe(context.device()));
     Scene scene = make_scene(journal, options.journal, options.size);
@@ -115,4 +115,4 @@ void replay(const ReplayOptions& options) {
     write_outputs(options.outputs, scene, simulation, figures);
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -12,10 +12,10 @@
 #include "sim/error.h"
 #include "sim/io/atomic_file.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
-nlohmann::ordered_json row_of(const Verdict& verdict) {
+nlohmann::ordered_json row_of(const claims::Verdict& verdict) {
     nlohmann::ordered_json row;
     row["claim"] = verdict.name;
     row["says"] = verdict.says;
@@ -30,15 +30,15 @@ nlohmann::ordered_json row_of(const Verdict& verdict) {
 }
 
 // Those that were asked for, in their order.
-std::vector<Claim> chosen(const std::vector<std::string>& only) {
-    if (only.empty()) return claims();
-    std::vector<Claim> some;
+std::vector<claims::Claim> chosen(const std::vector<std::string>& only) {
+    if (only.empty()) return claims::claims();
+    std::vector<claims::Claim> some;
     for (const std::string& name : only) {
-        const auto found = std::find_if(claims().begin(), claims().end(),
-                                        [&](const Claim& claim) { return claim.name == name; });
-        if (found == claims().end()) {
+        const auto found = std::find_if(claims::claims().begin(), claims::claims().end(),
+                                        [&](const claims::Claim& claim) { return claim.name == name; });
+        if (found == claims::claims().end()) {
             std::vector<std::string> names;
-            for (const Claim& claim : claims()) names.push_back(claim.name);
+            for (const claims::Claim& claim : claims::claims()) names.push_back(claim.name);
             throw Error(
                 fmt::format("--only '{}' is no claim, it must be one of: {}", name, fmt::join(names, "; ")));
         }
@@ -50,7 +50,7 @@ std::vector<Claim> chosen(const std::vector<std::string>& only) {
 }  // namespace
 
 void verify(const VerifyOptions& options) {
-    const std::vector<Claim> wanted = chosen(options.only);
+    const std::vector<claims::Claim> wanted = chosen(options.only);
     const gpu::Context context(options.gpu);
     const std::string device = gpu::describe(context.device());
     fmt::print("{}\n", device);
@@ -58,7 +58,7 @@ void verify(const VerifyOptions& options) {
     report["device"] = device;
     report["complete"] = false;
     const auto write_report = [&] {
-        if (!options.json.empty()) write_atomically(options.json, report.dump(2) + "\n");
+        if (!options.json.empty()) io::write_atomically(options.json, report.dump(2) + "\n");
     };
     // What was found is there also where the driver ends the program half way.
     write_report();
@@ -66,9 +66,9 @@ void verify(const VerifyOptions& options) {
     int broken = 0;
     const std::size_t count = wanted.size();
     for (std::size_t i = 0; i < count; ++i) {
-        const Claim& claim = wanted[i];
+        const claims::Claim& claim = wanted[i];
         say(fmt::format("[{:<20}] {} of {}: {}", std::string(20 * i / count, '='), i + 1, count, claim.name));
-        const Verdict verdict = verdict_on(claim);
+        const claims::Verdict verdict = verdict_on(claim);
         broken += verdict.holds() ? 0 : 1;
         const std::string found = !verdict.error.empty()
                                       ? verdict.error
@@ -90,4 +90,4 @@ void verify(const VerifyOptions& options) {
         broken, count));
 }
 
-}  // namespace talus
+}  // namespace talus::app

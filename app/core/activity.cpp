@@ -6,7 +6,7 @@
 
 #include "app/core/wall_clock.h"
 
-namespace talus {
+namespace talus::app {
 
 void Activity::follow(const Tiles& tiles) {
     if (const auto words = stamps_.poll()) {
@@ -32,4 +32,4 @@ void Activity::forget() {
     counts_ = {};
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -2,7 +2,7 @@
 #include "sim/gpu/readback.h"
 #include "sim/terrain/tiles.h"
 
-namespace talus {
+namespace talus::app {
 
 /// In how many tiles something moved within about half a second.
 class Activity {
@@ -26,4 +26,4 @@ class Activity {
     double asked_at_s_ = 0;
 };
 
-}  // namespace talus
+}  // namespace talus::app

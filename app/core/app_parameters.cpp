@@ -6,7 +6,7 @@
 #include "sim/passes/mask.h"
 #include "sim/simulation_parameters.h"
 
-namespace talus {
+namespace talus::app {
 
 std::vector<Parameter> app_parameters() {
     std::vector<Parameter> all = {
@@ -92,9 +92,9 @@ std::vector<Parameter> app_parameters() {
 
 std::vector<Parameter> all_parameters() {
     std::vector<Parameter> all = simulation_parameters();
-    for (auto& more : {render_parameters(), app_parameters()})
+    for (auto& more : {render::render_parameters(), app_parameters()})
         all.insert(all.end(), more.begin(), more.end());
     return all;
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -3,7 +3,7 @@
 
 #include "sim/parameters.h"
 
-namespace talus {
+namespace talus::app {
 
 /// Parameters of the window: brush, camera, undo. They change what a hand does next, never a recorded
 /// operation.
@@ -12,4 +12,4 @@ std::vector<Parameter> app_parameters();
 /// Every declared parameter: simulation, drawing, window.
 std::vector<Parameter> all_parameters();
 
-}  // namespace talus
+}  // namespace talus::app

@@ -2,7 +2,7 @@
 
 #include "app/core/wall_clock.h"
 
-namespace talus {
+namespace talus::app {
 
 void Balances::keep(const Balance& balance) {
     while (!kept_.empty() && kept_.back().simulated_s >= balance.simulated_s) kept_.pop_back();
@@ -25,4 +25,4 @@ void Balances::follow(Simulation& simulation) {
     simulation.ask_ledger();
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -4,7 +4,7 @@
 
 #include "sim/simulation.h"
 
-namespace talus {
+namespace talus::app {
 
 /// A reading of the ledger, and when it was.
 struct Balance {
@@ -31,4 +31,4 @@ class Balances {
     std::uint64_t of_changes_ = 0;
 };
 
-}  // namespace talus
+}  // namespace talus::app

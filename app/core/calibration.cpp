@@ -10,7 +10,7 @@
 #include "render/calibration.h"
 #include "sim/io/atomic_file.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,17 +35,17 @@ double patch_pixels(const gpu::Device& device) {
         value && *value >= 4 && *value <= 1024) {
         return known[name] = *value;
     }
-    const double measured = measure_patch_pixels(device.software);
+    const double measured = render::measure_patch_pixels(device.software);
     cache.insert_or_assign(name, toml::table{{"patch_pixels", measured}});
     try {
         fs::create_directories(file.parent_path());
         std::ostringstream text;
         text << cache << "\n";
-        write_atomically(file.string(), text.str());
+        io::write_atomically(file.string(), text.str());
     } catch (const std::exception&) {
         // A cache that cannot be written costs the next start another measurement.
     }
     return known[name] = measured;
 }
 
-}  // namespace talus
+}  // namespace talus::app

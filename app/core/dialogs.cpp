@@ -1,6 +1,6 @@
 #include "app/core/dialogs.h"
 
-namespace talus {
+namespace talus::app {
 
 bool PanelRequests::any() const {
     return open || save || import || look_at || import_here || stamp || write || map || reset || undo ||
@@ -53,4 +53,4 @@ void ImportDialog::show(const ImportPreview& found) {
     preview.write(preview.whole(), std::as_bytes(std::span(found.picture)));
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -12,24 +12,24 @@
 #include "sim/gpu/profile.h"
 #include "sim/io/export.h"
 
-namespace talus {
+namespace talus::app {
 
 /// A file, and how it is read.
 struct ImportWish {
     std::string path;
-    ImportSettings settings = ImportSettings();
+    io::ImportSettings settings = io::ImportSettings();
 };
 
 /// What panels ask the window to do, once the frame's panels are done.
 struct PanelRequests {
-    std::optional<SceneRequest> open;       ///< another scene; unsaved work is asked about
-    std::optional<std::string> save;        ///< the document, to this path
-    std::optional<std::string> import;      ///< a file, by the import dialog
-    std::optional<ImportWish> look_at;      ///< a file, shown by the same dialog, whatever kind it is of
-    std::optional<ImportWish> import_here;  ///< a file in place of the terrain
-    std::optional<std::string> stamp;       ///< a file, as the stamp
-    std::optional<ExportSettings> write;    ///< files for other programs
-    std::optional<Operation> map;           ///< an act on the whole map, which may take long
+    std::optional<SceneRequest> open;         ///< another scene; unsaved work is asked about
+    std::optional<std::string> save;          ///< the document, to this path
+    std::optional<std::string> import;        ///< a file, by the import dialog
+    std::optional<ImportWish> look_at;        ///< a file, shown by the same dialog, whatever kind it is of
+    std::optional<ImportWish> import_here;    ///< a file in place of the terrain
+    std::optional<std::string> stamp;         ///< a file, as the stamp
+    std::optional<io::ExportSettings> write;  ///< files for other programs
+    std::optional<Operation> map;             ///< an act on the whole map, which may take long
     bool reset = false;
     bool verify = false;  ///< what Talus claims of its numbers, on this device
     bool undo = false;
@@ -75,7 +75,7 @@ ImportPreview preview_of(const ImportWish& wish);
 /// A heightmap that is to be opened or imported: how it is read, and what it looks like then.
 struct ImportDialog {
     std::string path;  ///< empty: the dialog is not there
-    ImportSettings settings;
+    io::ImportSettings settings;
     double spacing_m = 1;
     double low_m = 0;
     double high_m = 1000;
@@ -98,7 +98,7 @@ struct ImportDialog {
 /// Files for other programs: what is written and what gets lost.
 struct ExportDialog {
     bool shown = false;
-    ExportSettings settings;
+    io::ExportSettings settings;
     std::string error;
     std::optional<TerrainState> state;  ///< read when the dialog opens
     std::vector<std::string> lost;      ///< with the settings as text below
@@ -134,4 +134,4 @@ struct PanelState {
 /// Whether a dialog stands over everything else and has the keys.
 bool is_dialog_open(const PanelState& state);
 
-}  // namespace talus
+}  // namespace talus::app

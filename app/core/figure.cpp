@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace talus {
+namespace talus::app {
 
 std::string figure(double value, int digits) {
     const double size = std::abs(value);
@@ -14,4 +14,4 @@ std::string figure(double value, int digits) {
     return text == "-0" ? "0" : text;
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -10,7 +10,7 @@
 
 #include "sim/error.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 glm::dvec3 point_of(const toml::table& key, const char* name, const std::string& path, std::size_t number) {
@@ -32,7 +32,7 @@ glm::dvec3 spline(glm::dvec3 before, glm::dvec3 a, glm::dvec3 b, glm::dvec3 afte
 
 }  // namespace
 
-std::vector<Camera> read_keys(const std::string& path, double fov_deg) {
+std::vector<render::Camera> read_keys(const std::string& path, double fov_deg) {
     if (!std::filesystem::is_regular_file(path))
         throw Error(fmt::format("'{}' does not exist, give the path of a file of key cameras", path));
     toml::table file;
@@ -42,12 +42,12 @@ std::vector<Camera> read_keys(const std::string& path, double fov_deg) {
         throw Error(fmt::format("'{}' cannot be read, line {}: {}", path, error.source().begin.line,
                                 error.description()));
     }
-    std::vector<Camera> cameras;
+    std::vector<render::Camera> cameras;
     if (const toml::array* keys = file["key"].as_array()) {
         for (const toml::node& node : *keys) {
             const toml::table* key = node.as_table();
             if (!key) break;
-            Camera camera;
+            render::Camera camera;
             camera.eye = point_of(*key, "eye", path, cameras.size() + 1);
             camera.target = point_of(*key, "target", path, cameras.size() + 1);
             camera.fov_deg = fov_deg;
@@ -71,13 +71,13 @@ std::vector<Camera> read_keys(const std::string& path, double fov_deg) {
     return cameras;
 }
 
-std::vector<Camera> fly_along(const std::vector<Camera>& keys, int frames) {
-    std::vector<Camera> cameras;
+std::vector<render::Camera> fly_along(const std::vector<render::Camera>& keys, int frames) {
+    std::vector<render::Camera> cameras;
     const auto last = static_cast<int>(keys.size()) - 1;
     for (int frame = 0; frame < frames; ++frame) {
         const double way = frames > 1 ? static_cast<double>(last) * frame / (frames - 1) : 0;
         const int i = std::min(static_cast<int>(way), last - 1);
-        const auto key = [&](int k) -> const Camera& {
+        const auto key = [&](int k) -> const render::Camera& {
             return keys[static_cast<std::size_t>(std::clamp(k, 0, last))];
         };
         const double t = way - i;
@@ -91,8 +91,8 @@ std::vector<Camera> fly_along(const std::vector<Camera>& keys, int frames) {
     return cameras;
 }
 
-std::vector<Camera> turn_around(const Camera& camera, glm::dvec2 middle, int frames) {
-    std::vector<Camera> cameras;
+std::vector<render::Camera> turn_around(const render::Camera& camera, glm::dvec2 middle, int frames) {
+    std::vector<render::Camera> cameras;
     for (int frame = 0; frame < frames; ++frame) {
         const double angle = 2 * std::numbers::pi * frame / frames;
         const auto turned = [&](glm::dvec3 p) {
@@ -105,4 +105,4 @@ std::vector<Camera> turn_around(const Camera& camera, glm::dvec2 middle, int fra
     return cameras;
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace talus {
+namespace talus::app {
 
 std::string to_csv(const std::vector<FrameTimes>& frames) {
     std::string text = "at_s,act_ms,play_ms,picture_ms,panels_ms,present_ms,total_ms,dabs,waited_ms,scale\n";
@@ -13,4 +13,4 @@ std::string to_csv(const std::vector<FrameTimes>& frames) {
     return text;
 }
 
-}  // namespace talus
+}  // namespace talus::app

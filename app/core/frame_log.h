@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace talus {
+namespace talus::app {
 
 /// What the window's frames took, in the order of their parts, milliseconds of wall time.
 struct FrameTimes {
@@ -21,4 +21,4 @@ struct FrameTimes {
 /// A table of frames as CSV, a row each.
 std::string to_csv(const std::vector<FrameTimes>& frames);
 
-}  // namespace talus
+}  // namespace talus::app

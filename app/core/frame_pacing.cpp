@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 constexpr double frame_goal_s = 1.0 / 30;
@@ -31,4 +31,4 @@ double FramePacing::ticks_budget_s() const {
     return std::clamp(frame_goal_s - rest_s_, frame_goal_s / 8, frame_goal_s / 2);
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace talus {
+namespace talus::app {
 
 /// When the window draws, how large the picture is while something moves, and what ticks get of a frame.
 /// Knows no window.
@@ -30,4 +30,4 @@ class FramePacing {
     bool moved_before_ = false;
 };
 
-}  // namespace talus
+}  // namespace talus::app

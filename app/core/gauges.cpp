@@ -6,7 +6,7 @@
 
 #include "sim/error.h"
 
-namespace talus {
+namespace talus::app {
 
 void Gauges::place(glm::dvec2 place_m) {
     if (!(place_m.x >= 0 && place_m.x <= grid_.width_m() && place_m.y >= 0 && place_m.y <= grid_.height_m()))
@@ -97,4 +97,4 @@ std::string Gauges::to_csv() const {
     return csv;
 }
 
-}  // namespace talus
+}  // namespace talus::app

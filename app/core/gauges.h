@@ -8,7 +8,7 @@
 #include "sim/terrain/gauge.h"
 #include "sim/terrain/terrain.h"
 
-namespace talus {
+namespace talus::app {
 
 /// A place on the map and what its water did since the gauge was placed.
 struct Gauge {
@@ -52,4 +52,4 @@ class Gauges {
     bool asking_ = false;
 };
 
-}  // namespace talus
+}  // namespace talus::app

@@ -4,13 +4,13 @@
 #include "app/core/dialogs.h"
 #include "sim/io/heightmap_formats.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 constexpr int preview_side = 320;
 
 // A small picture of heights, lit from the north-west.
-std::vector<std::uint8_t> hillshade(const Heightmap& heightmap, glm::ivec2 size) {
+std::vector<std::uint8_t> hillshade(const io::Heightmap& heightmap, glm::ivec2 size) {
     const Grid& grid = heightmap.grid;
     const auto [low, high] = std::minmax_element(heightmap.heights.begin(), heightmap.heights.end());
     const double relief = std::max(1e-6, static_cast<double>(*high) - *low);
@@ -41,8 +41,8 @@ ImportPreview preview_of(const ImportWish& wish) {
     ImportPreview found;
     found.wish = wish;
     try {
-        const Document document = open_document(wish.path, wish.settings);
-        Heightmap heightmap;
+        const io::Document document = open_document(wish.path, wish.settings);
+        io::Heightmap heightmap;
         heightmap.grid = found.grid = document.state.grid;
         heightmap.heights = document.state.ground();
         const auto [low, high] = std::minmax_element(heightmap.heights.begin(), heightmap.heights.end());
@@ -65,4 +65,4 @@ ImportPreview preview_of(const ImportWish& wish) {
     return found;
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -19,7 +19,7 @@ struct ColourTwin {
 
 }  // namespace talus::maths
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 constexpr float margin = 14;
@@ -31,14 +31,14 @@ glm::u8vec4 opaque(glm::vec3 c) {
     return {glm::round(255.0F * glm::clamp(c, 0.0F, 1.0F)), 255};
 }
 
-glm::u8vec4 colour_at(const Legend& legend, float share) {
+glm::u8vec4 colour_at(const render::Legend& legend, float share) {
     maths::ColourTwin<float> twin;
     switch (legend.scale) {
-        case Legend::Scale::grey:
+        case render::Legend::Scale::grey:
             return opaque(glm::vec3(share));
-        case Legend::Scale::direction:
+        case render::Legend::Scale::direction:
             return opaque(twin.direction_map(share));
-        case Legend::Scale::difference:
+        case render::Legend::Scale::difference:
             return opaque(twin.difference_map(share));
         default:
             return opaque(twin.colour_map(share));
@@ -46,7 +46,7 @@ glm::u8vec4 colour_at(const Legend& legend, float share) {
 }
 
 // What single colours mean, a line each.
-void add_kinds(LegendDrawing& drawing, const Legend& legend, glm::vec2 corner, float line_px) {
+void add_kinds(LegendDrawing& drawing, const render::Legend& legend, glm::vec2 corner, float line_px) {
     for (const auto& [kind, name] : legend.kinds) {
         drawing.boxes.push_back({corner + glm::vec2(0, 2), corner + glm::vec2(22, line_px - 3),
                                  opaque(maths::ColourTwin<float>().kind_map(static_cast<float>(kind)))});
@@ -55,7 +55,7 @@ void add_kinds(LegendDrawing& drawing, const Legend& legend, glm::vec2 corner, f
     }
 }
 
-void add_bar(LegendDrawing& drawing, const Legend& legend, glm::vec2 corner,
+void add_bar(LegendDrawing& drawing, const render::Legend& legend, glm::vec2 corner,
              const std::function<float(const std::string&)>& width_of) {
     const int steps =
         legend.bands > 0 ? std::min(legend.bands, static_cast<int>(bar_width)) : static_cast<int>(bar_width);
@@ -76,12 +76,12 @@ void add_bar(LegendDrawing& drawing, const Legend& legend, glm::vec2 corner,
 
 }  // namespace
 
-LegendDrawing legend_drawing(const std::vector<Legend>& legends, glm::ivec2 size, float line_px,
+LegendDrawing legend_drawing(const std::vector<render::Legend>& legends, glm::ivec2 size, float line_px,
                              const std::function<float(const std::string&)>& width_of) {
     LegendDrawing drawing;
     glm::vec2 corner = glm::vec2(size) - margin;  // the lower right one of the next legend
-    for (const Legend& legend : legends) {
-        const bool bar = legend.scale != Legend::Scale::none;
+    for (const render::Legend& legend : legends) {
+        const bool bar = legend.scale != render::Legend::Scale::none;
         const float rows = bar ? line_px + bar_height : line_px * static_cast<float>(legend.kinds.size());
         const glm::vec2 low = corner - glm::vec2(bar_width + 24, line_px + rows + 18);
         drawing.boxes.push_back({low, corner, background, 5});
@@ -102,4 +102,4 @@ std::string font_file() {
     return std::filesystem::exists(path) ? path : "";
 }
 
-}  // namespace talus
+}  // namespace talus::app

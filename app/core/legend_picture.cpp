@@ -6,7 +6,7 @@
 
 #include "app/core/legend.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 // A font of 15 pixels from line to line, as panels have it: its em, and how far below a text's upper corner
@@ -40,7 +40,8 @@ void blend(const LegendDrawing::Box& box, glm::ivec2 size, std::vector<std::uint
 
 }  // namespace
 
-void draw_legends(const std::vector<Legend>& legends, glm::ivec2 size, std::vector<std::uint8_t>& rgb) {
+void draw_legends(const std::vector<render::Legend>& legends, glm::ivec2 size,
+                  std::vector<std::uint8_t>& rgb) {
     if (legends.empty()) return;
     const std::string font = font_file();
     const auto width_of = [&](const std::string& text) {
@@ -55,4 +56,4 @@ void draw_legends(const std::vector<Legend>& legends, glm::ivec2 size, std::vect
                                         {1.0F, 1.0F, 1.0F});
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -18,7 +18,7 @@
 #include "sim/preset.h"
 #include "sim/terrain/layers.h"
 
-namespace talus {
+namespace talus::app {
 
 namespace {
 
@@ -27,28 +27,28 @@ void write_overview(const std::string& path, const Scene& scene, Simulation& sim
                     const gpu::Device& device) {
     constexpr int width = 1280;
     constexpr int height = 720;
-    Renderer renderer(simulation.terrain(), patch_pixels(device));
-    const ViewSettings settings = view_settings(scene.view, simulation.parameters());
+    render::Renderer renderer(simulation.terrain(), patch_pixels(device));
+    const render::ViewSettings settings = render::view_settings(scene.view, simulation.parameters());
     const std::vector<float> ground = scene.document.state.ground();
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
-    const Camera camera =
-        overview(scene.document.state.grid, *low, *high,
-                 {static_cast<double>(width) / height, scene.view.number("camera.fov_deg")});
+    const render::Camera camera =
+        render::overview(scene.document.state.grid, *low, *high,
+                         {static_cast<double>(width) / height, scene.view.number("camera.fov_deg")});
     drape(renderer, scene);
     const Still still =
-        draw_still(renderer, simulation.terrain(), camera, settings, legend_of(settings, *low, *high),
+        draw_still(renderer, simulation.terrain(), camera, settings, render::legend_of(settings, *low, *high),
                    {width, height}, scene.view.whole("render.samples"));
-    write_rgb(path, width, height, still.rgb);
+    io::write_rgb(path, width, height, still.rgb);
 }
 
 }  // namespace
 
 void check_outputs(const Outputs& outputs) {
     for (const std::string& file : outputs.files)
-        if (!can_write_heightmap(file))
+        if (!io::can_write_heightmap(file))
             throw Error(fmt::format("cannot write '{}': its ending must be one of {}", file,
-                                    fmt::join(writable_endings(), ", ")));
-    if (!outputs.image.empty() && ending_of(outputs.image) != ".png")
+                                    fmt::join(io::writable_endings(), ", ")));
+    if (!outputs.image.empty() && io::ending_of(outputs.image) != ".png")
         throw Error(fmt::format("cannot write the picture '{}': its ending must be .png", outputs.image));
     if (!outputs.layer.empty()) output_of({}, outputs.layer);
     std::vector<std::string> all = outputs.files;
@@ -63,14 +63,14 @@ void check_folder(const std::string& file) {
         throw Error(fmt::format("cannot write '{}': there is no folder '{}'", file, folder.string()));
 }
 
-void write_terrain(const std::string& path, const Document& document, const std::string& layer,
+void write_terrain(const std::string& path, const io::Document& document, const std::string& layer,
                    std::optional<glm::dvec2> range_m) {
-    if (ending_of(path) == ".exr" && layer.empty()) return save_document(path, document);
-    Heightmap heightmap;
+    if (io::ending_of(path) == ".exr" && layer.empty()) return io::save_document(path, document);
+    io::Heightmap heightmap;
     heightmap.grid = document.state.grid;
     heightmap.heights = output_of(document.state, layer.empty() ? "ground" : layer);
     heightmap.georeference = document.state.georeference;
-    write_heightmap(path, heightmap, range_m);
+    io::write_heightmap(path, heightmap, range_m);
 }
 
 void write_outputs(const Outputs& outputs, Scene& scene, Simulation& simulation, const RunFigures& figures) {
@@ -90,13 +90,14 @@ void write_outputs(const Outputs& outputs, Scene& scene, Simulation& simulation,
     if (!outputs.image.empty())
         attempt([&] { write_overview(outputs.image, scene, simulation, figures.device); });
     if (!outputs.journal.empty())
-        attempt([&] { write_atomically(outputs.journal, write_journal(scene.start, simulation.journal())); });
+        attempt(
+            [&] { io::write_atomically(outputs.journal, write_journal(scene.start, simulation.journal())); });
     if (!outputs.report.empty() || outputs.json) {
         const std::string report = run_report(figures, scene.document.state, simulation);
-        if (!outputs.report.empty()) attempt([&] { write_atomically(outputs.report, report); });
+        if (!outputs.report.empty()) attempt([&] { io::write_atomically(outputs.report, report); });
         if (outputs.json) fmt::print("{}", report);
     }
     if (!failures.empty()) throw Error(failures);
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -6,7 +6,7 @@
 #include "app/core/report.h"
 #include "app/core/scene.h"
 
-namespace talus {
+namespace talus::app {
 
 /// Files that a run leaves, and what goes into single-layer ones.
 struct Outputs {
@@ -25,11 +25,11 @@ void check_outputs(const Outputs& outputs);
 void check_folder(const std::string& file);
 
 /// Writes one terrain file: .exr as the document (or one layer), the others as a heightmap of the layer.
-void write_terrain(const std::string& path, const Document& document, const std::string& layer,
+void write_terrain(const std::string& path, const io::Document& document, const std::string& layer,
                    std::optional<glm::dvec2> range_m);
 
 /// Writes the files, the picture (first look, with the view's legend), the journal and the report of a
 /// finished run.
 void write_outputs(const Outputs& outputs, Scene& scene, Simulation& simulation, const RunFigures& figures);
 
-}  // namespace talus
+}  // namespace talus::app

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace talus {
+namespace talus::app {
 
 std::optional<PassTimes::Gathered> PassTimes::follow(bool shown, double passed_s) {
     if (shown != profiling_) gpu::profile_passes(shown);
@@ -23,4 +23,4 @@ std::optional<PassTimes::Gathered> PassTimes::follow(bool shown, double passed_s
     return std::exchange(gathered_, {});
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -4,7 +4,7 @@
 
 #include "sim/gpu/profile.h"
 
-namespace talus {
+namespace talus::app {
 
 /// What passes took, gathered over half a second at a time.
 class PassTimes {
@@ -22,4 +22,4 @@ class PassTimes {
     Gathered gathered_;
 };
 
-}  // namespace talus
+}  // namespace talus::app

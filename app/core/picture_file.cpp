@@ -7,19 +7,20 @@
 #include "app/core/still.h"
 #include "sim/io/image_file.h"
 
-namespace talus {
+namespace talus::app {
 
 std::string save_picture(Session& session, glm::ivec2 size) {
     int number = 1;
     while (std::filesystem::exists(fmt::format("talus-{:04}.png", number))) ++number;
     std::string path = fmt::format("talus-{:04}.png", number);
-    const ViewSettings settings = view_settings(session.view(), session.simulation().parameters());
+    const render::ViewSettings settings =
+        render::view_settings(session.view(), session.simulation().parameters());
     const glm::dvec2 bounds = session.renderer().bounds();
-    const Still still =
-        draw_still(session.renderer(), session.simulation().terrain(), session.camera(), settings,
-                   legend_of(settings, bounds.x, bounds.y), size, session.view().whole("render.samples"));
-    write_rgb(path, size.x, size.y, still.rgb);
+    const Still still = draw_still(session.renderer(), session.simulation().terrain(), session.camera(),
+                                   settings, render::legend_of(settings, bounds.x, bounds.y), size,
+                                   session.view().whole("render.samples"));
+    io::write_rgb(path, size.x, size.y, still.rgb);
     return path;
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -11,7 +11,7 @@
 #include "app/core/recent_files.h"
 #include "app/core/sources.h"
 
-namespace talus {
+namespace talus::app {
 
 Project::Project(Session& session, PanelState& state, std::string journal_path, Voice voice)
     : session_(session), state_(state), journal_path_(std::move(journal_path)), voice_(std::move(voice)) {
@@ -52,7 +52,7 @@ void Project::forget_recovered() {
 void Project::serve(const PanelRequests& asked) {
     follow_dialogs(asked);
     if (asked.import) {
-        if (is_document(*asked.import)) {
+        if (io::is_document(*asked.import)) {
             SceneRequest request;
             request.input = *asked.import;
             when_saved([this, request] {
@@ -121,7 +121,7 @@ void Project::when_replaceable(const std::string& path, const std::function<void
 // The layers are read now and written on a thread of their own; what is done meanwhile stays unsaved.
 void Project::save(const std::string& path, const std::function<void()>& then) {
     session_.pause();
-    auto document = std::make_shared<Document>(session_.document());
+    auto document = std::make_shared<io::Document>(session_.document());
     const std::size_t revision = session_.revision();
     const auto write = [this, path, document, revision, then]() -> Work::Then {
         write_terrain(path, *document, "", std::nullopt);
@@ -172,13 +172,13 @@ void Project::reset() {
     voice_.opened();
 }
 
-void Project::export_files(const ExportSettings& settings) {
+void Project::export_files(const io::ExportSettings& settings) {
     session_.pause();
-    auto document = std::make_shared<Document>(session_.document());
+    auto document = std::make_shared<io::Document>(session_.document());
     const auto write = [this, settings, document]() -> Work::Then {
-        Exported exported;
+        io::Exported exported;
         try {
-            exported = export_terrain(*document, settings);
+            exported = io::export_terrain(*document, settings);
         } catch (const std::exception& failed) {
             return [this, message = std::string(failed.what())] {
                 state_.write.error = message;
@@ -237,4 +237,4 @@ void Project::act_when_ready(const std::string& name, const std::function<Operat
     });
 }
 
-}  // namespace talus
+}  // namespace talus::app

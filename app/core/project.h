@@ -8,7 +8,7 @@
 #include "app/core/session.h"
 #include "app/core/work.h"
 
-namespace talus {
+namespace talus::app {
 
 /// A session's files: opens, saves, exports and imports them, on a thread where that takes long; asks before
 /// unsaved work or a file is lost; keeps what is unsaved against crashes.
@@ -48,7 +48,7 @@ class Project {
     void follow_dialogs(const PanelRequests& asked);
     void open(const SceneRequest& wish);
     void save(const std::string& path, const std::function<void()>& then);
-    void export_files(const ExportSettings& settings);
+    void export_files(const io::ExportSettings& settings);
     void look_at(const ImportWish& wish);
     void verify();
     void act_on_map(const Operation& operation);
@@ -67,4 +67,4 @@ class Project {
     Work work_;                             // last: its thread ends before what it looks at goes
 };
 
-}  // namespace talus
+}  // namespace talus::app

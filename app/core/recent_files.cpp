@@ -7,7 +7,7 @@
 #include "app/core/user_folders.h"
 #include "sim/io/atomic_file.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -47,10 +47,10 @@ void remember_file(const std::string& path) {
     for (const std::string& file : files) text += file + '\n';
     try {
         fs::create_directories(state_folder());
-        write_atomically(list_file(), text);
+        io::write_atomically(list_file(), text);
     } catch (const std::exception&) {
         // The next start has an older list.
     }
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -15,7 +15,7 @@
 #include "sim/io/document.h"
 #include "sim/preset.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,7 +48,7 @@ std::vector<LeftBehind> left_behind() {
         if (fs::is_regular_file(folder / "autosave.exr", ignored)) {
             LeftBehind one{folder, folder / "autosave.exr", "", "", ""};
             try {
-                const json about = json::parse(read_text(folder / "about.json"));
+                const json about = json::parse(io::read_text(folder / "about.json"));
                 one.title = about.at("title");
                 one.project = about.at("project");
                 one.saved_at = about.at("saved_at");
@@ -108,8 +108,8 @@ void Recovery::follow(const Simulation& simulation, const Scene& scene, const st
             std::async(std::launch::async,
                        [document = std::move(document_), about = about_, folder = folder_]() -> std::string {
                            try {
-                               save_document(folder / "autosave.exr", document);
-                               write_atomically(folder / "about.json", about);
+                               io::save_document(folder / "autosave.exr", document);
+                               io::write_atomically(folder / "about.json", about);
                                return "";
                            } catch (const std::exception& error) {
                                return fmt::format("nothing was saved by itself: {}", error.what());
@@ -149,4 +149,4 @@ std::optional<std::string> Recovery::take_message() {
     return message && !message->empty() ? message : std::nullopt;
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -9,7 +9,7 @@
 #include "sim/simulation.h"
 #include "sim/terrain/state_readback.h"
 
-namespace talus {
+namespace talus::app {
 
 /// What a session that ended without saving left behind.
 struct LeftBehind {
@@ -57,7 +57,7 @@ class Recovery {
     int lock_ = -1;
     std::string why_;
     StateReadback readback_;
-    Document document_;  // of what is being read
+    io::Document document_;  // of what is being read
     std::string about_;
     std::optional<std::size_t> changes_;  // of the last autosave
     double last_s_ = 0;
@@ -65,4 +65,4 @@ class Recovery {
     std::optional<std::string> message_;
 };
 
-}  // namespace talus
+}  // namespace talus::app

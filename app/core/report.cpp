@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 const double loaded_at_s = wall_clock_s();
@@ -87,4 +87,4 @@ double process_cpu_s() {
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-}  // namespace talus
+}  // namespace talus::app

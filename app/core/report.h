@@ -4,7 +4,7 @@
 #include "sim/gpu/context.h"
 #include "sim/simulation.h"
 
-namespace talus {
+namespace talus::app {
 
 /// What a run reports: numbers for machines, and the sentences that people get on stderr.
 struct RunFigures {
@@ -26,4 +26,4 @@ double seconds_since_start();
 /// CPU seconds of this process so far, all threads.
 double process_cpu_s();
 
-}  // namespace talus
+}  // namespace talus::app

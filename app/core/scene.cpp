@@ -13,7 +13,7 @@
 #include "sim/terrain/reshape.h"
 #include "sim/terrain/state_hash.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 // The values of `all` that `part` declares, given ones as given.
@@ -40,8 +40,8 @@ TerrainState generated(const Parameters& p, const Grid& grid) {
     return state;
 }
 
-Scene assemble(const Parameters& all, Document document) {
-    std::vector<Parameter> view = render_parameters();
+Scene assemble(const Parameters& all, io::Document document) {
+    std::vector<Parameter> view = render::render_parameters();
     const std::vector<Parameter> app = app_parameters();
     view.insert(view.end(), app.begin(), app.end());
     Scene scene{
@@ -58,9 +58,9 @@ Scene make_scene(const SceneRequest& request) {
     // Someone's own ground starts from the plain defaults, unless a preset is asked for by name.
     const Preset preset = find_preset(request.preset.empty() ? "alpine" : request.preset);
     if (request.input.empty()) apply_preset(preset, all);
-    Document document;
+    io::Document document;
     if (!request.input.empty()) {
-        document = open_document(request.input, request.import);
+        document = io::open_document(request.input, request.import);
         // What a document was made with holds, unless a preset was asked for by name.
         if (!document.parameters.empty()) from_toml(document.parameters, request.input, all);
         if (!request.preset.empty()) apply_preset(preset, all);
@@ -88,7 +88,7 @@ Scene make_scene(const SceneRequest& request) {
             if (p.sets_off == SetsOff::edge_clock && scene.simulation.value(p.name) != before.value(p.name))
                 scene.document.state.edges_since_s = scene.document.state.clock.simulated_s;
     }
-    if (!request.texture.empty()) scene.texture = read_colour_image(request.texture);
+    if (!request.texture.empty()) scene.texture = io::read_colour_image(request.texture);
     scene.start.input = request.input.empty() ? "" : std::filesystem::absolute(request.input).string();
     scene.start.import_guess = to_text(request.import);
     scene.title =
@@ -100,12 +100,13 @@ Scene make_scene(const JournalFile& journal, const std::string& journal_path,
                  std::optional<glm::ivec2> size) {
     Parameters all(all_parameters());
     from_toml(journal.start.parameters, journal_path, all);
-    Document document;
+    io::Document document;
     if (journal.start.input.empty()) {
         document.state = generated(all, declared_grid(all));
         document.kind = "generated";
     } else {
-        document = open_document(journal.start.input, import_settings_from(journal.start.import_guess));
+        document =
+            io::open_document(journal.start.input, io::import_settings_from(journal.start.import_guess));
     }
     const std::uint64_t hash = state_hash(document.state);
     if (hash != journal.start.hash)
@@ -130,4 +131,4 @@ Scene make_scene(const JournalFile& journal, const std::string& journal_path,
     return scene;
 }
 
-}  // namespace talus
+}  // namespace talus::app

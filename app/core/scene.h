@@ -8,27 +8,27 @@
 #include "sim/journal.h"
 #include "sim/parameters.h"
 
-namespace talus {
+namespace talus::app {
 
 /// What a person asks for when starting.
 struct SceneRequest {
     std::string preset;                    ///< name or path; empty: the default, alpine
     std::string input;                     ///< a heightmap or document; empty: generated
     std::optional<glm::ivec2> size;        ///< of the generated terrain
-    ImportSettings import;                 ///< its spacing holds for generated terrain too
+    io::ImportSettings import;             ///< its spacing holds for generated terrain too
     std::vector<std::string> assignments;  ///< section.name=value
     std::string texture;                   ///< a picture draped over the terrain; empty: none
 };
 
 /// A terrain ready to run: where every session, live or replayed, begins.
 struct Scene {
-    Document document;
+    io::Document document;
     Parameters simulation;  ///< terrain.*, time.tick_s, thermal.*
     Parameters view;        ///< render.*, brush.*, camera.*, time.speed, undo.*
     JournalStart start;     ///< without the hash, which the caller takes of the state
     std::string title;
     glm::ivec2 recorded_samples{0};  ///< of a journal's start: columns and rows that it was recorded with
-    ColourImage texture;             ///< draped over the terrain; without pixels: none
+    io::ColourImage texture;         ///< draped over the terrain; without pixels: none
 };
 
 /// Throws talus::Error when the request cannot be met.
@@ -39,4 +39,4 @@ Scene make_scene(const SceneRequest& request);
 Scene make_scene(const JournalFile& journal, const std::string& journal_path,
                  std::optional<glm::ivec2> size = std::nullopt);
 
-}  // namespace talus
+}  // namespace talus::app

@@ -6,7 +6,7 @@
 #include "sim/passes/dab_step.h"
 #include "sim/passes/erode_brush.h"
 
-namespace talus {
+namespace talus::app {
 
 void Sculpting::begin(const Parameters& view, glm::dvec3 at, const Modifiers& modifiers) {
     stroke_.emplace(view, modifiers, at, strokes_++);
@@ -40,8 +40,8 @@ void Sculpting::end(Simulation& simulation, const Parameters& view) {
     simulation.end_entry();
 }
 
-Ring Sculpting::ring(const Simulation& simulation, const Parameters& view, glm::dvec2 at_m) {
-    Ring ring;
+render::Ring Sculpting::ring(const Simulation& simulation, const Parameters& view, glm::dvec2 at_m) {
+    render::Ring ring;
     ring.at_m = at_m;
     ring.radius_m = view.number("brush.radius_m");
     const std::shared_ptr<const Stamp>& stamp = simulation.stamp();
@@ -56,4 +56,4 @@ Ring Sculpting::ring(const Simulation& simulation, const Parameters& view, glm::
     return ring;
 }
 
-}  // namespace talus
+}  // namespace talus::app

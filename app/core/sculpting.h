@@ -6,7 +6,7 @@
 #include "sim/passes/stamp_image.h"
 #include "sim/simulation.h"
 
-namespace talus {
+namespace talus::app {
 
 /// The hand's strokes as acts of a simulation. Within a tick dabs wait for its end, so that a frame need not.
 class Sculpting {
@@ -25,7 +25,7 @@ class Sculpting {
     int dabs() const { return dabs_; }
     double dabs_waited_s() const { return dabs_waited_s_; }
     /// What the brush shows of itself at a place.
-    Ring ring(const Simulation& simulation, const Parameters& view, glm::dvec2 at_m);
+    render::Ring ring(const Simulation& simulation, const Parameters& view, glm::dvec2 at_m);
 
   private:
     std::optional<BrushStroke> stroke_;
@@ -37,4 +37,4 @@ class Sculpting {
     double dabs_waited_s_ = 0;
 };
 
-}  // namespace talus
+}  // namespace talus::app

@@ -15,7 +15,7 @@
 #include "sim/error.h"
 #include "sim/io/atomic_file.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -67,7 +67,7 @@ SelfCheck run_self_check() {
     // It says with its exit code whether all claims hold; whether it came to its end, the report tells.
     run(talus.string(), report.string());
     const bool is_there = fs::exists(report, ignored);
-    const nlohmann::json found = is_there ? nlohmann::json::parse(read_text(report)) : nlohmann::json();
+    const nlohmann::json found = is_there ? nlohmann::json::parse(io::read_text(report)) : nlohmann::json();
     fs::remove(report, ignored);
     if (!is_there || !found.at("complete"))
         throw Error(fmt::format(
@@ -83,4 +83,4 @@ void cancel_self_check() {
     if (const pid_t child = verifying.exchange(0); child > 0) kill(child, SIGTERM);
 }
 
-}  // namespace talus
+}  // namespace talus::app

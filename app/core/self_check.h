@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace talus {
+namespace talus::app {
 
 /// What `talus verify` found, as the window shows it.
 struct SelfCheck {
@@ -24,4 +24,4 @@ SelfCheck run_self_check();
 /// Ends the one that goes on, if any: run_self_check() throws then.
 void cancel_self_check();
 
-}  // namespace talus
+}  // namespace talus::app

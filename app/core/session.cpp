@@ -18,7 +18,7 @@
 #include "sim/preset.h"
 #include "sim/terrain/state_hash.h"
 
-namespace talus {
+namespace talus::app {
 Session::Session(const SceneRequest& request, gpu::Device device)
     : device_(std::move(device)), request_(request), scene_(make_scene(request)) {
     start(std::move(scene_));
@@ -29,7 +29,7 @@ void Session::start(Scene scene) {
     scene.start.hash = state_hash(scene.document.state);
     const std::size_t undo_bytes = static_cast<std::size_t>(scene.view.whole("undo.memory_mib")) << 20U;
     auto simulation = std::make_unique<Simulation>(scene.document.state, scene.simulation, undo_bytes);
-    auto renderer = std::make_unique<Renderer>(simulation->terrain(), patch_pixels(device_));
+    auto renderer = std::make_unique<render::Renderer>(simulation->terrain(), patch_pixels(device_));
     drape(*renderer, scene);
     const std::vector<float> ground = scene.document.state.ground();
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
@@ -38,7 +38,7 @@ void Session::start(Scene scene) {
     ++terrain_number_;
     simulation_ = std::move(simulation);
     renderer_ = std::move(renderer);
-    wave_note_ = talus::wave_note(scene_.document.state, simulation_->parameters());
+    wave_note_ = app::wave_note(scene_.document.state, simulation_->parameters());
     gauges_ = Gauges(grid());
     balances_.clear();
     saved_operations_.clear();
@@ -85,7 +85,7 @@ void Session::follow_terrain() {
     ++terrain_number_;
     const glm::dvec2 extent_before(scene_.document.state.grid.width_m(),
                                    scene_.document.state.grid.height_m());
-    renderer_ = std::make_unique<Renderer>(simulation_->terrain(), patch_pixels(device_));
+    renderer_ = std::make_unique<render::Renderer>(simulation_->terrain(), patch_pixels(device_));
     const std::vector<float> ground = simulation_->terrain().ground.read_all<float>();
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
     bounds_ = {*low, *high};
@@ -101,7 +101,8 @@ void Session::follow_terrain() {
 }
 
 void Session::frame_terrain() {
-    camera_ = overview(grid(), bounds_.x, bounds_.y, {picture_aspect, scene_.view.number("camera.fov_deg")});
+    camera_ = render::overview(grid(), bounds_.x, bounds_.y,
+                               {picture_aspect, scene_.view.number("camera.fov_deg")});
 }
 
 SceneRequest Session::request_for(const SceneRequest& wish) const {
@@ -151,7 +152,7 @@ void Session::reset() {
     path_ = document_path();
 }
 
-Document Session::document() {
+io::Document Session::document() {
     while (simulation_->mid_tick()) simulation_->advance(1 << 20);
     scene_.document.state = simulation_->read();
     scene_.document.parameters = to_toml(simulation_->parameters());
@@ -160,7 +161,7 @@ Document Session::document() {
 
 void Session::saved(const std::string& path, std::size_t revision_then) {
     // Other formats hold the ground alone: what was saved there is an export.
-    if (ending_of(path) != ".exr") return;
+    if (io::ending_of(path) != ".exr") return;
     path_ = path;
     scene_.title = std::filesystem::path(path).filename().string();
     if (recovered_) request_.input = path;
@@ -171,7 +172,7 @@ void Session::saved(const std::string& path, std::size_t revision_then) {
 }
 
 void Session::write_journal_to(const std::string& path) const {
-    write_atomically(path, write_journal(scene_.start, simulation_->journal()));
+    io::write_atomically(path, write_journal(scene_.start, simulation_->journal()));
 }
 
 bool Session::is_simulated(const std::string& name) const {
@@ -200,7 +201,7 @@ void Session::set_simulated(const std::string& name, const std::optional<Value>&
     while (simulation_->mid_tick()) simulation_->advance(1 << 20);
     simulation_->apply(SetParameter{name, value});
     if (name.starts_with("water."))
-        wave_note_ = talus::wave_note(scene_.document.state, simulation_->parameters());
+        wave_note_ = app::wave_note(scene_.document.state, simulation_->parameters());
 }
 
 const Value& Session::value(const std::string& name) const {
@@ -301,4 +302,4 @@ void Session::go_to(std::size_t done) {
     follow_terrain();
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -15,7 +15,7 @@
 #include "sim/gpu/timestamp.h"
 #include "sim/simulation.h"
 
-namespace talus {
+namespace talus::app {
 
 /// What the window works on: a scene, its simulation and its picture. Knows no window and no panel.
 class Session {
@@ -25,13 +25,13 @@ class Session {
 
     Simulation& simulation() { return *simulation_; }
     const Simulation& simulation() const { return *simulation_; }
-    Renderer& renderer() { return *renderer_; }
+    render::Renderer& renderer() { return *renderer_; }
     /// Parameters of drawing and of the hand: not recorded.
     Parameters& view() { return scene_.view; }
     const Parameters& view() const { return scene_.view; }
     const Scene& scene() const { return scene_; }
     const SceneRequest& request() const { return request_; }
-    Camera& camera() { return camera_; }
+    render::Camera& camera() { return camera_; }
     /// Another number for every terrain that was opened or reset, or took the place of the one before.
     int terrain_number() const { return terrain_number_; }
     const Grid& grid() const { return simulation_->terrain().grid(); }
@@ -63,7 +63,7 @@ class Session {
     double picture_aspect = 16.0 / 9;  ///< width by height of the picture that the terrain is framed in
     void frame_terrain();
     /// What is to be saved, as it is now. Waits for the device.
-    Document document();
+    io::Document document();
     /// It was written there, as it was at this revision: what was done since is not saved.
     void saved(const std::string& path, std::size_t revision);
     /// The document that save goes to; empty where a heightmap was opened or nothing was saved yet.
@@ -94,7 +94,7 @@ class Session {
     bool stroking() const { return sculpting_.stroke().has_value(); }
     const Sculpting& sculpting() const { return sculpting_; }
     /// What the brush shows of itself there.
-    Ring ring(glm::dvec2 at_m) { return sculpting_.ring(*simulation_, scene_.view, at_m); }
+    render::Ring ring(glm::dvec2 at_m) { return sculpting_.ring(*simulation_, scene_.view, at_m); }
 
     /// An act of its own: ends what is open, pauses, and does it. Throws talus::Error, with nothing changed,
     /// when it cannot be done.
@@ -117,7 +117,7 @@ class Session {
 
     Gauges& gauges() { return gauges_; }
     const Gauges& gauges() const { return gauges_; }
-    const Camera& camera() const { return camera_; }
+    const render::Camera& camera() const { return camera_; }
     /// Takes what gauges show, without waiting. Once a frame.
     void follow_gauges();
 
@@ -136,8 +136,8 @@ class Session {
     SceneRequest request_;
     Scene scene_;
     std::unique_ptr<Simulation> simulation_;
-    std::unique_ptr<Renderer> renderer_;
-    Camera camera_;
+    std::unique_ptr<render::Renderer> renderer_;
+    render::Camera camera_;
     int terrain_number_ = 0;
     glm::dvec2 bounds_{0};
     Balances balances_;
@@ -157,4 +157,4 @@ class Session {
     int simulated_terrain_ = 0;  // the simulation's number of it
 };
 
-}  // namespace talus
+}  // namespace talus::app

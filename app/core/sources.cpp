@@ -10,12 +10,12 @@
 #include "sim/io/document.h"
 #include "sim/terrain/state_hash.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 // The terrain in a file, and how to find it again.
 std::pair<Source, TerrainState> read_source(const std::string& path, const std::string& import_guess) {
-    TerrainState state = open_document(path, import_settings_from(import_guess)).state;
+    TerrainState state = io::open_document(path, io::import_settings_from(import_guess)).state;
     Source source{std::filesystem::absolute(path).string(), import_guess, state_hash(state)};
     return {std::move(source), std::move(state)};
 }
@@ -33,12 +33,12 @@ std::shared_ptr<const Stamp> stamp_in(const TerrainState& state) {
 
 }  // namespace
 
-Import read_import(const std::string& path, const ImportSettings& import) {
+Import read_import(const std::string& path, const io::ImportSettings& import) {
     auto [source, state] = read_source(path, to_text(import));
     return {source, std::make_shared<TerrainState>(std::move(state))};
 }
 
-ChooseStamp read_stamp(const std::string& path, const ImportSettings& import) {
+ChooseStamp read_stamp(const std::string& path, const io::ImportSettings& import) {
     const auto [source, state] = read_source(path, to_text(import));
     return {source, {}, stamp_in(state)};
 }
@@ -68,4 +68,4 @@ void rescale(Operation& operation, glm::dvec2 ratio) {
     }
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -5,12 +5,12 @@
 #include "sim/io/heightmap.h"
 #include "sim/operation.h"
 
-namespace talus {
+namespace talus::app {
 
 /// An import of a file, with what it holds. Throws talus::Error when it cannot be read.
-Import read_import(const std::string& path, const ImportSettings& import);
+Import read_import(const std::string& path, const io::ImportSettings& import);
 /// A file as the stamp.
-ChooseStamp read_stamp(const std::string& path, const ImportSettings& import);
+ChooseStamp read_stamp(const std::string& path, const io::ImportSettings& import);
 
 /// Reads what an operation of a journal needs from files, and checks that it is what it was. Throws
 /// talus::Error when it is not.
@@ -20,4 +20,4 @@ void read_sources(Operation& operation);
 /// samples counts as many times more.
 void rescale(Operation& operation, glm::dvec2 ratio);
 
-}  // namespace talus
+}  // namespace talus::app

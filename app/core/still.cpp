@@ -4,26 +4,26 @@
 
 #include "app/core/legend.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 constexpr int largest_tile = 2048;
 
 }  // namespace
 
-void drape(Renderer& renderer, const Scene& scene) {
+void drape(render::Renderer& renderer, const Scene& scene) {
     renderer.drape(scene.texture.width, scene.texture.height, std::as_bytes(std::span(scene.texture.rgba)));
 }
 
-Still draw_still(Renderer& renderer, const Terrain& terrain, const Camera& camera,
-                 const ViewSettings& settings, const std::vector<Legend>& legends, glm::ivec2 size,
-                 int samples) {
+Still draw_still(render::Renderer& renderer, const Terrain& terrain, const render::Camera& camera,
+                 const render::ViewSettings& settings, const std::vector<render::Legend>& legends,
+                 glm::ivec2 size, int samples) {
     const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     Still still{std::vector<std::uint8_t>(3 * pixels), std::vector<float>(pixels)};
     for (int top = 0; top < size.y; top += largest_tile)
         for (int left = 0; left < size.x; left += largest_tile) {
             const glm::ivec2 tile = glm::min(size - glm::ivec2(left, top), glm::ivec2(largest_tile));
-            Camera here = camera;
+            render::Camera here = camera;
             here.window_share = glm::dvec2(tile) / glm::dvec2(size);
             // Pictures are numbered from the top, the view's window from below.
             here.window_middle =
@@ -47,4 +47,4 @@ Still draw_still(Renderer& renderer, const Terrain& terrain, const Camera& camer
     return still;
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -6,7 +6,7 @@
 #include "app/core/scene.h"
 #include "render/renderer.h"
 
-namespace talus {
+namespace talus::app {
 
 /// A picture for a file: rows from the top.
 struct Still {
@@ -15,12 +15,12 @@ struct Still {
 };
 
 /// Drapes the scene's picture over the terrain, or none.
-void drape(Renderer& renderer, const Scene& scene);
+void drape(render::Renderer& renderer, const Scene& scene);
 
 /// Draws a picture of any size, in tiles where it is larger than 2048 pixels, with as many samples a pixel,
 /// and legends in its lower right corner. The same terrain, camera and settings give the same picture.
-Still draw_still(Renderer& renderer, const Terrain& terrain, const Camera& camera,
-                 const ViewSettings& settings, const std::vector<Legend>& legends, glm::ivec2 size,
-                 int samples);
+Still draw_still(render::Renderer& renderer, const Terrain& terrain, const render::Camera& camera,
+                 const render::ViewSettings& settings, const std::vector<render::Legend>& legends,
+                 glm::ivec2 size, int samples);
 
-}  // namespace talus
+}  // namespace talus::app

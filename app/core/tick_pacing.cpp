@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace talus {
+namespace talus::app {
 
 void TickPacing::took(double ms, const Ran& ran) {
     if (ran.ticks > 0) tick_ms_ = ms / ran.ticks;
@@ -43,4 +43,4 @@ TickPacing::Ran TickPacing::play(const PacedTicks& ticks, const Frame& frame) {
     return ran;
 }
 
-}  // namespace talus
+}  // namespace talus::app

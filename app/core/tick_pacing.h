@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <functional>
 
-namespace talus {
+namespace talus::app {
 
 /// What is paced: a simulation, and the clock on the wall.
 struct PacedTicks {
@@ -47,4 +47,4 @@ class TickPacing {
     double substep_ms_ = 0;
 };
 
-}  // namespace talus
+}  // namespace talus::app

@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -28,4 +28,4 @@ fs::path state_folder() {
     return folder("XDG_STATE_HOME", ".local/state");
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -4,7 +4,7 @@
 
 #include "sim/passes/water.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 // Mean still depth of the wet samples along the edges of kind wave, m; 0 where there are none.
@@ -49,4 +49,4 @@ std::string wave_note(const TerrainState& state, const Parameters& parameters) {
         excess > 0.05 ? ": a longer water.wave_period_s or shallower water is truer" : "");
 }
 
-}  // namespace talus
+}  // namespace talus::app

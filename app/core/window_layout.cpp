@@ -9,7 +9,7 @@
 #include "app/core/user_folders.h"
 #include "sim/io/atomic_file.h"
 
-namespace talus {
+namespace talus::app {
 
 WindowLayout read_window_layout() {
     WindowLayout layout;
@@ -31,12 +31,12 @@ WindowLayout read_window_layout() {
 void keep_window_layout(const WindowLayout& layout) {
     try {
         std::filesystem::create_directories(config_folder());
-        write_atomically(config_folder() / "window.toml",
-                         fmt::format("width = {}\nheight = {}\npanel = \"{}\"\npanels_shown = {}\n",
-                                     layout.size.x, layout.size.y, layout.panel, layout.panels_shown));
+        io::write_atomically(config_folder() / "window.toml",
+                             fmt::format("width = {}\nheight = {}\npanel = \"{}\"\npanels_shown = {}\n",
+                                         layout.size.x, layout.size.y, layout.panel, layout.panels_shown));
     } catch (const std::exception&) {
         // It is a convenience.
     }
 }
 
-}  // namespace talus
+}  // namespace talus::app

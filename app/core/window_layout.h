@@ -2,7 +2,7 @@
 #include <glm/glm.hpp>
 #include <string>
 
-namespace talus {
+namespace talus::app {
 
 /// How the window looked when it was last closed.
 struct WindowLayout {
@@ -16,4 +16,4 @@ WindowLayout read_window_layout();
 /// A layout that cannot be written costs the next start its looks.
 void keep_window_layout(const WindowLayout& layout);
 
-}  // namespace talus
+}  // namespace talus::app

@@ -5,7 +5,7 @@
 
 #include "app/core/wall_clock.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 bool has_ended(const std::future<Work::Then>& job) {
@@ -44,4 +44,4 @@ void Work::cancel() {
     job_.reset();
 }
 
-}  // namespace talus
+}  // namespace talus::app

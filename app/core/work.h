@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace talus {
+namespace talus::app {
 
 /// Long work on a thread of its own, while the window stays alive. A job touches neither OpenGL nor the
 /// session; what it returns is done on the window's thread when it has ended.
@@ -38,4 +38,4 @@ class Work {
     std::vector<std::future<Then>> given_up_;
 };
 
-}  // namespace talus
+}  // namespace talus::app

@@ -10,19 +10,19 @@
 #include "sim/io/endings.h"
 #include "sim/io/heightmap_formats.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
-const char* usual_ending(ExportKind kind) {
+const char* usual_ending(io::ExportKind kind) {
     switch (kind) {
-        case ExportKind::mesh:
+        case io::ExportKind::mesh:
             return ".obj";
-        case ExportKind::normal_map:
-        case ExportKind::unreal:
+        case io::ExportKind::normal_map:
+        case io::ExportKind::unreal:
             return ".png";
-        case ExportKind::unity:
+        case io::ExportKind::unity:
             return ".raw";
-        case ExportKind::godot:
+        case io::ExportKind::godot:
             return ".r16";
         default:
             return ".tif";
@@ -32,7 +32,7 @@ const char* usual_ending(ExportKind kind) {
 // "GeoTIFF (tif, tiff), EXR (exr)" and so on: lines break before dots.
 std::string formats_written() {
     std::vector<std::string> texts;
-    for (const HeightmapFormat& format : heightmap_formats()) {
+    for (const io::HeightmapFormat& format : io::heightmap_formats()) {
         std::vector<std::string> endings;
         for (const std::string& ending : format.endings) endings.push_back(ending.substr(1));
         if (format.write) texts.push_back(fmt::format("{} ({})", format.name, fmt::join(endings, ", ")));
@@ -40,17 +40,17 @@ std::string formats_written() {
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-std::string what_it_is(ExportKind kind) {
+std::string what_it_is(io::ExportKind kind) {
     switch (kind) {
-        case ExportKind::mesh:
+        case io::ExportKind::mesh:
             return "Wavefront OBJ, simplified within the error below.";
-        case ExportKind::normal_map:
+        case io::ExportKind::normal_map:
             return "PNG, 16 bits: red east, green north, blue up.";
-        case ExportKind::unreal:
+        case io::ExportKind::unreal:
             return "A landscape's heightmap: .png or .r16, and what to type there in a .txt beside it.";
-        case ExportKind::unity:
+        case io::ExportKind::unity:
             return "A terrain's RAW: .raw or .r16, and what to type there in a .txt beside it.";
-        case ExportKind::godot:
+        case io::ExportKind::godot:
             return "For Terrain3D: .r16 or .exr, and what to type there in a .txt beside it.";
         default:
             return "A heightmap: " + formats_written() + ".";
@@ -59,15 +59,15 @@ std::string what_it_is(ExportKind kind) {
 
 // Reads the terrain once, and looks at it anew when the settings change.
 void follow_losses(const Session& session, ExportDialog& dialog) {
-    ExportSettings settings = dialog.settings;
-    settings.path = with_ending(settings.path, usual_ending(settings.kind));
+    io::ExportSettings settings = dialog.settings;
+    settings.path = io::with_ending(settings.path, usual_ending(settings.kind));
     const std::string with = fmt::format(
         "{} {} {} {} {}", static_cast<int>(settings.kind), settings.path.string(), settings.tiles.x,
         settings.tiles.y, settings.range_m ? settings.range_m->x + 7 * settings.range_m->y : 0);
     if (!dialog.state) dialog.state = session.simulation().read();
     if (dialog.lost_with == with) return;
     dialog.lost_with = with;
-    dialog.lost = losses(*dialog.state, settings);
+    dialog.lost = io::losses(*dialog.state, settings);
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ void follow_losses(const Session& session, ExportDialog& dialog) {
 void draw_export_dialog(PanelContext& context) {
     ExportDialog& dialog = context.state.write;
     if (!dialog.shown) return;
-    ExportSettings& settings = dialog.settings;
+    io::ExportSettings& settings = dialog.settings;
     if (settings.path.empty()) {
         const std::filesystem::path near =
             context.session.path().empty() ? context.session.request().input : context.session.path();
@@ -88,12 +88,12 @@ void draw_export_dialog(PanelContext& context) {
     ImGui::BeginDisabled(writes);
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     const float third = (ImGui::GetContentRegionAvail().x - 2 * spacing) / 3;
-    const std::vector<std::string>& kinds = export_kind_names();
+    const std::vector<std::string>& kinds = io::export_kind_names();
     for (std::size_t i = 0; i < kinds.size(); ++i) {
-        const auto kind = static_cast<ExportKind>(i);
+        const auto kind = static_cast<io::ExportKind>(i);
         if (choice_button(kinds[i], settings.kind == kind, what_it_is(kind), third)) {
             settings.kind = kind;
-            settings.path = with_other_ending(settings.path, usual_ending(kind));
+            settings.path = io::with_other_ending(settings.path, usual_ending(kind));
         }
         if (i % 3 != 2) ImGui::SameLine();
     }
@@ -104,14 +104,14 @@ void draw_export_dialog(PanelContext& context) {
     if (ImGui::InputText("##path", &path)) settings.path = path;
     note_widget("export path");
     ImGui::PushItemWidth(12 * ImGui::GetFontSize());
-    if (settings.kind == ExportKind::mesh) {
+    if (settings.kind == io::ExportKind::mesh) {
         ImGui::InputDouble("m of error", &settings.mesh_error_m, 0, 0, "%.6g");
     } else {
         ImGui::InputInt2("tiles east, south", &settings.tiles.x);
         settings.tiles = glm::clamp(settings.tiles, 1, 64);
         bool given = settings.range_m.has_value();
         if (ImGui::Checkbox("heights of the smallest and largest integer", &given))
-            settings.range_m = given ? std::optional<Range>(context.session.bounds()) : std::nullopt;
+            settings.range_m = given ? std::optional<io::Range>(context.session.bounds()) : std::nullopt;
         if (settings.range_m) ImGui::InputScalarN("m", ImGuiDataType_Double, &settings.range_m->x, 2);
     }
     ImGui::PopItemWidth();
@@ -132,7 +132,7 @@ void draw_export_dialog(PanelContext& context) {
     ImGui::Spacing();
     // It stays until the files are there: what fails is said in it, and can be mended.
     if (button("Write", "", !writes && !settings.path.empty())) {
-        settings.path = with_ending(settings.path, usual_ending(settings.kind));
+        settings.path = io::with_ending(settings.path, usual_ending(settings.kind));
         dialog.error.clear();
         context.requests.write = settings;
     }
@@ -149,4 +149,4 @@ void draw_export_dialog(PanelContext& context) {
     ImGui::EndPopup();
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -7,7 +7,7 @@
 #include "app/panels/panels.h"
 #include "sim/io/endings.h"
 
-namespace talus {
+namespace talus::app {
 
 namespace fs = std::filesystem;
 
@@ -51,9 +51,9 @@ void accept(FileDialog& dialog, PanelRequests& requests) {
     const fs::path given(dialog.name);
     std::string path = (given.is_absolute() ? given : fs::path(dialog.folder) / given).string();
     if (dialog.purpose == FileDialog::Purpose::save) {
-        path = with_ending(path, ".exr").string();
+        path = io::with_ending(path, ".exr").string();
         // Save keeps everything; other formats are exports.
-        if (ending_of(path) != ".exr") {
+        if (io::ending_of(path) != ".exr") {
             dialog.error = "a Talus document ends in .exr; other formats are under File > Export";
             return;
         }
@@ -94,4 +94,4 @@ void draw_file_dialog(PanelContext& context) {
     ImGui::EndPopup();
 }
 
-}  // namespace talus
+}  // namespace talus::app

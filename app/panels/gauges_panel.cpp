@@ -6,7 +6,7 @@
 #include "app/panels/panels.h"
 #include "sim/io/atomic_file.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 // As many of a gauge's last readings as a plot has room for, one of several where there are more.
@@ -34,7 +34,7 @@ void draw_gauges_panel(PanelContext& context) {
         ImGui::SameLine();
         if (button("Save as gauges.csv", "in the folder where Talus was started"))
             requests.acts.emplace_back(
-                [](Session& s) { write_atomically("gauges.csv", s.gauges().to_csv()); });
+                [](Session& s) { io::write_atomically("gauges.csv", s.gauges().to_csv()); });
     }
     for (std::size_t i = 0; i < gauges.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
@@ -51,4 +51,4 @@ void draw_gauges_panel(PanelContext& context) {
     }
 }
 
-}  // namespace talus
+}  // namespace talus::app

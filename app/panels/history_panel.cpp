@@ -3,7 +3,7 @@
 
 #include "app/panels/panels.h"
 
-namespace talus {
+namespace talus::app {
 
 void draw_history_panel(PanelContext& context) {
     const Undo& history = context.session.simulation().undo_history();
@@ -31,4 +31,4 @@ void draw_history_panel(PanelContext& context) {
         line(done.size() + i + 1, fmt::format("{}  {}", done.size() + i + 1, undone[i]), true);
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -8,11 +8,11 @@
 #include "sim/error.h"
 #include "sim/io/heightmap_formats.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 bool is_raw(const std::string& path) {
-    const HeightmapFormat* format = format_of(path);
+    const io::HeightmapFormat* format = io::format_of(path);
     return format && format->headerless;
 }
 
@@ -42,7 +42,7 @@ bool draw_settings(ImportDialog& dialog) {
         laid = ImGui::Checkbox("south row first", &dialog.south_first) || laid;
         if (laid && dialog.raw_size.x > 0 && dialog.raw_size.y > 0) {
             dialog.settings.raw =
-                RawLayout{dialog.raw_size.x, dialog.raw_size.y, dialog.big_endian, dialog.south_first};
+                io::RawLayout{dialog.raw_size.x, dialog.raw_size.y, dialog.big_endian, dialog.south_first};
             changed = true;
         }
     }
@@ -126,4 +126,4 @@ void draw_import_dialog(PanelContext& context) {
     ImGui::EndPopup();
 }
 
-}  // namespace talus
+}  // namespace talus::app

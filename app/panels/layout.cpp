@@ -7,7 +7,7 @@
 
 #include "app/panels/panels.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 struct SidePanel {
@@ -179,4 +179,4 @@ void draw_status_line(const Session& session, const StatusFigures& figures, int 
     list->AddText({8, h - line + 4}, IM_COL32(225, 228, 232, 255), text.c_str());
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -3,7 +3,7 @@
 
 #include "app/panels/panels.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 void line(const char* name, double value, const char* unit) {
@@ -52,4 +52,4 @@ void draw_ledger_panel(PanelContext& context) {
     line("  missing", ledger.water_drift_relative() * 1e6, "millionths of all");
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-namespace talus {
+namespace talus::app {
 
 void load_font(float pixels) {
     ImGuiIO& io = ImGui::GetIO();
@@ -13,7 +13,7 @@ void load_font(float pixels) {
         io.Fonts->AddFontDefault();
 }
 
-void draw_legend(const std::vector<Legend>& legends, int width, int height) {
+void draw_legend(const std::vector<render::Legend>& legends, int width, int height) {
     ImDrawList* list = ImGui::GetForegroundDrawList();
     const LegendDrawing drawing =
         legend_drawing(legends, {width, height}, ImGui::GetFontSize() + 2,
@@ -25,4 +25,4 @@ void draw_legend(const std::vector<Legend>& legends, int width, int height) {
         list->AddText({text.at.x, text.at.y}, IM_COL32_WHITE, text.words.c_str());
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -2,7 +2,7 @@
 
 #include "app/panels/panels.h"
 
-namespace talus {
+namespace talus::app {
 
 void draw_log_panel(PanelContext& context) {
     if (button("Copy", "all lines, for a report")) {
@@ -20,4 +20,4 @@ void draw_log_panel(PanelContext& context) {
     if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY()) ImGui::SetScrollHereY(1);
 }
 
-}  // namespace talus
+}  // namespace talus::app

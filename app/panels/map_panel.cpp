@@ -3,7 +3,7 @@
 #include "app/panels/panels.h"
 #include "app/tools/brush_stroke.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 // A dab of the whole map, with the brush's mask.
@@ -80,4 +80,4 @@ void draw_map_panel(PanelContext& context) {
     }
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -3,13 +3,13 @@
 
 #include "app/panels/panels.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 // Where a point of the world is in the window; none: beside or behind the eye.
-std::optional<ImVec2> in_window(const Camera& camera, const CameraRays& rays, glm::dvec3 point,
-                                const PictureArea& area) {
-    const std::optional<glm::dvec2> at = place_in_picture(camera, rays, point);
+std::optional<ImVec2> in_window(const render::Camera& camera, const render::CameraRays& rays,
+                                glm::dvec3 point, const PictureArea& area) {
+    const std::optional<glm::dvec2> at = render::place_in_picture(camera, rays, point);
     if (!at) return std::nullopt;
     return ImVec2(static_cast<float>(area.corner.x + (0.5 + 0.5 * at->x) * area.size.x),
                   static_cast<float>(area.corner.y + (0.5 - 0.5 * at->y) * area.size.y));
@@ -21,8 +21,8 @@ constexpr ImU32 dark = IM_COL32(20, 24, 30, 255);
 }  // namespace
 
 void draw_marks(const Session& session, const PictureArea& area) {
-    const Camera& camera = session.camera();
-    const CameraRays rays = camera_rays(camera, area.size.x, area.size.y);
+    const render::Camera& camera = session.camera();
+    const render::CameraRays rays = camera_rays(camera, area.size.x, area.size.y);
     ImDrawList* list = ImGui::GetBackgroundDrawList();
     const std::vector<Gauge>& gauges = session.gauges().all();
     for (std::size_t i = 0; i < gauges.size(); ++i) {
@@ -44,4 +44,4 @@ void draw_marks(const Session& session, const PictureArea& area) {
     list->AddLine(*begin, *end, yellow, 2);
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -2,7 +2,7 @@
 
 #include "app/panels/panels.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 void ask(PanelContext& context, Operation operation) {
@@ -39,4 +39,4 @@ void draw_mask_panel(PanelContext& context) {
     if (button("Blur the mask")) ask(context, Blur{view.number("mask.blur_m"), true, false});
 }
 
-}  // namespace talus
+}  // namespace talus::app

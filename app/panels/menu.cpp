@@ -2,7 +2,7 @@
 
 #include "app/panels/panels.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 void draw_file_menu(PanelContext& context) {
@@ -61,7 +61,7 @@ void draw_menu(PanelContext& context) {
             context.state.panels_shown = !context.state.panels_shown;
         ImGui::Separator();
         const std::string& shown = context.session.view().choice("render.view");
-        for (const View& view : views())
+        for (const render::View& view : render::views())
             if (menu_item(view.name, nullptr, true, shown == view.name))
                 context.session.set("render.view", view.name);
         ImGui::EndMenu();
@@ -77,4 +77,4 @@ void draw_menu(PanelContext& context) {
                         context.session.unsaved() ? " *" : "");
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -8,7 +8,7 @@
 #include "app/core/work.h"
 #include "app/panels/widgets.h"
 
-namespace talus {
+namespace talus::app {
 
 /// What the status line says besides the session's own figures.
 struct StatusFigures {
@@ -76,4 +76,4 @@ void draw_notice(const std::string& message, const PictureArea& area);
 /// Where gauges stand in the picture, and the line of a ramp that is being drawn.
 void draw_marks(const Session& session, const PictureArea& area);
 
-}  // namespace talus
+}  // namespace talus::app

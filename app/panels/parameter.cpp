@@ -6,7 +6,7 @@
 
 #include "app/panels/widgets.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 std::string label_of(const Parameter& p) {
@@ -95,4 +95,4 @@ Edit draw_parameter(const Parameter& p, Value& value) {
     return done;
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -8,7 +8,7 @@
 #include "sim/io/colour_image.h"
 #include "sim/preset.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 // The preset's picture; an empty texture where it has none.
@@ -18,7 +18,7 @@ const gpu::Texture& thumbnail(PanelState& state, const std::string& preset) {
     gpu::Texture& texture = state.thumbnails[preset];
     const auto picture = embedded_presets().find(preset + ".png");
     if (picture == embedded_presets().end()) return texture;
-    const ColourImage image = decode_png(picture->second, preset);
+    const io::ColourImage image = io::decode_png(picture->second, preset);
     texture = gpu::Texture("thumbnail", gpu::Format::rgba8, image.width, image.height);
     texture.write(texture.whole(), std::as_bytes(std::span(image.rgba)));
     return texture;
@@ -70,4 +70,4 @@ void draw_presets_panel(PanelContext& context) {
     ImGui::TextWrapped("These hold for the next terrain that is generated: --set, or a preset of your own.");
 }
 
-}  // namespace talus
+}  // namespace talus::app

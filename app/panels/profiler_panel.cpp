@@ -5,7 +5,7 @@
 
 #include "app/panels/panels.h"
 
-namespace talus {
+namespace talus::app {
 
 void draw_profiler_panel(PanelContext& context) {
     Session& session = context.session;
@@ -39,4 +39,4 @@ void draw_profiler_panel(PanelContext& context) {
     ImGui::EndTable();
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -5,7 +5,7 @@
 
 #include "app/panels/panels.h"
 
-namespace talus {
+namespace talus::app {
 
 void draw_question(PanelContext& context) {
     PanelState& state = context.state;
@@ -42,4 +42,4 @@ void draw_work(const Work& work, bool& cancelled) {
     ImGui::End();
 }
 
-}  // namespace talus
+}  // namespace talus::app

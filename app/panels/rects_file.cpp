@@ -4,7 +4,7 @@
 
 #include "sim/io/atomic_file.h"
 
-namespace talus {
+namespace talus::app {
 
 void RectsFile::keep() {
     if (path.empty() || widget_rects() == written) return;
@@ -12,7 +12,7 @@ void RectsFile::keep() {
     std::string text;
     for (const WidgetRect& r : written)
         text += fmt::format("{:.0f} {:.0f} {:.0f} {:.0f} {}\n", r.left, r.top, r.right, r.bottom, r.name);
-    write_atomically(path, text);
+    io::write_atomically(path, text);
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -4,7 +4,7 @@
 
 #include "app/panels/widgets.h"
 
-namespace talus {
+namespace talus::app {
 
 /// A file that says where every named widget of the last frame is, a line each: left, top, right, bottom,
 /// name.
@@ -15,4 +15,4 @@ struct RectsFile {
     void keep();
 };
 
-}  // namespace talus
+}  // namespace talus::app

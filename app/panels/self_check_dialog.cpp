@@ -2,7 +2,7 @@
 
 #include "app/panels/panels.h"
 
-namespace talus {
+namespace talus::app {
 
 void draw_self_check_dialog(PanelContext& context) {
     std::optional<SelfCheck>& check = context.state.self_check;
@@ -30,4 +30,4 @@ void draw_self_check_dialog(PanelContext& context) {
     ImGui::EndPopup();
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -2,7 +2,7 @@
 
 #include "app/panels/panels.h"
 
-namespace talus {
+namespace talus::app {
 
 void draw_simulation_panel(PanelContext& context) {
     heading("Time");
@@ -31,4 +31,4 @@ void draw_view_panel(PanelContext& context) {
     draw_section(context.session, context.requests, "camera");
 }
 
-}  // namespace talus
+}  // namespace talus::app

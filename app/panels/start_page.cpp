@@ -6,7 +6,7 @@
 
 #include "app/panels/panels.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 void draw_left_behind(PanelContext& context) {
@@ -80,4 +80,4 @@ void draw_start_page(PanelContext& context, glm::ivec2 size) {
     ImGui::End();
 }
 
-}  // namespace talus
+}  // namespace talus::app

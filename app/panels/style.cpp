@@ -4,7 +4,7 @@
 
 #include "app/panels/legend.h"
 
-namespace talus {
+namespace talus::app {
 
 void set_style(float scale) {
     ImGui::StyleColorsDark();
@@ -21,4 +21,4 @@ void set_style(float scale) {
     load_font(15 * scale);
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -1,8 +1,8 @@
 #pragma once
 
-namespace talus {
+namespace talus::app {
 
 /// How panels look, at this scale; loads their font.
 void set_style(float scale);
 
-}  // namespace talus
+}  // namespace talus::app

@@ -4,7 +4,7 @@
 #include "app/panels/panels.h"
 #include "app/tools/tools.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 std::string key_of(std::size_t tool) {
@@ -73,4 +73,4 @@ void draw_tools_panel(PanelContext& context) {
     if (tool.limited_by_mask) draw_parameters(session, requests, {"brush.over"});
 }
 
-}  // namespace talus
+}  // namespace talus::app

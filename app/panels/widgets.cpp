@@ -8,7 +8,7 @@
 
 #include "app/panels/panels.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 // Of ImGui's one context, as everything that it draws.
@@ -158,4 +158,4 @@ void plot_line(const char* label, const std::vector<float>& values, const char* 
                      {ImGui::GetContentRegionAvail().x, 2.6F * ImGui::GetFontSize()});
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -6,7 +6,7 @@
 #include "app/core/figure.h"
 #include "app/core/session.h"
 
-namespace talus {
+namespace talus::app {
 
 /// What panels ask the window to do, once the frame's panels are done.
 struct PanelRequests;
@@ -63,4 +63,4 @@ void draw_section(const Session& session, PanelRequests& requests, const std::st
 /// A line of values with its name, its last value and its range.
 void plot_line(const char* label, const std::vector<float>& values, const char* unit);
 
-}  // namespace talus
+}  // namespace talus::app

@@ -6,7 +6,7 @@
 
 #include "sim/operation.h"
 
-namespace talus {
+namespace talus::app {
 
 Dab tool_dab(const Parameters& view, const Modifiers& modifiers, double ground_m, double wall_s,
              const Stamp* stamp) {
@@ -125,4 +125,4 @@ std::optional<Dab> BrushStroke::end(const Parameters& present) {
     return dab;
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -10,7 +10,7 @@
 #include "sim/passes/brush.h"
 #include "sim/terrain/stamp.h"
 
-namespace talus {
+namespace talus::app {
 
 /// What keys that are held make of a tool.
 struct Modifiers {
@@ -59,4 +59,4 @@ class BrushStroke {
     std::mt19937 random_;
 };
 
-}  // namespace talus
+}  // namespace talus::app

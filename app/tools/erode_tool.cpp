@@ -2,7 +2,7 @@
 
 #include "app/tools/tools.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 void erode(const ToolUse& use, Dab& dab) {
@@ -40,4 +40,4 @@ Tool erode_tool() {
                 "erosion.erodibility and erosion.bedrock_erodibility.")}};
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -1,7 +1,7 @@
 // Tools that move the ground up and down.
 #include "app/tools/tools.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 constexpr const char* turns_around = "Ctrl turns it around, Shift smooths.";
@@ -83,4 +83,4 @@ Tool ramp_tool() {
             .course = StrokeCourse::at_end};
 }
 
-}  // namespace talus
+}  // namespace talus::app

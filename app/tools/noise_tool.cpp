@@ -1,6 +1,6 @@
 #include "app/tools/tools.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 void add_noise(const ToolUse& use, Dab& dab) {
@@ -35,4 +35,4 @@ Tool noise_tool() {
             whole("noise.seed", 1, 0, 1000000, "", "Another seed gives other noise.")}};
 }
 
-}  // namespace talus
+}  // namespace talus::app

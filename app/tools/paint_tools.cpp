@@ -1,7 +1,7 @@
 // Tools that put something on the ground: water, and what is painted.
 #include "app/tools/tools.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 constexpr const char* wipes = "Ctrl wipes what was painted.";
@@ -67,4 +67,4 @@ Tool mask_tool() {
             .limited_by_mask = false};
 }
 
-}  // namespace talus
+}  // namespace talus::app

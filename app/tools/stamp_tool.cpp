@@ -2,7 +2,7 @@
 
 #include "app/tools/tools.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 void press_stamp(const ToolUse& use, Dab& dab) {
@@ -50,4 +50,4 @@ Tool stamp_tool() {
             toggle("stamp.mirrored", false, "The stamp mirrored, west for east.")}};
 }
 
-}  // namespace talus
+}  // namespace talus::app

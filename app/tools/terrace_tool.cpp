@@ -1,6 +1,6 @@
 #include "app/tools/tools.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 void terrace(const ToolUse& use, Dab& dab) {
@@ -22,4 +22,4 @@ Tool terrace_tool() {
                                   "Terrace: share of a step that is level.")}};
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace talus {
+namespace talus::app {
 
 const std::vector<Tool>& tools() {
     static const std::vector<Tool> all = {
@@ -23,4 +23,4 @@ std::vector<std::string> tool_names() {
     return names;
 }
 
-}  // namespace talus
+}  // namespace talus::app

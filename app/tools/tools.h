@@ -6,7 +6,7 @@
 #include "sim/passes/brush.h"
 #include "sim/terrain/stamp.h"
 
-namespace talus {
+namespace talus::app {
 
 /// What a dab of a tool is made from.
 struct ToolUse {
@@ -65,4 +65,4 @@ Tool rain_tool();
 Tool hardness_tool();
 Tool mask_tool();
 
-}  // namespace talus
+}  // namespace talus::app

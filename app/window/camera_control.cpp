@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 constexpr double radians_per_pixel = 0.005;
@@ -20,7 +20,7 @@ glm::dvec3 turned(glm::dvec3 v, double yaw, double pitch) {
 
 }  // namespace
 
-void orbit(Camera& camera, glm::dvec3 pivot, double drag_x, double drag_y) {
+void orbit(render::Camera& camera, glm::dvec3 pivot, double drag_x, double drag_y) {
     const double yaw = -drag_x * radians_per_pixel;
     const glm::dvec3 direction = camera.target - camera.eye;
     const double elevation = std::asin(std::clamp(direction.z / glm::length(direction), -1.0, 1.0));
@@ -40,47 +40,47 @@ void orbit(Camera& camera, glm::dvec3 pivot, double drag_x, double drag_y) {
     camera.eye = eye;
 }
 
-void look(Camera& camera, double drag_x, double drag_y) {
+void look(render::Camera& camera, double drag_x, double drag_y) {
     camera.target = camera.eye + turned(camera.target - camera.eye, -drag_x * radians_per_pixel,
                                         -drag_y * radians_per_pixel);
 }
 
-void look_level(Camera& camera) {
+void look_level(render::Camera& camera) {
     const glm::dvec3 way = camera.target - camera.eye;
     camera.target = camera.eye + turned(way, 0, -std::asin(std::clamp(way.z / glm::length(way), -1.0, 1.0)));
 }
 
-void pan(Camera& camera, double drag_x, double drag_y, double distance_m, int picture_height) {
+void pan(render::Camera& camera, double drag_x, double drag_y, double distance_m, int picture_height) {
     const double per_pixel = pixel_at_one_metre(camera, picture_height) * distance_m;
-    const CameraRays rays = camera_rays(camera, 1, 1);
+    const render::CameraRays rays = camera_rays(camera, 1, 1);
     const glm::dvec3 move =
         glm::normalize(rays.right) * (-drag_x * per_pixel) + glm::normalize(rays.up) * (drag_y * per_pixel);
     camera.eye += move;
     camera.target += move;
 }
 
-void zoom(Camera& camera, glm::dvec3 towards, double steps) {
+void zoom(render::Camera& camera, glm::dvec3 towards, double steps) {
     const glm::dvec3 move = (towards - camera.eye) * (1 - std::pow(0.85, steps));
     camera.eye += move;
     camera.target += move;
 }
 
-void fly(Camera& camera, double ahead_m, double right_m, double up_m) {
-    const CameraRays rays = camera_rays(camera, 1, 1);
+void fly(render::Camera& camera, double ahead_m, double right_m, double up_m) {
+    const render::CameraRays rays = camera_rays(camera, 1, 1);
     const glm::dvec3 move =
         rays.forward * ahead_m + glm::normalize(rays.right) * right_m + glm::dvec3(0, 0, up_m);
     camera.eye += move;
     camera.target += move;
 }
 
-void walk(Camera& camera, double ahead_m, double right_m) {
+void walk(render::Camera& camera, double ahead_m, double right_m) {
     const glm::dvec3 right = glm::normalize(camera_rays(camera, 1, 1).right);
     const glm::dvec3 move = glm::cross(glm::dvec3(0, 0, 1), right) * ahead_m + right * right_m;
     camera.eye += move;
     camera.target += move;
 }
 
-void stand(Camera& camera, double height_m, double lowest_m, double passed_s) {
+void stand(render::Camera& camera, double height_m, double lowest_m, double passed_s) {
     const double share = 1 - std::exp(-passed_s / 0.1);
     double rise = (height_m - camera.eye.z) * share;
     // What no eye could see is the way done, so that a camera at rest stays the same to the bit.
@@ -90,7 +90,7 @@ void stand(Camera& camera, double height_m, double lowest_m, double passed_s) {
     keep_above(camera, lowest_m);
 }
 
-void keep_within(Camera& camera, const Grid& grid) {
+void keep_within(render::Camera& camera, const Grid& grid) {
     const glm::dvec2 place(camera.eye);
     const glm::dvec2 move =
         glm::clamp(place, glm::dvec2(0), glm::dvec2(grid.width_m(), grid.height_m())) - place;
@@ -98,15 +98,15 @@ void keep_within(Camera& camera, const Grid& grid) {
     camera.target += glm::dvec3(move, 0);
 }
 
-void keep_above(Camera& camera, double lowest_m) {
+void keep_above(render::Camera& camera, double lowest_m) {
     const double rise = std::max(0.0, lowest_m - camera.eye.z);
     camera.eye.z += rise;
     camera.target.z += rise;
 }
 
-glm::dvec3 pixel_direction(const Camera& camera, double x, double y, int width, int height) {
-    const CameraRays rays = camera_rays(camera, width, height);
+glm::dvec3 pixel_direction(const render::Camera& camera, double x, double y, int width, int height) {
+    const render::CameraRays rays = camera_rays(camera, width, height);
     return glm::normalize(rays.middle + rays.right * (2 * x / width - 1) + rays.up * (1 - 2 * y / height));
 }
 
-}  // namespace talus
+}  // namespace talus::app

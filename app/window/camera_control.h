@@ -1,32 +1,32 @@
 #pragma once
 #include "render/camera.h"
 
-namespace talus {
+namespace talus::app {
 
 /// Turns the camera about a point on the ground by a drag of the mouse, in pixels.
-void orbit(Camera& camera, glm::dvec3 pivot, double drag_x, double drag_y);
+void orbit(render::Camera& camera, glm::dvec3 pivot, double drag_x, double drag_y);
 /// Turns the camera about its own eye.
-void look(Camera& camera, double drag_x, double drag_y);
+void look(render::Camera& camera, double drag_x, double drag_y);
 /// Turns the camera up or down until it looks level.
-void look_level(Camera& camera);
+void look_level(render::Camera& camera);
 /// Moves eye and target sideways with the ground under the mouse; distance: of that ground.
-void pan(Camera& camera, double drag_x, double drag_y, double distance_m, int picture_height);
+void pan(render::Camera& camera, double drag_x, double drag_y, double distance_m, int picture_height);
 /// Towards or away from a point; steps of the wheel.
-void zoom(Camera& camera, glm::dvec3 towards, double steps);
+void zoom(render::Camera& camera, glm::dvec3 towards, double steps);
 /// Flies: metres ahead, to the right and up.
-void fly(Camera& camera, double ahead_m, double right_m, double up_m);
+void fly(render::Camera& camera, double ahead_m, double right_m, double up_m);
 
 /// Walks over level metres ahead and to the right, wherever the camera looks up or down.
-void walk(Camera& camera, double ahead_m, double right_m);
+void walk(render::Camera& camera, double ahead_m, double right_m);
 /// Brings the eye towards a height, as fast as a person's legs even out the ground: most of the way within
 /// 0.2 s, and never lower than `lowest_m`.
-void stand(Camera& camera, double height_m, double lowest_m, double passed_s);
+void stand(render::Camera& camera, double height_m, double lowest_m, double passed_s);
 /// Brings eye and target together over the terrain's rectangle.
-void keep_within(Camera& camera, const Grid& grid);
+void keep_within(render::Camera& camera, const Grid& grid);
 /// Lifts eye and target together so that the eye is no lower.
-void keep_above(Camera& camera, double lowest_m);
+void keep_above(render::Camera& camera, double lowest_m);
 
 /// The direction of the ray through a pixel (x right, y down from the upper left), unit length.
-glm::dvec3 pixel_direction(const Camera& camera, double x, double y, int width, int height);
+glm::dvec3 pixel_direction(const render::Camera& camera, double x, double y, int width, int height);
 
-}  // namespace talus
+}  // namespace talus::app

@@ -6,7 +6,7 @@
 #include "sim/error.h"
 #include "sim/gpu/context.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 std::string glfw_error() {
@@ -49,4 +49,4 @@ std::string why_no_window() {
     }
 }
 
-}  // namespace talus
+}  // namespace talus::app

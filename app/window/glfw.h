@@ -4,7 +4,7 @@
 
 struct GLFWwindow;
 
-namespace talus {
+namespace talus::app {
 
 /// GLFW's life: from its start to its end. Throws talus::Error where no window can open.
 class Glfw {
@@ -21,4 +21,4 @@ class Glfw {
 /// Why no window can open here: no display, a dead one, OpenGL below 4.5. Empty: one can.
 std::string why_no_window();
 
-}  // namespace talus
+}  // namespace talus::app

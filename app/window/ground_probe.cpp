@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 constexpr int probe_side = 48;  // samples that are read
@@ -57,4 +57,4 @@ std::optional<double> GroundProbe::height_m(const Grid& grid, glm::dvec2 place_m
     return std::lerp(std::lerp(at(0, 0), at(1, 0), u - x), std::lerp(at(0, 1), at(1, 1), u - x), v - y);
 }
 
-}  // namespace talus
+}  // namespace talus::app

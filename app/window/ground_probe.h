@@ -5,7 +5,7 @@
 #include "sim/gpu/readback.h"
 #include "sim/terrain/terrain.h"
 
-namespace talus {
+namespace talus::app {
 
 /// The ground below the camera on the CPU, without waiting for the device: samples around a place, read anew
 /// when the place nears their edge or the ground changes. They are a frame or two old, and exact where the
@@ -30,4 +30,4 @@ class GroundProbe {
     std::vector<float> samples_;
 };
 
-}  // namespace talus
+}  // namespace talus::app

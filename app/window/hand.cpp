@@ -8,7 +8,7 @@
 
 #include "app/window/camera_control.h"
 
-namespace talus {
+namespace talus::app {
 
 void Hand::act(Session& session, glm::dvec2 mouse, double passed_s, glm::ivec2 size, const HandMay& may,
                bool& placing_gauge) {
@@ -63,8 +63,8 @@ void Hand::look(Session& session, glm::dvec2 mouse, glm::ivec2 size, glm::ivec2 
 }
 
 void Hand::move_camera(Session& session, glm::dvec2 mouse, double passed_s, int height, const HandMay& may) {
-    Camera& camera = session.camera();
-    const Camera before = camera;
+    render::Camera& camera = session.camera();
+    const render::Camera before = camera;
     camera.fov_deg = session.view().number("camera.fov_deg");
     const glm::dvec2 drag = mouse - mouse_;
     const std::string& mode = session.view().choice("camera.mode");
@@ -77,7 +77,7 @@ void Hand::move_camera(Session& session, glm::dvec2 mouse, double passed_s, int 
     turning_ = turning;
     if (turning && drag != glm::dvec2(0)) {
         if (flying)
-            talus::look(camera, drag.x, drag.y);
+            app::look(camera, drag.x, drag.y);
         else
             orbit(camera, pivot_, drag.x, drag.y);
     }
@@ -103,7 +103,7 @@ void Hand::move_camera(Session& session, glm::dvec2 mouse, double passed_s, int 
 }
 
 // Walking stands on the ground; else the eye stays out of it, where collision is on.
-void Hand::meet_ground(Session& session, Camera& camera, bool walking, double passed_s) {
+void Hand::meet_ground(Session& session, render::Camera& camera, bool walking, double passed_s) {
     const bool collides = session.view().toggle("camera.collision");
     if (!walking) walking_ = false;
     if (!walking && !collides) {
@@ -155,4 +155,4 @@ void Hand::sculpt(Session& session, double passed_s, const HandMay& may, bool& p
         session.stroke(*cursor_, passed_s);
 }
 
-}  // namespace talus
+}  // namespace talus::app

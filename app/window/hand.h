@@ -8,7 +8,7 @@
 
 struct GLFWwindow;
 
-namespace talus {
+namespace talus::app {
 
 /// What the panels leave to the hand in a frame.
 struct HandMay {
@@ -42,7 +42,7 @@ class Hand {
   private:
     void read_cursor(const Grid& grid);
     void move_camera(Session& session, glm::dvec2 mouse, double passed_s, int height, const HandMay& may);
-    void meet_ground(Session& session, Camera& camera, bool walking, double passed_s);
+    void meet_ground(Session& session, render::Camera& camera, bool walking, double passed_s);
     void sculpt(Session& session, double passed_s, const HandMay& may, bool& placing_gauge);
     void follow_terrain(const Session& session);
 
@@ -50,7 +50,7 @@ class Hand {
     int terrain_number_ = 0;
     GroundProbe ground_;
     gpu::Readback cursor_readback_;
-    Camera cursor_camera_;
+    render::Camera cursor_camera_;
     glm::dvec2 cursor_mouse_{-1};  // where the last read-back began
     glm::dvec3 cursor_direction_{0};
     std::optional<glm::dvec3> cursor_;
@@ -65,4 +65,4 @@ class Hand {
     bool held_before_ = false;  // the left button, in the frame before
 };
 
-}  // namespace talus
+}  // namespace talus::app

@@ -7,7 +7,7 @@
 
 #include "app/tools/tools.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 void scale(Session& session, const std::string& name, double factor) {
@@ -106,4 +106,4 @@ void press_key(int key, int mods, Session& session, PanelState& state, PanelRequ
     }
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace talus {
+namespace talus::app {
 
 void TypedKeys::hear(const Key& key, bool typing, const To& to) {
     typing = typing || std::any_of(heard_.begin(), heard_.end(), [](const Heard& one) { return one.waits; });
@@ -31,4 +31,4 @@ bool TypedKeys::pass(const To& to) {
     return !heard_.empty();
 }
 
-}  // namespace talus
+}  // namespace talus::app

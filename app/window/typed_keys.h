@@ -2,7 +2,7 @@
 #include <functional>
 #include <vector>
 
-namespace talus {
+namespace talus::app {
 
 /// Keys and letters between the window that hears them and the panels, which look at them once a frame
 /// (GLFW's numbers).
@@ -38,4 +38,4 @@ class TypedKeys {
     std::vector<Heard> heard_;
 };
 
-}  // namespace talus
+}  // namespace talus::app

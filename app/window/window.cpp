@@ -30,7 +30,7 @@
 #include "sim/io/atomic_file.h"
 #include "sim/terrain/state_hash.h"
 
-namespace talus {
+namespace talus::app {
 namespace {
 
 // The window: its events, its frames, and what panels and keys ask of it.
@@ -108,7 +108,7 @@ class Window {
         }
         session_.pause();
         project_.write_journal();
-        if (!frame_log_path_.empty()) write_atomically(frame_log_path_, to_csv(frames_));
+        if (!frame_log_path_.empty()) io::write_atomically(frame_log_path_, to_csv(frames_));
         WindowLayout layout;
         glfwGetWindowSize(window_, &layout.size.x, &layout.size.y);
         layout.panel = state_.shown;
@@ -309,16 +309,16 @@ class Window {
     }
 
     void draw_picture(glm::dvec2 mouse, glm::ivec2 size, glm::ivec2 drawn_size, bool moving) {
-        settings_ = view_settings(session_.view(), session_.simulation().parameters());
+        settings_ = render::view_settings(session_.view(), session_.simulation().parameters());
         settings_.quick = moving && pacing_.is_late();
         // A shader that does not compile is told, and the last picture stays.
         try {
-            Ring ring;
+            render::Ring ring;
             if (hand_.cursor() && !ImGui::GetIO().WantCaptureMouse) ring = session_.ring(*hand_.cursor());
             Terrain& terrain = session_.simulation().terrain();
-            const Drawn drawn = session_.renderer().draw(terrain, session_.camera(), settings_, drawn_size.x,
-                                                         drawn_size.y, ring);
-            hand_.look(session_, mouse, size, drawn_size, drawn != Drawn::nothing);
+            const render::Drawn drawn = session_.renderer().draw(terrain, session_.camera(), settings_,
+                                                                 drawn_size.x, drawn_size.y, ring);
+            hand_.look(session_, mouse, size, drawn_size, drawn != render::Drawn::nothing);
             // At rest the picture gathers samples, one a frame; while somebody works at the panels they come
             // first.
             if (!moving && !pacing_.is_awake() && !ImGui::IsAnyItemActive())
@@ -345,8 +345,9 @@ class Window {
         StatusFigures figures{device_.renderer, glfwGetTime() < message_until_s_ ? message_ : "",
                               std::nullopt, frame_s_ * 1000, used};
         if (hand_.cursor()) figures.cursor_height_m = hand_.cursor()->z;
-        draw_legend(legend_of(settings_, session_.renderer().bounds().x, session_.renderer().bounds().y),
-                    area_.corner.x + area_.size.x, area_.corner.y + area_.size.y);
+        draw_legend(
+            render::legend_of(settings_, session_.renderer().bounds().x, session_.renderer().bounds().y),
+            area_.corner.x + area_.size.x, area_.corner.y + area_.size.y);
         PanelContext context{session_, state_, requests_, project_.work()};
         draw_panels(context, figures, size);
         bool cancelled = false;
@@ -370,7 +371,7 @@ class Window {
     RectsFile rects_;
     PanelRequests requests_;
     bool closing_ = false;
-    ViewSettings settings_;
+    render::ViewSettings settings_;
     PictureArea area_;  // what the panels leave to the picture
     PassTimes pass_times_;
     bool first_picture_shown_ = false;
@@ -396,4 +397,4 @@ void run_window(const WindowOptions& options) {
     window.loop();
 }
 
-}  // namespace talus
+}  // namespace talus::app

@@ -4,7 +4,7 @@
 
 #include "app/core/scene.h"
 
-namespace talus {
+namespace talus::app {
 
 struct WindowOptions {
     SceneRequest scene;
@@ -18,4 +18,4 @@ struct WindowOptions {
 /// Opens the window and returns when it is closed. Throws talus::Error when it cannot open.
 void run_window(const WindowOptions& options);
 
-}  // namespace talus
+}  // namespace talus::app

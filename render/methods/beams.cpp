@@ -1,6 +1,6 @@
 #include "render/methods/beams.h"
 
-namespace talus {
+namespace talus::render {
 namespace {
 
 #include "render/beam_pixels.glsl"
@@ -51,4 +51,4 @@ std::size_t Beams::bytes() const {
     return sum;
 }
 
-}  // namespace talus
+}  // namespace talus::render

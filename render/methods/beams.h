@@ -3,7 +3,7 @@
 
 #include "render/methods/method.h"
 
-namespace talus {
+namespace talus::render {
 
 /// Where the rays of a picture may start: beams of 8 x 8 pixels walk first and stop before any of their rays
 /// can meet ground (shaders/maths/beam.glsl). Skipping changes no bit of a hit; ends in flat cells do.
@@ -34,4 +34,4 @@ class Beams {
     int newest_ = 0;
 };
 
-}  // namespace talus
+}  // namespace talus::render

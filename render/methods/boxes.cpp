@@ -1,6 +1,6 @@
 #include "render/methods/ray_casting.h"
 
-namespace talus {
+namespace talus::render {
 
 // Dick, Krueger & Westermann 2009, sections 3.1 and 3.2: the same walk, but a patch is a column as high as
 // its middle.
@@ -10,4 +10,4 @@ Method make_boxes(Detail detail) {
     return cast_rays(defines);
 }
 
-}  // namespace talus
+}  // namespace talus::render

@@ -2,7 +2,7 @@
 
 #include "render/methods/ray_casting.h"
 
-namespace talus {
+namespace talus::render {
 namespace {
 
 // Cells of 16 x 16 patches, or the coarsest that the pyramid of a small terrain has.
@@ -140,4 +140,4 @@ Method make_hybrid(Detail detail) {
     return {[hybrid](const Frame& frame) { draw(*hybrid, frame); }, figures};
 }
 
-}  // namespace talus
+}  // namespace talus::render

@@ -1,6 +1,6 @@
 #include "render/methods/method.h"
 
-namespace talus {
+namespace talus::render {
 namespace {
 
 // Cells of 32 x 32 patches, or the coarsest that the pyramid of a small terrain has.
@@ -84,4 +84,4 @@ Method make_mesh(Detail) {
     return {draw, figures};
 }
 
-}  // namespace talus
+}  // namespace talus::render

@@ -9,7 +9,7 @@
 #include "render/redraw.h"
 #include "sim/gpu/texture.h"
 
-namespace talus {
+namespace talus::render {
 
 /// What a method draws from and into.
 struct Frame {
@@ -67,4 +67,4 @@ Method make_boxes(Detail detail);
 Method make_mesh(Detail detail);
 Method make_hybrid(Detail detail);
 
-}  // namespace talus
+}  // namespace talus::render

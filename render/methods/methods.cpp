@@ -1,6 +1,6 @@
 #include "render/methods/method.h"
 
-namespace talus {
+namespace talus::render {
 
 const std::vector<MethodEntry>& methods() {
     static const std::vector<MethodEntry> entries = {
@@ -18,4 +18,4 @@ std::vector<std::string> detail_defines(Detail detail) {
     return {};
 }
 
-}  // namespace talus
+}  // namespace talus::render

@@ -2,7 +2,7 @@
 
 #include "render/blocks.h"
 
-namespace talus {
+namespace talus::render {
 namespace {
 
 #include "render/ray_kinds.glsl"
@@ -86,4 +86,4 @@ Method cast_rays(const std::vector<std::string>& defines) {
     return {draw, [rays] { return MethodFigures{0, 0, rays->bytes()}; }};
 }
 
-}  // namespace talus
+}  // namespace talus::render

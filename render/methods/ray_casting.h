@@ -2,7 +2,7 @@
 #include "render/methods/beams.h"
 #include "render/methods/method.h"
 
-namespace talus {
+namespace talus::render {
 
 /// What the rays of a method may do besides walking to the patch.
 struct RayOptions {
@@ -43,4 +43,4 @@ class RayCasting {
 /// A method that casts a ray for every pixel, with defines for shaders/render/exact.frag.
 Method cast_rays(const std::vector<std::string>& defines);
 
-}  // namespace talus
+}  // namespace talus::render

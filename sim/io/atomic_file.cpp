@@ -14,7 +14,7 @@
 
 #include "sim/error.h"
 
-namespace talus {
+namespace talus::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -115,4 +115,4 @@ std::string read_text(const fs::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-}  // namespace talus
+}  // namespace talus::io

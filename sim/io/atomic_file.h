@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace talus {
+namespace talus::io {
 
 /// Writes a whole file so that the path holds either what was there or all of the new content, also across a
 /// crash: temporary file beside it, fsync, rename, fsync of the folder. Throws talus::Error naming the path
@@ -16,4 +16,4 @@ void write_atomically(const std::filesystem::path& path, std::string_view conten
 /// A whole file as text. Throws talus::Error when it cannot be read.
 std::string read_text(const std::filesystem::path& path);
 
-}  // namespace talus
+}  // namespace talus::io

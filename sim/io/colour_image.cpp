@@ -6,7 +6,7 @@
 #include "sim/error.h"
 #include "sim/io/picture.h"
 
-namespace talus {
+namespace talus::io {
 namespace {
 
 // As OpenGL 4.5 promises for a texture.
@@ -50,4 +50,4 @@ ColourImage decode_png(std::string_view bytes, const std::string& name) {
     return all_of(name, *input);
 }
 
-}  // namespace talus
+}  // namespace talus::io

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace talus {
+namespace talus::io {
 
 /// A picture for screens: rows of RGBA bytes, top row first.
 struct ColourImage {
@@ -21,4 +21,4 @@ ColourImage read_colour_image(const std::filesystem::path& path);
 /// The same from a PNG in memory; `name` stands in errors.
 ColourImage decode_png(std::string_view bytes, const std::string& name);
 
-}  // namespace talus
+}  // namespace talus::io

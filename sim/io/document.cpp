@@ -13,7 +13,7 @@
 #include "sim/terrain/layers.h"
 #include "sim/terrain/springs.h"
 
-namespace talus {
+namespace talus::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -184,4 +184,4 @@ void save_document(const fs::path& path, const Document& document) {
     write_encoded(path, spec, pixels.data());
 }
 
-}  // namespace talus
+}  // namespace talus::io

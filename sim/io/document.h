@@ -6,7 +6,7 @@
 #include "sim/io/heightmap.h"
 #include "sim/terrain/terrain_state.h"
 
-namespace talus {
+namespace talus::io {
 
 /// A terrain as files hold it.
 struct Document {
@@ -27,4 +27,4 @@ Document open_document(const std::filesystem::path& path, const ImportSettings& 
 /// springs and parameters as attributes.
 void save_document(const std::filesystem::path& path, const Document& document);
 
-}  // namespace talus
+}  // namespace talus::io

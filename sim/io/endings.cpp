@@ -8,7 +8,7 @@
 
 #include "sim/io/heightmap_formats.h"
 
-namespace talus {
+namespace talus::io {
 namespace {
 
 std::set<std::string> known_endings() {
@@ -49,4 +49,4 @@ std::filesystem::path with_other_ending(const std::filesystem::path& path, const
     return with_ending(name, ending);
 }
 
-}  // namespace talus
+}  // namespace talus::io

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string>
 
-namespace talus {
+namespace talus::io {
 
 /// The path's ending in lower case, with its dot; empty where it has none.
 std::string ending_of(const std::filesystem::path& path);
@@ -18,4 +18,4 @@ std::filesystem::path with_ending(const std::filesystem::path& path, const std::
 /// The path with `ending` in place of a known one, or behind it.
 std::filesystem::path with_other_ending(const std::filesystem::path& path, const std::string& ending);
 
-}  // namespace talus
+}  // namespace talus::io

@@ -13,7 +13,7 @@
 #include "sim/terrain/layers.h"
 #include "sim/terrain/reshape.h"
 
-namespace talus {
+namespace talus::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -282,4 +282,4 @@ std::vector<std::string> losses(const TerrainState& state, const ExportSettings&
     return lost;
 }
 
-}  // namespace talus
+}  // namespace talus::io

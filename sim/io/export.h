@@ -7,7 +7,7 @@
 
 #include "sim/io/document.h"
 
-namespace talus {
+namespace talus::io {
 
 /// What other programs get of a terrain.
 enum class ExportKind { heightmap, mesh, normal_map, unreal, unity, godot };
@@ -66,4 +66,4 @@ void write_obj(const std::filesystem::path& path, const TerrainMesh& mesh);
 void write_normal_map(const std::filesystem::path& path, const Heightmap& heightmap,
                       std::pair<int, int> columns, std::pair<int, int> rows);
 
-}  // namespace talus
+}  // namespace talus::io

@@ -16,7 +16,7 @@
 #include "sim/io/atomic_file.h"
 #include "sim/io/heightmap_formats.h"
 
-namespace talus {
+namespace talus::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -244,4 +244,4 @@ void write_geotiff(const fs::path& path, const Heightmap& heightmap, std::option
     VSIUnlink(memory_path.c_str());
 }
 
-}  // namespace talus
+}  // namespace talus::io

@@ -10,7 +10,7 @@
 #include "sim/error.h"
 #include "sim/io/heightmap_formats.h"
 
-namespace talus {
+namespace talus::io {
 
 namespace fs = std::filesystem;
 
@@ -103,4 +103,4 @@ void write_heightmap(const fs::path& path, const Heightmap& heightmap, std::opti
     format_of(path)->write(path, heightmap, range);
 }
 
-}  // namespace talus
+}  // namespace talus::io

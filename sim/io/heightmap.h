@@ -10,7 +10,7 @@
 #include "sim/terrain/georeference.h"
 #include "sim/terrain/grid.h"
 
-namespace talus {
+namespace talus::io {
 
 /// How a raw file's samples lie.
 struct RawLayout {
@@ -90,4 +90,4 @@ struct Sidecar {
 /// noted.
 std::optional<Sidecar> read_sidecar(const std::filesystem::path& path, std::vector<std::string>& notes);
 
-}  // namespace talus
+}  // namespace talus::io

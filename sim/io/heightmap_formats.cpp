@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace talus {
+namespace talus::io {
 
 const std::vector<HeightmapFormat>& heightmap_formats() {
     static const std::vector<HeightmapFormat> formats = {
@@ -65,4 +65,4 @@ bool can_write_heightmap(const std::filesystem::path& path) {
     return format && format->write;
 }
 
-}  // namespace talus
+}  // namespace talus::io

@@ -6,7 +6,7 @@
 
 #include "sim/io/heightmap.h"
 
-namespace talus {
+namespace talus::io {
 
 /// A format of heightmaps: a line of `heightmap_formats()`, and a file of this folder that reads and writes
 /// it.
@@ -39,4 +39,4 @@ void write_picture(const std::filesystem::path& path, const Heightmap& heightmap
 Heightmap read_raw(const std::filesystem::path& path, const ImportSettings& settings);
 void write_raw(const std::filesystem::path& path, const Heightmap& heightmap, std::optional<Range> range);
 
-}  // namespace talus
+}  // namespace talus::io

@@ -7,7 +7,7 @@
 #include "sim/io/heightmap.h"
 #include "sim/io/picture.h"
 
-namespace talus {
+namespace talus::io {
 
 void write_rgb(const std::filesystem::path& path, int width, int height,
                const std::vector<std::uint8_t>& rgb) {
@@ -25,4 +25,4 @@ void write_depth(const std::filesystem::path& path, int width, int height, const
     write_encoded(path, spec, depth.data());
 }
 
-}  // namespace talus
+}  // namespace talus::io

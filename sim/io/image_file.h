@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace talus {
+namespace talus::io {
 
 /// Writes a picture as PNG, 8 bits a channel, top row first. Throws talus::Error.
 void write_rgb(const std::filesystem::path& path, int width, int height,
@@ -12,4 +12,4 @@ void write_rgb(const std::filesystem::path& path, int width, int height,
 /// Writes one float a pixel as EXR, channel Z, top row first. Throws talus::Error.
 void write_depth(const std::filesystem::path& path, int width, int height, const std::vector<float>& depth);
 
-}  // namespace talus
+}  // namespace talus::io

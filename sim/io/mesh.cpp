@@ -9,7 +9,7 @@
 #include "sim/io/atomic_file.h"
 #include "sim/io/export.h"
 
-namespace talus {
+namespace talus::io {
 namespace {
 
 // Height of a triangle over a place, and whether it lies over it.
@@ -113,4 +113,4 @@ void write_obj(const std::filesystem::path& path, const TerrainMesh& mesh) {
     write_atomically(path, std::string_view(text.data(), text.size()));
 }
 
-}  // namespace talus
+}  // namespace talus::io

@@ -3,7 +3,7 @@
 #include "sim/io/export.h"
 #include "sim/io/picture.h"
 
-namespace talus {
+namespace talus::io {
 
 void write_normal_map(const std::filesystem::path& path, const Heightmap& heightmap,
                       std::pair<int, int> across, std::pair<int, int> down) {
@@ -30,4 +30,4 @@ void write_normal_map(const std::filesystem::path& path, const Heightmap& height
     write_encoded(path, spec, rgb.data());
 }
 
-}  // namespace talus
+}  // namespace talus::io

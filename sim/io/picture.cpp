@@ -15,7 +15,7 @@
 #include "sim/io/endings.h"
 #include "sim/io/heightmap_formats.h"
 
-namespace talus {
+namespace talus::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -175,4 +175,4 @@ void write_picture(const fs::path& path, const Heightmap& heightmap, std::option
     write_sidecar(path, heightmap, "uint16", used);
 }
 
-}  // namespace talus
+}  // namespace talus::io

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-namespace talus {
+namespace talus::io {
 
 /// Encodes a picture in memory by the path's ending and writes it atomically. Throws talus::Error.
 void write_encoded(const std::filesystem::path& path, const OIIO::ImageSpec& spec, const void* pixels);
@@ -21,4 +21,4 @@ void read_bytes(const std::filesystem::path& path, OIIO::ImageInput& input, int 
 double number_attribute(const std::filesystem::path& path, const OIIO::ImageSpec& spec, const char* name,
                         double fallback);
 
-}  // namespace talus
+}  // namespace talus::io

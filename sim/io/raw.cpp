@@ -12,7 +12,7 @@
 #include "sim/io/endings.h"
 #include "sim/io/heightmap_formats.h"
 
-namespace talus {
+namespace talus::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -187,4 +187,4 @@ void write_raw(const fs::path& path, const Heightmap& heightmap, std::optional<R
     write_sidecar(path, heightmap, "uint16", used);
 }
 
-}  // namespace talus
+}  // namespace talus::io

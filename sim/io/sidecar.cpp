@@ -7,7 +7,7 @@
 #include "sim/io/heightmap.h"
 #include "sim/terrain/state_hash.h"
 
-namespace talus {
+namespace talus::io {
 namespace {
 
 using nlohmann::json;
@@ -92,4 +92,4 @@ ImportSettings import_settings_from(const std::string& text) {
     }
 }
 
-}  // namespace talus
+}  // namespace talus::io

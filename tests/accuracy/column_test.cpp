@@ -13,7 +13,7 @@ namespace {
 TEST(Column, CollapsesIntoTheConeOfItsAngleOfRepose) {
     const gpu::Context context;
     ASSERT_EQ(thermal_substeps({257, 257, 1, 1}, {33, 0.25}, 1), 1);
-    const ConeError cone = collapsed_column(257, 22, 120);
+    const claims::ConeError cone = claims::collapsed_column(257, 22, 120);
     std::printf(
         "column: %d ticks, steepest %.2f degrees, radii %.3f (axis) %.3f (diagonal) of %.3f, peak %.3f of "
         "%.3f, ledger %.2g of moved\n",

@@ -30,17 +30,18 @@ class Easel {
         pyramid.refresh(terrain);
     }
 
-    std::vector<glm::vec2> draw(const Method& method, const Camera& camera, double tolerance_px) {
+    std::vector<glm::vec2> draw(const render::Method& method, const render::Camera& camera,
+                                double tolerance_px) {
         method({terrain, pyramid, camera, width, height, tolerance_px, patch_pixels, target_.framebuffer()});
         return target_.hits().read_all<glm::vec2>();
     }
 
     Terrain terrain;
-    Pyramid pyramid;
+    render::Pyramid pyramid;
     double patch_pixels = 8;  // more mesh than any device would choose
 
   private:
-    HitsTarget target_{width, height};
+    render::HitsTarget target_{width, height};
 };
 
 std::vector<float> distances(const std::vector<glm::vec2>& hits) {
@@ -61,8 +62,8 @@ TEST_P(Methods, ErrWithinTheirTolerance) {
     } cases[] = {{"exact", 0}, {"hybrid", 0}, {"hybrid", 0.5}, {"hybrid", 2}};
     for (const auto& c : cases) {
         // More mesh than any device would choose.
-        const SurveyError found =
-            survey_error(scene.grid, scene.heights, c.method, c.tolerance_px, {width, height}, 8);
+        const claims::SurveyError found =
+            claims::survey_error(scene.grid, scene.heights, c.method, c.tolerance_px, {width, height}, 8);
         for (const std::string& view : found.beyond)
             ADD_FAILURE() << c.method << " at " << c.tolerance_px << " px, " << view;
         EXPECT_EQ(found.all.beyond, 0);
@@ -87,16 +88,16 @@ TEST(Exact, BeamsChangeNoBit) {
     const gpu::Context context;
     const scenes::Scene scene = scenes::make("fbm");
     Easel easel(scene);
-    const Method exact = make_exact(Detail::steps);
+    const render::Method exact = render::make_exact(render::Detail::steps);
     gpu::Program plain({"render/fullscreen.vert", "render/exact.frag"}, {"COUNT_STEPS", "NO_BEAMS"});
-    const auto draw_without = [&](const Frame& frame) {
+    const auto draw_without = [&](const render::Frame& frame) {
         frame.pyramid.bind(plain, frame.terrain);
         set_camera(plain, frame.terrain.grid(), frame.camera, frame.width, frame.height);
         frame.hits.bind({0, 0, frame.width, frame.height});
         plain.draw_fullscreen();
     };
-    const Method without{draw_without, nullptr};
-    for (const NamedCamera& view : survey(scene.grid, scene.heights)) {
+    const render::Method without{draw_without, nullptr};
+    for (const render::NamedCamera& view : render::survey(scene.grid, scene.heights)) {
         const std::vector<glm::vec2> with_beams = easel.draw(exact, view.camera, 0);
         const std::vector<glm::vec2> without_beams = easel.draw(without, view.camera, 0);
         EXPECT_EQ(distances(with_beams), distances(without_beams)) << view.name;
@@ -113,9 +114,9 @@ TEST(Hybrid, EachWayOwnsATenthOfMixedViews) {
     const scenes::Scene scene = scenes::shore();
     Easel easel(scene);
     easel.patch_pixels = 64;
-    Measure measure(scene.grid, scene.heights);
-    const Method hybrid = make_hybrid(Detail::kind);
-    for (const Camera& camera : scenes::shore_views()) {
+    render::Measure measure(scene.grid, scene.heights);
+    const render::Method hybrid = render::make_hybrid(render::Detail::kind);
+    for (const render::Camera& camera : scenes::shore_views()) {
         const std::vector<glm::vec2> hits = easel.draw(hybrid, camera, 0.5);
         std::array<int, 4> kinds{};
         for (const glm::vec2 hit : hits) ++kinds[static_cast<std::size_t>(std::clamp(hit.y, 0.0F, 3.0F))];
@@ -133,8 +134,8 @@ TEST(Hybrid, IsRightFromJustAboveTheGround) {
     const Grid grid{257, 257, 30, 30};
     const scenes::Scene scene{grid, generate_heights(grid, {"mountains", 8, 1500})};
     Easel easel(scene);
-    Measure measure(scene.grid, scene.heights);
-    const Method hybrid = make_hybrid(Detail::kind);
+    render::Measure measure(scene.grid, scene.heights);
+    const render::Method hybrid = render::make_hybrid(render::Detail::kind);
     std::mt19937 random(4);
     std::uniform_real_distribution<double> unit(0, 1);
     for (int i = 0; i < 40; ++i) {
@@ -150,9 +151,10 @@ TEST(Hybrid, IsRightFromJustAboveTheGround) {
         const double above = i % 5 == 4 ? 0.5e-3 * grid.dx : shares[i % 5] * (hull - ground);
         const glm::dvec3 eye((column + 0.5) * grid.dx, (grid.ny - 1 - row - 0.5) * grid.dy, ground + above);
         const double angle = 2 * std::numbers::pi * unit(random);
-        const Camera camera{eye, eye + glm::dvec3(std::cos(angle), std::sin(angle), 0.3 - unit(random)), 60};
+        const render::Camera camera{
+            eye, eye + glm::dvec3(std::cos(angle), std::sin(angle), 0.3 - unit(random)), 60};
         const std::vector<glm::vec2> hits = easel.draw(hybrid, camera, 0.5);
-        const PictureError error = measure.compare(camera, width, height, distances(hits), 0.5);
+        const render::PictureError error = measure.compare(camera, width, height, distances(hits), 0.5);
         EXPECT_EQ(error.beyond, 0) << "eye " << above << " m over the ground, hull " << hull - ground
                                    << " m, patch " << column << ", " << row;
     }
@@ -164,9 +166,9 @@ TEST(Hybrid, HasNoCracksOverAFlight) {
     const Grid grid{513, 513, 10, 10};
     const scenes::Scene scene{grid, generate_heights(grid, {"mountains", 8, 900})};
     Easel easel(scene);
-    Measure measure(scene.grid, scene.heights);
-    const Method exact = make_exact(Detail::none);
-    const Method hybrid = make_hybrid(Detail::kind);
+    render::Measure measure(scene.grid, scene.heights);
+    const render::Method exact = render::make_exact(render::Detail::none);
+    const render::Method hybrid = render::make_hybrid(render::Detail::kind);
     int cracks = 0;
     long borders = 0;
     for (int frame = 0; frame < 300; ++frame) {
@@ -177,7 +179,8 @@ TEST(Hybrid, HasNoCracksOverAFlight) {
         const auto row = static_cast<std::size_t>(grid.row_of(at.y));
         const double above = 8 + 250 * (0.5 + 0.5 * std::sin(7 * angle));
         const glm::dvec3 eye(at, scene.heights[row * grid.nx + column] + above);
-        const Camera camera{eye, eye + glm::dvec3(std::cos(3 * angle), std::sin(3 * angle), -0.25), 60};
+        const render::Camera camera{eye, eye + glm::dvec3(std::cos(3 * angle), std::sin(3 * angle), -0.25),
+                                    60};
         const std::vector<glm::vec2> truth = easel.draw(exact, camera, 0);
         const std::vector<glm::vec2> drawn = easel.draw(hybrid, camera, 0.5);
         for (int i = 0; i < width * height; ++i) {

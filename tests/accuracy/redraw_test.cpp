@@ -27,19 +27,19 @@ struct Scene {
         : simulation(bedrock_terrain(grid, heights), Parameters(simulation_parameters()), undo_bytes),
           renderer(simulation.terrain(), 16) {}
     Simulation simulation;
-    Renderer renderer;
+    render::Renderer renderer;
 };
 
 class Redraw : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Redraw, KeptPicturesEqualFreshOnes) {
     const gpu::Context context;
-    const KeptFrames kept = kept_frames({700, 513, 20, 20}, GetParam(), 300, {width, height});
+    const claims::KeptFrames kept = claims::kept_frames({700, 513, 20, 20}, GetParam(), 300, {width, height});
     std::printf("%s: 300 frames, nothing drawn in %d, colours in %d, changes in %d, everything in %d\n",
                 GetParam(), kept.drawn[0], kept.drawn[1], kept.drawn[2], kept.drawn[3]);
     EXPECT_EQ(kept.differing, 0);
-    EXPECT_GT(kept.drawn[static_cast<std::size_t>(Drawn::nothing)], 40);
-    EXPECT_GT(kept.drawn[static_cast<std::size_t>(Drawn::changes)], 80);
+    EXPECT_GT(kept.drawn[static_cast<std::size_t>(render::Drawn::nothing)], 40);
+    EXPECT_GT(kept.drawn[static_cast<std::size_t>(render::Drawn::changes)], 80);
 }
 
 // On a plain under a low sun a tower's shadow reaches far beyond its tile, and rays end early in cells that a
@@ -55,13 +55,13 @@ TEST_P(Redraw, LongShadowsAndPlainsAreRedrawn) {
     Scene fresh(grid, plain);
     std::mt19937 random(31);
     std::uniform_real_distribution<double> unit(0, 1);
-    ViewSettings settings;
+    render::ViewSettings settings;
     settings.method = GetParam();
     settings.sun = glm::normalize(glm::dvec3(-0.8, 0.5, 0.18));
-    const std::array<Camera, 2> cameras = {overview(grid, 0, 600),
-                                           Camera{{5000, 3000, 250}, {8000, 6500, 0}, 55}};
+    const std::array<render::Camera, 2> cameras = {render::overview(grid, 0, 600),
+                                                   render::Camera{{5000, 3000, 250}, {8000, 6500, 0}, 55}};
     for (int frame = 0; frame < 120; ++frame) {
-        const Camera& camera = cameras[static_cast<std::size_t>(frame / 30 % 2)];
+        const render::Camera& camera = cameras[static_cast<std::size_t>(frame / 30 % 2)];
         // The view of cells tells mesh from rays, and the level where a ray ended.
         if (frame == 60) settings.view = "cells";
         Dab dab;
@@ -73,10 +73,11 @@ TEST_P(Redraw, LongShadowsAndPlainsAreRedrawn) {
         dab.radius_m = 40 + 200 * unit(random);
         dab.amount_m = 500 * unit(random);
         for (Scene* scene : {&kept, &fresh}) scene->simulation.apply(dab);
-        const Drawn drawn = kept.renderer.draw(kept.simulation.terrain(), camera, settings, width, height);
+        const render::Drawn drawn =
+            kept.renderer.draw(kept.simulation.terrain(), camera, settings, width, height);
         fresh.renderer.forget();
         fresh.renderer.draw(fresh.simulation.terrain(), camera, settings, width, height);
-        EXPECT_EQ(drawn, frame % 30 == 0 ? Drawn::everything : Drawn::changes);
+        EXPECT_EQ(drawn, frame % 30 == 0 ? render::Drawn::everything : render::Drawn::changes);
         ASSERT_EQ(kept.renderer.read_depth(width, height), fresh.renderer.read_depth(width, height)) << frame;
         ASSERT_EQ(kept.renderer.read_rgb(width, height), fresh.renderer.read_rgb(width, height)) << frame;
     }
@@ -92,9 +93,9 @@ TEST(Renderers, AllSeeEverythingOfOneLiveTerrain) {
          {"water.rain_mm_per_h=400", "water.sea_level_m=60", "time.tick_s=0.5", "erosion.on=true"})
         parameters.set_assignment(assignment);
     Simulation simulation(bedrock_terrain(grid, generate_heights(grid, {"mountains", 5, 500})), parameters);
-    const Camera camera = overview(grid, 0, 500);
-    Renderer each(simulation.terrain(), 16);
-    Renderer seldom(simulation.terrain(), 16);
+    const render::Camera camera = render::overview(grid, 0, 500);
+    render::Renderer each(simulation.terrain(), 16);
+    render::Renderer seldom(simulation.terrain(), 16);
     std::mt19937 random(9);
     std::uniform_real_distribution<double> unit(0, 1);
     int compared = 0;
@@ -109,12 +110,12 @@ TEST(Renderers, AllSeeEverythingOfOneLiveTerrain) {
         dab.target_m = 0.8;
         simulation.apply(dab);
         if (frame % 4 == 3) simulation.apply(Ticks{1});
-        ViewSettings settings;
-        settings.view = views()[random() % views().size()].name;
+        render::ViewSettings settings;
+        settings.view = render::views()[random() % render::views().size()].name;
         each.draw(simulation.terrain(), camera, settings, width, height);
         if (frame % 7 != 6) continue;
         seldom.draw(simulation.terrain(), camera, settings, width, height);
-        Renderer late(simulation.terrain(), 16);
+        render::Renderer late(simulation.terrain(), 16);
         late.draw(simulation.terrain(), camera, settings, width, height);
         ASSERT_EQ(each.read_rgb(width, height), late.read_rgb(width, height))
             << settings.view << " " << frame;

@@ -19,11 +19,11 @@ std::vector<float> mountains() {
     return generate_heights(grid, {"mountains", 5, 1500});
 }
 
-Camera over_crests() {
+render::Camera over_crests() {
     return {{1500, -300, 1500}, {3200, 5000, 900}, 45};
 }
 
-void refine(Renderer& renderer, Terrain& terrain, int samples) {
+void refine(render::Renderer& renderer, Terrain& terrain, int samples) {
     while (renderer.refine(terrain, samples)) {
     }
 }
@@ -32,19 +32,19 @@ TEST(Refinement, IsTheSameInWhateverSteps) {
     const gpu::Context context;
     for (const char* method : {"exact", "hybrid"}) {
         Terrain terrain(bedrock_terrain(grid, mountains()));
-        ViewSettings settings;
+        render::ViewSettings settings;
         settings.method = method;
-        Renderer once(terrain, 16);
+        render::Renderer once(terrain, 16);
         once.draw(terrain, over_crests(), settings, width, height);
         const std::vector<std::uint8_t> plain = once.read_rgb(width, height);
         const std::vector<float> depth = once.read_depth(width, height);
         refine(once, terrain, 7);
         // Each renderer takes the marks of its own terrain.
         Terrain same(bedrock_terrain(grid, mountains()));
-        Renderer slowly(same, 16);
+        render::Renderer slowly(same, 16);
         for (int samples = 1; samples <= 7; ++samples) {
-            const Drawn drawn = slowly.draw(same, over_crests(), settings, width, height);
-            EXPECT_EQ(drawn, samples == 1 ? Drawn::everything : Drawn::nothing);
+            const render::Drawn drawn = slowly.draw(same, over_crests(), settings, width, height);
+            EXPECT_EQ(drawn, samples == 1 ? render::Drawn::everything : render::Drawn::nothing);
             EXPECT_EQ(slowly.refine(same, samples), samples > 1);
         }
         EXPECT_FALSE(slowly.refine(same, 7));
@@ -63,7 +63,7 @@ TEST(Refinement, IsTheSameInWhateverSteps) {
         EXPECT_FALSE(once.refine(terrain, 1));
         EXPECT_EQ(once.read_rgb(width, height), plain);
         // Another picture starts anew.
-        Camera other = over_crests();
+        render::Camera other = over_crests();
         other.eye.x += 10;
         once.draw(terrain, other, settings, width, height);
         once.draw(terrain, over_crests(), settings, width, height);
@@ -76,11 +76,11 @@ TEST(Refinement, IsTheSameInWhateverSteps) {
 TEST(Refinement, ComesCloserToTheMeanOverAPixel) {
     const gpu::Context context;
     Terrain terrain(bedrock_terrain(grid, mountains()));
-    ViewSettings settings;
+    render::ViewSettings settings;
     settings.method = "exact";
     // A view whose colours don't depend on the size of a pixel.
     settings.view = "hillshade";
-    Renderer renderer(terrain, 16);
+    render::Renderer renderer(terrain, 16);
     constexpr int finer = 8;
     renderer.draw(terrain, over_crests(), settings, finer * width, finer * height);
     const std::vector<std::uint8_t> fine = renderer.read_rgb(finer * width, finer * height);

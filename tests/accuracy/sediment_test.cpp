@@ -69,15 +69,15 @@ std::vector<glm::vec2> load_of(const TerrainState& state) {
 
 TEST(Sediment, AgreesWithItsFloatTwinToTheBit) {
     const gpu::Context context;
-    const bool rounds_as_ieee = arithmetic_of_device().rounds_as_ieee();
-    const WaterCase cases[] = {
+    const bool rounds_as_ieee = claims::arithmetic_of_device().rounds_as_ieee();
+    const claims::WaterCase cases[] = {
         {2, 0, 0, EdgeKind::wall, EdgeKind::wall, EdgeKind::wall, EdgeKind::wall},
         {1, 0, 0, EdgeKind::wall, EdgeKind::open, EdgeKind::level, EdgeKind::wall},
         {2, 0, 2e-4, EdgeKind::open, EdgeKind::level, EdgeKind::inflow, EdgeKind::open},
         {2, 0, 0, EdgeKind::periodic, EdgeKind::periodic, EdgeKind::periodic, EdgeKind::periodic},
         {1, 0, 1e-4, EdgeKind::wave, EdgeKind::inflow, EdgeKind::level, EdgeKind::wave}};
-    for (const WaterCase& c : cases) {
-        const TwinAgreement agreement = sediment_against_twin(c);
+    for (const claims::WaterCase& c : cases) {
+        const claims::TwinAgreement agreement = sediment_against_twin(c);
         if (rounds_as_ieee) {
             EXPECT_EQ(agreement.differing, 0U) << "order " << c.order;
         }

@@ -48,7 +48,7 @@ TEST(WaterSurface, RaysHitItWhereTheDoubleTwinDoes) {
     Simulation simulation(coast(), parameters());
     simulation.apply(Ticks{60});
     Terrain& terrain = simulation.terrain();
-    WaterSurface water(terrain);
+    render::WaterSurface water(terrain);
     water.refresh(terrain);
     const std::vector<float> level = water.level().read_all<float>();
     maths::CastTwin<double> twin(grid, level);
@@ -57,8 +57,8 @@ TEST(WaterSurface, RaysHitItWhereTheDoubleTwinDoes) {
     std::size_t pixels = 0;
     std::size_t apart = 0;
     double largest = 0;
-    for (const NamedCamera& view : survey(grid, terrain.ground.read_all<float>())) {
-        const Camera& camera = view.camera;
+    for (const render::NamedCamera& view : render::survey(grid, terrain.ground.read_all<float>())) {
+        const render::Camera& camera = view.camera;
         water.cast(terrain, camera, width, height);
         const std::vector<float> distances = water.target().read_distances(width, height);
         twin.look(grid, camera, width, height);
@@ -88,7 +88,7 @@ TEST(WaterSurface, WetSamplesLieAtTheirLevelAndShoresBelowTheGround) {
     Simulation simulation(coast(), parameters());
     simulation.apply(Ticks{20});
     Terrain& terrain = simulation.terrain();
-    WaterSurface water(terrain);
+    render::WaterSurface water(terrain);
     water.refresh(terrain);
     // Follows what changes, tile by tile, as a whole refresh would.
     for (int i = 0; i < 5; ++i) {
@@ -104,7 +104,7 @@ TEST(WaterSurface, WetSamplesLieAtTheirLevelAndShoresBelowTheGround) {
     }
     const std::vector<float> followed = water.level().read_all<float>();
     terrain.tiles.mark_all();
-    WaterSurface fresh(terrain);
+    render::WaterSurface fresh(terrain);
     fresh.refresh(terrain);
     EXPECT_EQ(followed, fresh.level().read_all<float>());
     const TerrainState state = simulation.read();
@@ -128,7 +128,7 @@ TEST(WaterSurface, ViewsShowWhatGaugesDo) {
     const gpu::Context context;
     Simulation simulation(coast(), parameters());
     simulation.apply(Ticks{90});
-    Renderer renderer(simulation.terrain(), 8);
+    render::Renderer renderer(simulation.terrain(), 8);
     const std::vector<glm::vec2> inundation = simulation.read().inundation;
     const int size = 33;
     int wet = 0;
@@ -138,8 +138,8 @@ TEST(WaterSurface, ViewsShowWhatGaugesDo) {
             const glm::dvec2 place(sample.x * grid.dx, (grid.ny - 1 - sample.y) * grid.dy);
             const GaugeReading gauge = read_gauge(simulation.terrain(), place.x, place.y);
             // The middle pixel looks straight down at the sample.
-            const Camera camera{{place, 900}, {place, 0}, 20};
-            ViewSettings settings;
+            const render::Camera camera{{place, 900}, {place, 0}, 20};
+            render::ViewSettings settings;
             settings.view = view;
             settings.method = "exact";
             settings.gravity_m_per_s2 = 3.7;
@@ -181,11 +181,11 @@ TEST(WaterSurface, AShorelineAtRestDoesNotFlicker) {
     for (const char* assignment : {"thermal.on=false", "time.tick_s=1", "water.sea_level=52"})
         still.set_assignment(assignment);
     Simulation simulation(coast(), still);
-    Renderer renderer(simulation.terrain(), 8);
+    render::Renderer renderer(simulation.terrain(), 8);
     const std::vector<float> ground = simulation.read().ground();
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
-    const Camera camera = overview(grid, *low, *high);
-    ViewSettings settings;
+    const render::Camera camera = render::overview(grid, *low, *high);
+    render::ViewSettings settings;
     settings.sun = glm::normalize(glm::dvec3(-1, 1, 1));
     renderer.draw(simulation.terrain(), camera, settings, 320, 180);
     const std::vector<std::uint8_t> first = renderer.read_rgb(320, 180);
@@ -233,13 +233,13 @@ struct TiltedPlane {
         TerrainState state = bedrock_terrain(plane, heights);
         state.water = water;
         Terrain terrain(state);
-        Renderer renderer(terrain, 8);
+        render::Renderer renderer(terrain, 8);
         // From far away, so that all pixels look down alike.
-        Camera camera;
+        render::Camera camera;
         camera.target = {middle_m(), 100};
         camera.eye = camera.target + glm::dvec3(0, 0, 20000);
         camera.fov_deg = glm::degrees(2 * std::atan(seen_m / 2 / 20000));
-        ViewSettings settings;
+        render::ViewSettings settings;
         settings.sun = glm::normalize(glm::dvec3(-1, 0.4, 0.9));
         settings.shadows = settings.occlusion = false;
         renderer.draw(terrain, camera, settings, side_px, side_px);
@@ -307,7 +307,7 @@ TEST(WaterSurface, TheWaterlineOfAStreamFollowsNoGrid) {
         TerrainState state = bedrock_terrain(plane, heights);
         state.water = water;
         const Terrain terrain(state);
-        WaterSurface surface(terrain);
+        render::WaterSurface surface(terrain);
         surface.refresh(terrain);
         const std::vector<float> level = surface.level().read_all<float>();
         const auto depth_at = [&](glm::dvec2 at) {

@@ -22,7 +22,7 @@ using scenes::WaterRun;
 using scenes::WaterScene;
 
 double error_of(const WaterScene& scene) {
-    const SceneError error = error_after(scene);
+    const claims::SceneError error = claims::error_after(scene);
     fmt::print("{:<16} n {:>4}  order {}  L1 {:.3e}  {} sub-steps\n", scene.name, scene.grid.nx,
                scene.settings.order, error.relative_l1, error.substeps);
     return error.relative_l1;
@@ -78,7 +78,7 @@ std::size_t differing(const std::vector<glm::vec4>& a, const std::vector<glm::ve
 TEST(Water, ALakeAtRestStaysAtRest) {
     const gpu::Context context;
     for (const double datum_m : {0.0, 1000.0}) {
-        const LakeMoved moved = lake_at_rest(datum_m, 2000);
+        const claims::LakeMoved moved = claims::lake_at_rest(datum_m, 2000);
         fmt::print("lake at rest, bed at {:+.0f} m: speed {:.1e} m/s, level {:.1e} m after {} sub-steps\n",
                    datum_m, moved.fastest_m_per_s, moved.level_m, moved.substeps);
         EXPECT_LE(moved.fastest_m_per_s, datum_m == 0 ? 1e-5 : 1e-4);
@@ -103,7 +103,7 @@ TEST(Water, ARippleIsAllThatMovesInALake) {
         fastest = 0;
         while (run.water.work().substeps < 500) {
             run.run(1, run.time_s() + 10);
-            fastest = std::max(fastest, fastest_of(run.read()));
+            fastest = std::max(fastest, claims::fastest_of(run.read()));
         }
         fmt::print("ripple of 1 mm, bed at {:+.0f} m: speed {:.1e} m/s\n", datum_m, fastest);
         EXPECT_GT(fastest, 1e-4);
@@ -137,7 +137,7 @@ TEST(Water, NothingIsLostInAClosedBasin) {
             "closed basin, order {}: drift {:.1e}, lowest depth {:.1e} m, {} sub-steps, {} % wet, speed "
             "{:.2f} m/s\n",
             order, drift, lowest, run.water.work().substeps, 100 * wet / static_cast<long>(end.water.size()),
-            fastest_of(end));
+            claims::fastest_of(end));
         EXPECT_LE(drift, 1e-6);
         EXPECT_GE(lowest, 0);
     }
@@ -176,7 +176,7 @@ TEST(Water, SkippingWhatRestsChangesNothing) {
     const gpu::Context context;
     for (const int order : {1, 2})
         for (const bool driven : {false, true}) {
-            const SkippedRest rest = skipped_rest(order, driven, 50);
+            const claims::SkippedRest rest = claims::skipped_rest(order, driven, 50);
             EXPECT_EQ(rest.differing, 0U) << "order " << order << driven;
             fmt::print("order {}{}: {:.0f} % of the tiles active\n", order, driven ? ", driven" : "",
                        100.0 * static_cast<double>(rest.active_tiles) / static_cast<double>(rest.all_tiles));
@@ -308,7 +308,7 @@ TEST(Water, ASolitaryWaveRunsUpABeach) {
 TEST(Water, SmallWavesTravelAtTheirSpeed) {
     const gpu::Context context;
     for (const glm::ivec2 waves : {glm::ivec2(1, 0), glm::ivec2(0, 1), glm::ivec2(1, 1)}) {
-        const WaveError error = small_wave_error(waves.x, waves.y);
+        const claims::WaveError error = claims::small_wave_error(waves.x, waves.y);
         fmt::print("small wave ({}, {}): speed {:+.3f} % off the square root of gd, amplitude {:.3f}\n",
                    waves.x, waves.y, 100 * error.speed, error.amplitude);
         EXPECT_LE(std::abs(error.speed), 0.005);
@@ -361,16 +361,16 @@ TEST(Water, RainBelowTheLastDigitAddsUp) {
 
 TEST(Water, AgreesWithItsFloatTwinToTheBit) {
     const gpu::Context context;
-    const bool rounds_as_ieee = arithmetic_of_device().rounds_as_ieee();
-    const WaterCase cases[] = {
+    const bool rounds_as_ieee = claims::arithmetic_of_device().rounds_as_ieee();
+    const claims::WaterCase cases[] = {
         {2, 0, 0, EdgeKind::wall, EdgeKind::wall, EdgeKind::wall, EdgeKind::wall},
         {1, 0.03, 0, EdgeKind::wall, EdgeKind::open, EdgeKind::level, EdgeKind::wall},
         {2, 0.03, 2e-4, EdgeKind::open, EdgeKind::level, EdgeKind::wall, EdgeKind::open},
         {2, 0, 0, EdgeKind::periodic, EdgeKind::periodic, EdgeKind::periodic, EdgeKind::periodic},
         {2, 0.02, 1e-4, EdgeKind::wave, EdgeKind::inflow, EdgeKind::level, EdgeKind::wave},
         {1, 0, 0, EdgeKind::inflow, EdgeKind::wave, EdgeKind::open, EdgeKind::inflow}};
-    for (const WaterCase& c : cases) {
-        const TwinAgreement agreement = water_against_twin(c);
+    for (const claims::WaterCase& c : cases) {
+        const claims::TwinAgreement agreement = water_against_twin(c);
         if (rounds_as_ieee) {
             EXPECT_EQ(agreement.differing, 0U)
                 << "order " << c.order << ", north " << static_cast<int>(c.north);

@@ -33,13 +33,13 @@ TEST_P(WideTerrain, IsAsExactAtBothEnds) {
                                    25 * std::sin(90 * u + 0.9 * row));
         }
     Terrain terrain(bedrock_terrain(grid, heights));
-    Pyramid pyramid(terrain);
+    render::Pyramid pyramid(terrain);
     pyramid.refresh(terrain);
-    const HitsTarget target(width, height);
-    const auto entry = std::find_if(methods().begin(), methods().end(),
-                                    [](const MethodEntry& e) { return e.name == GetParam(); });
-    const Method method = entry->make(Detail::kind);
-    const auto draw = [&](const Camera& camera) {
+    const render::HitsTarget target(width, height);
+    const auto entry = std::find_if(render::methods().begin(), render::methods().end(),
+                                    [](const render::MethodEntry& e) { return e.name == GetParam(); });
+    const render::Method method = entry->make(render::Detail::kind);
+    const auto draw = [&](const render::Camera& camera) {
         method({terrain, pyramid, camera, width, height, 0.5, 8, target.framebuffer()});
         return target.hits().read_all<glm::vec2>();
     };

@@ -104,12 +104,12 @@ void error_against_time() {
     for (const glm::vec4& texel : solid_of(start)) solid.emplace_back(texel);
     maths::WaterTwin<double> twin(fine.grid, beds, water, fine.settings);
     twin.carry(solid, std::vector<glm::dvec2>(solid.size(), glm::dvec2(0)));
-    const double twin_start = process_cpu_s();
+    const double twin_start = app::process_cpu_s();
     for (int tick = 0; tick < 4 * static_cast<int>(end_s); ++tick) twin.tick(0.25, 0.25 * tick);
     fmt::print(
         "\nerror against run time: relative L1 of what the ground gained, against the double twin ({}², "
         "{:.0f} CPU s)\n",
-        finest, process_cpu_s() - twin_start);
+        finest, app::process_cpu_s() - twin_start);
     fmt::print("scene\ttick_s\tn\terror\trun_time_s\tsubsteps\n");
     const std::vector<double> exact = gained(solid, twin.solid(), finest);
     double all = 0;
@@ -137,8 +137,8 @@ void large_field(double patch_pixels) {
     const Grid grid{side, side, 10, 10};
     TerrainState state = bedrock_terrain(grid, generate_heights(grid, {"mountains", 4, 4000}));
     const double e = grid.width_m();
-    const Camera camera{{0.15 * e, 0.1 * e, 6000}, {0.55 * e, 0.6 * e, 1200}, 55};
-    const auto frame = [&](Renderer& renderer, Terrain& terrain, bool changed) {
+    const render::Camera camera{{0.15 * e, 0.1 * e, 6000}, {0.55 * e, 0.6 * e, 1200}, 55};
+    const auto frame = [&](render::Renderer& renderer, Terrain& terrain, bool changed) {
         if (changed)
             terrain.tiles.mark_all();
         else
@@ -148,7 +148,7 @@ void large_field(double patch_pixels) {
     };
     fmt::print("\n4096², 1280 x 720, ms\n");
     const auto measure = [&](const char* name, Terrain& terrain, const std::function<void()>& update) {
-        Renderer renderer(terrain, patch_pixels);
+        render::Renderer renderer(terrain, patch_pixels);
         const std::vector<double>
             seconds =  // A frame at rest follows one that has refreshed what the update changed.
             interleave({{"update", update},

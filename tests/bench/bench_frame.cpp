@@ -12,16 +12,16 @@ namespace {}  // namespace
 void bench_frame(double patch_pixels) {
     const Grid grid{2049, 2049, 10, 10};
     Terrain terrain(bedrock_terrain(grid, generate_heights(grid, {"mountains", 4, 2500})));
-    Renderer renderer(terrain, patch_pixels);
+    render::Renderer renderer(terrain, patch_pixels);
     const double e = grid.width_m();
-    const std::vector<std::pair<std::string, Camera>> cameras = {
+    const std::vector<std::pair<std::string, render::Camera>> cameras = {
         {"fly", {{0.15 * e, 0.1 * e, 3600}, {0.55 * e, 0.6 * e, 800}, 55}},
-        {"overview", overview(grid, 0, 2500)}};
+        {"overview", render::overview(grid, 0, 2500)}};
     for (const auto& named : cameras) {
-        const Camera& camera = named.second;
+        const render::Camera& camera = named.second;
         std::vector<Contestant> contestants;
-        for (const View& view : views()) {
-            ViewSettings settings;
+        for (const render::View& view : render::views()) {
+            render::ViewSettings settings;
             settings.view = view.name;
             settings.shadows = false;
             contestants.push_back({view.name, [&, settings] {
@@ -30,7 +30,7 @@ void bench_frame(double patch_pixels) {
                                        const std::vector<std::uint8_t> wait = renderer.read_rgb(1, 1);
                                    }});
         }
-        ViewSettings shadows;
+        render::ViewSettings shadows;
         contestants.push_back({"shaded, shadows", [&, shadows] {
                                    renderer.forget();
                                    renderer.draw(terrain, camera, shadows, width, height);

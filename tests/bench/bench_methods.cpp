@@ -31,13 +31,14 @@ class Stage {
     }
 
     // Median seconds of the methods named, in that order.
-    std::vector<double> time(const Camera& camera, const std::vector<std::string>& names, int rounds) {
+    std::vector<double> time(const render::Camera& camera, const std::vector<std::string>& names,
+                             int rounds) {
         std::vector<Contestant> contestants;
         for (const std::string& name : names) {
-            const auto entry = std::find_if(methods().begin(), methods().end(),
-                                            [&](const MethodEntry& e) { return e.name == name; });
+            const auto entry = std::find_if(render::methods().begin(), render::methods().end(),
+                                            [&](const render::MethodEntry& e) { return e.name == name; });
             auto known = made_.find(name);
-            if (known == made_.end()) known = made_.emplace(name, entry->make(Detail::none)).first;
+            if (known == made_.end()) known = made_.emplace(name, entry->make(render::Detail::none)).first;
             contestants.push_back({name, [&, method = &known->second] {
                                        (*method)({terrain_, pyramid_, camera, width, height, 0.5,
                                                   patch_pixels_, target_.framebuffer()});
@@ -48,7 +49,7 @@ class Stage {
     }
 
     // Shares of the picture: mesh, rays, ended early.
-    std::array<double, 3> kinds(const Camera& camera) {
+    std::array<double, 3> kinds(const render::Camera& camera) {
         telling_({terrain_, pyramid_, camera, width, height, 0.5, patch_pixels_, target_.framebuffer()});
         std::array<double, 4> counts{};
         for (const float kind : target_.read_details(width, height))
@@ -60,11 +61,11 @@ class Stage {
 
   private:
     Terrain terrain_;
-    Pyramid pyramid_;
+    render::Pyramid pyramid_;
     double patch_pixels_;
-    HitsTarget target_{width, height};
-    std::map<std::string, Method> made_;
-    Method telling_ = make_hybrid(Detail::kind);
+    render::HitsTarget target_{width, height};
+    std::map<std::string, render::Method> made_;
+    render::Method telling_ = render::make_hybrid(render::Detail::kind);
 };
 
 double ground_at(const Grid& grid, const std::vector<float>& heights, double x, double y) {
@@ -73,18 +74,18 @@ double ground_at(const Grid& grid, const std::vector<float>& heights, double x, 
 }
 
 // Low over ground, where near patches are large and far ones small.
-std::vector<NamedCamera> mixed_views(const Grid& grid, const std::vector<float>& heights) {
+std::vector<render::NamedCamera> mixed_views(const Grid& grid, const std::vector<float>& heights) {
     const double e = grid.width_m();
     const auto low = [&](const char* name, double x, double y, double above_m, double pitch_deg,
                          double azimuth_deg) {
         const glm::dvec3 eye(x * e, y * e, ground_at(grid, heights, x * e, y * e) + above_m);
         const double pitch = pitch_deg * std::numbers::pi / 180;
         const double azimuth = azimuth_deg * std::numbers::pi / 180;
-        return NamedCamera{name,
-                           {eye,
-                            eye + glm::dvec3(std::sin(azimuth) * std::cos(pitch),
-                                             std::cos(azimuth) * std::cos(pitch), std::sin(pitch)),
-                            55}};
+        return render::NamedCamera{name,
+                                   {eye,
+                                    eye + glm::dvec3(std::sin(azimuth) * std::cos(pitch),
+                                                     std::cos(azimuth) * std::cos(pitch), std::sin(pitch)),
+                                    55}};
     };
     return {low("walk, 2 m", 0.5, 0.5, 2, -5, 45),
             low("walk, 2 m, valley", 0.7, 0.3, 2, -3, 320),
@@ -100,13 +101,13 @@ std::vector<NamedCamera> mixed_views(const Grid& grid, const std::vector<float>&
 void bench_methods(double patch_pixels) {
     const Grid grid{2049, 2049, 10, 10};
     Stage stage(grid, generate_heights(grid, {"mountains", 4, 2500}), patch_pixels);
-    std::vector<NamedCamera> views = survey(grid, stage.heights);
+    std::vector<render::NamedCamera> views = render::survey(grid, stage.heights);
     const std::size_t surveyed = views.size();
-    for (NamedCamera& view : mixed_views(grid, stage.heights)) views.push_back(std::move(view));
+    for (render::NamedCamera& view : mixed_views(grid, stage.heights)) views.push_back(std::move(view));
     const std::size_t on_mountains = views.size();
     scenes::Scene shore = scenes::shore();
     Stage flat(shore.grid, std::move(shore.heights), patch_pixels);
-    for (const Camera& camera : scenes::shore_views())
+    for (const render::Camera& camera : scenes::shore_views())
         views.push_back({fmt::format("shore {}", views.size() - on_mountains + 1), camera});
     fmt::print("{:<22} {:>8} {:>8} {:>8} {:>8} {:>12} {:>7} {:>7} {:>7}\n", "view, ms", "exact", "boxes",
                "mesh", "hybrid", "hybrid/best", "mesh %", "rays %", "early %");
@@ -127,7 +128,7 @@ void bench_methods(double patch_pixels) {
 
     const Grid large{4096, 4096, 10, 10};
     Stage wide(large, generate_heights(large, {"mountains", 4, 2500}), patch_pixels);
-    std::vector<Camera> keys;
+    std::vector<render::Camera> keys;
     const double e = large.width_m();
     for (const glm::dvec2 at : {glm::dvec2(0.15, 0.1), {0.4, 0.35}, {0.7, 0.4}, {0.8, 0.75}, {0.5, 0.85}}) {
         const glm::dvec3 eye(at * e, ground_at(large, wide.heights, at.x * e, at.y * e) + 400);
@@ -136,7 +137,7 @@ void bench_methods(double patch_pixels) {
     double mesh_s = 0;
     double exact_s = 0;
     double hybrid_s = 0;
-    for (const Camera& camera : fly_along(keys, 12)) {
+    for (const render::Camera& camera : app::fly_along(keys, 12)) {
         const std::vector<double> s = wide.time(camera, {"exact", "mesh", "hybrid"}, 3);
         exact_s += s[0];
         mesh_s += s[1];

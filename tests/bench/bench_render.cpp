@@ -46,14 +46,15 @@ class EmbreeGrid {
     EmbreeGrid(const EmbreeGrid&) = delete;
     EmbreeGrid& operator=(const EmbreeGrid&) = delete;
 
-    int cast(const Camera& camera) const {
-        const CameraRays rays = camera_rays(camera, width, height);
+    int cast(const render::Camera& camera) const {
+        const render::CameraRays rays = camera_rays(camera, width, height);
         return for_packets([&](int x, int y) { return packet(camera, rays, x, y); });
     }
 
     /// From where the pixels' rays hit, row 0 at the bottom, towards the sun: how many hit something.
-    int cast_shadows(const Camera& camera, const std::vector<float>& distances, glm::dvec3 sun) const {
-        const CameraRays rays = camera_rays(camera, width, height);
+    int cast_shadows(const render::Camera& camera, const std::vector<float>& distances,
+                     glm::dvec3 sun) const {
+        const render::CameraRays rays = camera_rays(camera, width, height);
         return for_packets([&](int x, int y) { return shadow_packet(camera, rays, distances, sun, x, y); });
     }
 
@@ -71,14 +72,14 @@ class EmbreeGrid {
         return hits[0] + hits[1];
     }
 
-    static glm::vec3 pixel_way(const CameraRays& rays, int x, int y) {
+    static glm::vec3 pixel_way(const render::CameraRays& rays, int x, int y) {
         const float sx = 2.0F * (static_cast<float>(x) + 0.5F) / width - 1;
         const float sy = 2.0F * (static_cast<float>(y) + 0.5F) / height - 1;
         return glm::normalize(glm::vec3(rays.forward) + sx * glm::vec3(rays.right) + sy * glm::vec3(rays.up));
     }
 
-    int shadow_packet(const Camera& camera, const CameraRays& rays, const std::vector<float>& distances,
-                      glm::dvec3 sun, int x0, int y0) const {
+    int shadow_packet(const render::Camera& camera, const render::CameraRays& rays,
+                      const std::vector<float>& distances, glm::dvec3 sun, int x0, int y0) const {
         alignas(32) std::array<int, 8> valid{};
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
@@ -111,7 +112,7 @@ class EmbreeGrid {
     }
 
     // 4 x 2 pixels.
-    int packet(const Camera& camera, const CameraRays& rays, int x0, int y0) const {
+    int packet(const render::Camera& camera, const render::CameraRays& rays, int x0, int y0) const {
         alignas(32) const std::array<int, 8> valid = {-1, -1, -1, -1, -1, -1, -1, -1};
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
@@ -150,21 +151,21 @@ void bench_render() {
     const Grid grid{2049, 2049, 10, 10};
     const std::vector<float> heights = generate_heights(grid, {"mountains", 4, 2500});
     Terrain terrain(bedrock_terrain(grid, heights));
-    Pyramid pyramid(terrain);
+    render::Pyramid pyramid(terrain);
     pyramid.refresh(terrain);
     const EmbreeGrid embree(grid, heights);
-    const HitsTarget target(width, height);
-    const Method exact = make_exact(Detail::none);
-    const Method counting = make_exact(Detail::steps);
-    const SkyView sky(terrain);
-    Shading shading;
+    const render::HitsTarget target(width, height);
+    const render::Method exact = render::make_exact(render::Detail::none);
+    const render::Method counting = make_exact(render::Detail::steps);
+    const render::SkyView sky(terrain);
+    render::Shading shading;
     const gpu::Texture colour("colour", gpu::Format::rgba8, width, height);
     const std::array<const gpu::Texture*, 1> colours = {&colour};
     const gpu::Framebuffer colour_buffer("colour", colours);
 
     const double extent = grid.width_m();
     const double middle = heights[grid.count() / 2];
-    const std::vector<std::pair<std::string, Camera>> views = {
+    const std::vector<std::pair<std::string, render::Camera>> views = {
         {"grazing",
          {{0.5 * extent, 0.5 * extent, middle + 60}, {0.9 * extent, 0.95 * extent, middle + 40}, 60}},
         {"fly", {{0.15 * extent, 0.1 * extent, 3600}, {0.55 * extent, 0.6 * extent, 800}, 55}},
@@ -177,7 +178,7 @@ void bench_render() {
                "Embree Mrays/s", "ratio", "Talus hits", "Embree hits", "steps", "p99");
     for (const auto& view : views) {
         const std::string& name = view.first;
-        const Camera& camera = view.second;
+        const render::Camera& camera = view.second;
         int embree_hits = 0;
         const std::vector<double> seconds =
             interleave({{"talus",
@@ -202,12 +203,12 @@ void bench_render() {
 
         // Shadows: what the shading of the same hits takes longer with them.
         exact({terrain, pyramid, camera, width, height, 0, 0, target.framebuffer()});
-        ViewSettings lit;
+        render::ViewSettings lit;
         lit.occlusion = false;
         lit.sun = glm::normalize(glm::dvec3(-0.56, 0.56, 0.61));
-        ViewSettings unlit = lit;
+        render::ViewSettings unlit = lit;
         unlit.shadows = false;
-        const auto shade = [&](const ViewSettings& settings) {
+        const auto shade = [&](const render::ViewSettings& settings) {
             shading.draw({terrain, pyramid, camera, settings, width, height, target.hits(), colour_buffer},
                          sky, nullptr);
             std::array<std::byte, 4> wait{};

@@ -19,8 +19,8 @@ struct Place {
         : simulation(state_of(n), Parameters(simulation_parameters()), std::size_t{1} << 30U),
           renderer(simulation.terrain(), patch_pixels) {
         const Grid& grid = simulation.terrain().grid();
-        camera = overview({512, 512, grid.dx, grid.dy}, 0, 900);
-        ViewSettings settings;
+        camera = render::overview({512, 512, grid.dx, grid.dy}, 0, 900);
+        render::ViewSettings settings;
         renderer.draw(simulation.terrain(), camera, settings, 640, 360);
     }
     static TerrainState state_of(int n) {
@@ -60,12 +60,12 @@ struct Place {
         dab.radius_m = 256;
         dab.amount_m = 0.5;
         simulation.apply(dab);
-        renderer.draw(simulation.terrain(), camera, ViewSettings(), 640, 360);
+        renderer.draw(simulation.terrain(), camera, render::ViewSettings(), 640, 360);
         const std::vector<std::uint8_t> wait = renderer.read_rgb(1, 1);
     }
     Simulation simulation;
-    Renderer renderer;
-    Camera camera;
+    render::Renderer renderer;
+    render::Camera camera;
 };
 
 }  // namespace

@@ -100,7 +100,7 @@ void bench_update() {
             pyramid.refresh(terrain);
         }
         Terrain terrain;
-        Pyramid pyramid;
+        render::Pyramid pyramid;
         Brush brush;
     };
     std::vector<std::unique_ptr<Case>> cases;
@@ -139,7 +139,7 @@ void bench_update() {
     const Grid grid{2049, 2049, 10, 10};
     const std::vector<float> heights = generate_heights(grid, {"hills", 2, 500});
     Terrain terrain(bedrock_terrain(grid, heights));
-    Pyramid pyramid(terrain);
+    render::Pyramid pyramid(terrain);
     pyramid.refresh(terrain);
     EmbreeTiles embree(grid, heights);
     const gpu::Region tile{1024, 1024, 64, 64};

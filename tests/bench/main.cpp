@@ -27,15 +27,15 @@ int main(int argc, char** argv) {
         if (which == "render")
             talus::bench::bench_render();
         else if (which == "methods")
-            talus::bench::bench_methods(talus::patch_pixels(context.device()));
+            talus::bench::bench_methods(talus::app::patch_pixels(context.device()));
         else if (which == "frame")
-            talus::bench::bench_frame(talus::patch_pixels(context.device()));
+            talus::bench::bench_frame(talus::app::patch_pixels(context.device()));
         else if (which == "waves")
             talus::bench::bench_waves();
         else if (which == "sculpt")
-            talus::bench::bench_sculpt(talus::patch_pixels(context.device()));
+            talus::bench::bench_sculpt(talus::app::patch_pixels(context.device()));
         else if (which == "erosion")
-            talus::bench::bench_erosion(talus::patch_pixels(context.device()));
+            talus::bench::bench_erosion(talus::app::patch_pixels(context.device()));
         else
             talus::bench::bench_update();
     } catch (const std::exception& error) {

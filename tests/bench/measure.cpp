@@ -23,7 +23,7 @@ double busy_cores() {
 }
 
 double run_time_s() {
-    if (!waits_for_device) return process_cpu_s();
+    if (!waits_for_device) return app::process_cpu_s();
     glFinish();
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }

@@ -16,7 +16,7 @@ struct Fake {
     int ticks = 0;
     std::uint64_t sent = 0;
 
-    PacedTicks paced() {
+    app::PacedTicks paced() {
         return {[this](int most) {
                     if (left == 0) left = substeps_a_tick;
                     const int run = std::min(most, left);
@@ -30,12 +30,12 @@ struct Fake {
     }
 
     // So many frames of a 60th of a second; returns the longest that ticks took of one, s.
-    double play(TickPacing& pacing, int frames, TickPacing::Frame frame) {
+    double play(app::TickPacing& pacing, int frames, app::TickPacing::Frame frame) {
         frame.wall_s = 1.0 / 60;
         double longest_s = 0;
         for (int i = 0; i < frames; ++i) {
             const double begin_s = now_s;
-            const TickPacing::Ran ran = pacing.play(paced(), frame);
+            const app::TickPacing::Ran ran = pacing.play(paced(), frame);
             if (ran.substeps > 0) pacing.took(1000 * (now_s - begin_s), ran);
             longest_s = std::max(longest_s, now_s - begin_s);
         }
@@ -45,7 +45,7 @@ struct Fake {
 
 TEST(TickPacing, KeepsToTheSpeedThatIsAskedFor) {
     Fake fake;
-    TickPacing pacing;
+    app::TickPacing pacing;
     // Ticks of 4 ms, one in 0.1 s: cheap.
     fake.play(pacing, 600, {.budget_s = 0.01, .tick_s = 0.1, .speed = 1});
     EXPECT_NEAR(fake.ticks, 100, 1);
@@ -53,7 +53,7 @@ TEST(TickPacing, KeepsToTheSpeedThatIsAskedFor) {
 
 TEST(TickPacing, SpendsNoMoreThanItsBudgetOnAverage) {
     Fake fake;
-    TickPacing pacing;
+    app::TickPacing pacing;
     // Wants 600 ticks a second, 2.4 s of work: gets what 5 ms a frame hold.
     const double longest_s = fake.play(pacing, 600, {.budget_s = 0.005, .tick_s = 0.1, .speed = 60});
     EXPECT_LE(fake.now_s, 600 * 0.005 * 1.05);
@@ -64,7 +64,7 @@ TEST(TickPacing, SpendsNoMoreThanItsBudgetOnAverage) {
 TEST(TickPacing, SavesForASubStepThatIsLongerThanAFrameMaySpend) {
     Fake fake;
     fake.substep_s = 0.05;
-    TickPacing pacing;
+    app::TickPacing pacing;
     fake.play(pacing, 600, {.budget_s = 0.005, .tick_s = 0.1, .speed = 60});
     EXPECT_GT(fake.ticks, 5) << "it goes on";
     EXPECT_LE(fake.now_s, 600 * 0.005 + 0.1) << "but not for more than its budget";
@@ -72,7 +72,7 @@ TEST(TickPacing, SavesForASubStepThatIsLongerThanAFrameMaySpend) {
 
 TEST(TickPacing, DropsWhatCouldNotBeSimulatedInTime) {
     Fake fake;
-    TickPacing pacing;
+    app::TickPacing pacing;
     fake.play(pacing, 60, {.budget_s = 0.005, .tick_s = 0.1, .speed = 600});
     fake.substep_s = 1e-6;
     const int before = fake.ticks;
@@ -82,7 +82,7 @@ TEST(TickPacing, DropsWhatCouldNotBeSimulatedInTime) {
 
 TEST(TickPacing, UnderAStrokeEndsTheTickAndBeginsNoOther) {
     Fake fake;
-    TickPacing pacing;
+    app::TickPacing pacing;
     for (int frame = 0; frame < 50; ++frame) {
         const int before = fake.ticks;
         fake.play(pacing, 1, {.budget_s = 0.03, .tick_s = 0.001, .speed = 1, .stroking = true});
@@ -94,7 +94,7 @@ TEST(TickPacing, UnderAStrokeEndsTheTickAndBeginsNoOther) {
 
 TEST(TickPacing, StoppedItOwesNothing) {
     Fake fake;
-    TickPacing pacing;
+    app::TickPacing pacing;
     pacing.play(fake.paced(), {.wall_s = 1, .budget_s = 0, .tick_s = 10, .speed = 9.9});
     pacing.stop();
     pacing.play(fake.paced(), {.wall_s = 0.1, .budget_s = 1, .tick_s = 10, .speed = 9.9});
@@ -102,7 +102,7 @@ TEST(TickPacing, StoppedItOwesNothing) {
 }
 
 TEST(FramePacing, DrawsAFewFramesAndRests) {
-    FramePacing pacing;
+    app::FramePacing pacing;
     for (int i = 0; i < 10; ++i) pacing.begin(false);
     EXPECT_FALSE(pacing.is_awake());
     pacing.wake();
@@ -114,7 +114,7 @@ TEST(FramePacing, DrawsAFewFramesAndRests) {
 }
 
 TEST(FramePacing, LateFramesGetASmallerPictureAndSoonAFullOneAtRest) {
-    FramePacing pacing;
+    app::FramePacing pacing;
     for (int i = 0; i < 100; ++i) {
         pacing.took(0.2);
         pacing.picture_scale(true, true);
@@ -131,7 +131,7 @@ TEST(FramePacing, LateFramesGetASmallerPictureAndSoonAFullOneAtRest) {
 }
 
 TEST(FramePacing, TicksGetWhatAFrameLeavesButNeverNothing) {
-    FramePacing pacing;
+    app::FramePacing pacing;
     for (int i = 0; i < 100; ++i) pacing.took(0.001);
     EXPECT_NEAR(pacing.ticks_budget_s(), 1.0 / 60, 1e-9);
     for (int i = 0; i < 100; ++i) pacing.took(1);

@@ -27,13 +27,13 @@ class SessionFiles : public testing::Test {
         setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
         setenv("XDG_CACHE_HOME", (folder_ / "cache").c_str(), 1);
         context_.emplace();
-        SceneRequest request;
+        app::SceneRequest request;
         request.preset = "blank";
         request.size = glm::ivec2(65, 65);
         session_.emplace(request, context_->device());
         project_.emplace(*session_, state_, "",
-                         Project::Voice{[this](const std::string& message) { told_.push_back(message); },
-                                        [](const std::string&) {}, [] {}, [] {}});
+                         app::Project::Voice{[this](const std::string& message) { told_.push_back(message); },
+                                             [](const std::string&) {}, [] {}, [] {}});
     }
     ~SessionFiles() override {
         project_->end();
@@ -49,8 +49,8 @@ class SessionFiles : public testing::Test {
         dab.amount_m = 5;
         session_->apply(dab);
     }
-    void serve(const std::function<void(PanelRequests&)>& ask) {
-        PanelRequests asked;
+    void serve(const std::function<void(app::PanelRequests&)>& ask) {
+        app::PanelRequests asked;
         ask(asked);
         project_->serve(asked);
         finish();
@@ -72,9 +72,9 @@ class SessionFiles : public testing::Test {
 
     fs::path folder_;
     std::optional<gpu::Context> context_;
-    std::optional<Session> session_;
-    PanelState state_;
-    std::optional<Project> project_;
+    std::optional<app::Session> session_;
+    app::PanelState state_;
+    std::optional<app::Project> project_;
     std::vector<std::string> told_;
 };
 
@@ -85,7 +85,7 @@ TEST_F(SessionFiles, WhatIsDoneIsUnsavedUntilItIsSavedOrTakenBack) {
     session_->undo();
     EXPECT_FALSE(session_->unsaved());
     session_->redo();
-    serve([&](PanelRequests& asked) { asked.save = file("a.exr"); });
+    serve([&](app::PanelRequests& asked) { asked.save = file("a.exr"); });
     EXPECT_FALSE(session_->unsaved());
     EXPECT_EQ(session_->path(), file("a.exr"));
     session_->undo();
@@ -95,10 +95,10 @@ TEST_F(SessionFiles, WhatIsDoneIsUnsavedUntilItIsSavedOrTakenBack) {
 TEST_F(SessionFiles, ASavedSessionComesBackToTheBit) {
     sculpt();
     const std::vector<float> ground = session_->simulation().read().ground();
-    serve([&](PanelRequests& asked) { asked.save = file("a.exr"); });
+    serve([&](app::PanelRequests& asked) { asked.save = file("a.exr"); });
     sculpt();
-    serve([&](PanelRequests& asked) {
-        SceneRequest wish;
+    serve([&](app::PanelRequests& asked) {
+        app::SceneRequest wish;
         wish.input = file("a.exr");
         asked.open = wish;
     });
@@ -124,11 +124,11 @@ TEST_F(SessionFiles, NothingIsLostWithoutAQuestion) {
 TEST_F(SessionFiles, AFileIsReplacedOnlyWhenThatWasSaid) {
     std::ofstream(file("b.exr")) << "somebody's";
     sculpt();
-    serve([&](PanelRequests& asked) { asked.save = file("b.exr"); });
+    serve([&](app::PanelRequests& asked) { asked.save = file("b.exr"); });
     answer("Cancel");
     EXPECT_EQ(fs::file_size(file("b.exr")), 10U);
     EXPECT_TRUE(session_->unsaved());
-    serve([&](PanelRequests& asked) { asked.save = file("b.exr"); });
+    serve([&](app::PanelRequests& asked) { asked.save = file("b.exr"); });
     answer("Replace it");
     EXPECT_GT(fs::file_size(file("b.exr")), 1000U);
     EXPECT_FALSE(session_->unsaved());
@@ -139,8 +139,8 @@ TEST_F(SessionFiles, AFileThatCannotBeOpenedLeavesEverythingAsItWas) {
     sculpt();
     session_->saved(file("a.exr"), session_->revision());
     const std::vector<float> ground = session_->simulation().read().ground();
-    EXPECT_THROW(serve([&](PanelRequests& asked) {
-                     SceneRequest wish;
+    EXPECT_THROW(serve([&](app::PanelRequests& asked) {
+                     app::SceneRequest wish;
                      wish.input = file("c.tif");
                      asked.open = wish;
                  }),
@@ -164,9 +164,9 @@ TEST_F(SessionFiles, AStrokeIsOneEntryAndPlayingGoesOn) {
 }
 
 TEST(Balances, KeepsAFewHundredOverAnyTimeAndForgetsWhatUndoTookBack) {
-    Balances balances;
+    app::Balances balances;
     for (int i = 0; i < 10000; ++i) balances.keep({{}, static_cast<double>(i)});
-    const std::vector<Balance>& all = balances.all();
+    const std::vector<app::Balance>& all = balances.all();
     EXPECT_LE(all.size(), 512U);
     EXPECT_GE(all.size(), 256U);
     EXPECT_EQ(all.front().simulated_s, 0);

@@ -37,7 +37,8 @@ Scene make(const std::string& name) {
         return {grid, generate_heights(grid, {"mountains", 9, 2500})};
     }
     const auto real_file = [](const char* file) {
-        Heightmap heightmap = read_heightmap(std::filesystem::path(std::getenv("TALUS_DATA")) / file, {});
+        io::Heightmap heightmap =
+            io::read_heightmap(std::filesystem::path(std::getenv("TALUS_DATA")) / file, {});
         return Scene{heightmap.grid, std::move(heightmap.heights)};
     };
     if (name == "bigtujunga") return real_file("bigtujunga_30m_1197x643.tif");
@@ -56,9 +57,9 @@ Scene shore() {
     return scene;
 }
 
-std::vector<Camera> shore_views() {
+std::vector<render::Camera> shore_views() {
     constexpr double width_m = 1024 * 30;
-    std::vector<Camera> cameras;
+    std::vector<render::Camera> cameras;
     for (const double share : {0.3, 0.5, 0.7}) {
         const glm::dvec3 eye(share * width_m, 0.3 * width_m, 110);
         cameras.push_back({eye, eye + glm::dvec3(1500, 6000, -450), 50});

@@ -22,6 +22,6 @@ Scene make(const std::string& name);
 /// hills by rays, and the far plain by rays that end early.
 Scene shore();
 /// Eyes along it.
-std::vector<Camera> shore_views();
+std::vector<render::Camera> shore_views();
 
 }  // namespace talus::scenes

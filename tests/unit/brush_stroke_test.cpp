@@ -8,7 +8,7 @@ namespace talus::brush_stroke_test {
 namespace {
 
 Parameters view(const std::string& tool) {
-    Parameters parameters(app_parameters());
+    Parameters parameters(app::app_parameters());
     parameters.set("brush.tool", tool);
     parameters.set("brush.radius_m", 100.0);
     return parameters;
@@ -23,7 +23,7 @@ double metres(const std::vector<Dab>& dabs) {
 TEST(BrushStroke, TakesTheSameTimeInFewFramesAndInMany) {
     const Parameters parameters = view("raise");
     for (const int frames : {1, 7, 60}) {
-        BrushStroke stroke(parameters, {}, {0, 0, 500}, 0);
+        app::BrushStroke stroke(parameters, {}, {0, 0, 500}, 0);
         std::vector<Dab> dabs;
         for (int i = 1; i <= frames; ++i)
             for (const Dab& dab :
@@ -39,7 +39,7 @@ TEST(BrushStroke, TakesTheSameTimeInFewFramesAndInMany) {
 TEST(BrushStroke, BlendsAddUpToTheSameShare) {
     const Parameters parameters = view("smooth");
     for (const int frames : {1, 10, 100}) {
-        BrushStroke stroke(parameters, {}, {0, 0, 0}, 0);
+        app::BrushStroke stroke(parameters, {}, {0, 0, 0}, 0);
         double left = 1;
         for (int i = 0; i < frames; ++i)
             for (const Dab& dab : stroke.move(parameters, {0, 0, 0}, 0.5 / frames, nullptr))
@@ -52,7 +52,7 @@ TEST(BrushStroke, ErodesForAsLongAsItIsHeldWithOneWater) {
     Parameters parameters = view("erode");
     parameters.set("erode.speed", 50.0);
     for (const int frames : {1, 9, 40}) {
-        BrushStroke stroke(parameters, {}, {0, 0, 0}, 0);
+        app::BrushStroke stroke(parameters, {}, {0, 0, 0}, 0);
         std::vector<Dab> dabs;
         for (int i = 1; i <= frames; ++i)
             for (const Dab& dab : stroke.move(parameters, {90.0 * i / frames, 0, 0}, 2.0 / frames, nullptr))
@@ -77,7 +77,7 @@ TEST(BrushStroke, ErodesForAsLongAsItIsHeldWithOneWater) {
 // strength; other strokes take a new size, and none another tool.
 TEST(BrushStroke, KeepsItsTool) {
     Parameters parameters = view("erode");
-    BrushStroke erosion(parameters, {}, {0, 0, 0}, 0);
+    app::BrushStroke erosion(parameters, {}, {0, 0, 0}, 0);
     erosion.move(parameters, {10, 0, 0}, 0.1, nullptr);
     Parameters others = view("raise");
     others.set("brush.radius_m", 300.0);
@@ -89,7 +89,7 @@ TEST(BrushStroke, KeepsItsTool) {
     }
     ASSERT_TRUE(erosion.end(others));
     EXPECT_EQ(erosion.end(others)->mode(), BrushMode::erode);
-    BrushStroke raise(view("raise"), {}, {0, 0, 0}, 0);
+    app::BrushStroke raise(view("raise"), {}, {0, 0, 0}, 0);
     for (const Dab& dab : raise.move(parameters, {20, 0, 0}, 0.1, nullptr))
         EXPECT_EQ(dab.mode(), BrushMode::raise);
     for (const Dab& dab : raise.move(others, {30, 0, 0}, 0.1, nullptr)) EXPECT_EQ(dab.radius_m, 300);
@@ -97,7 +97,7 @@ TEST(BrushStroke, KeepsItsTool) {
 }
 
 TEST(BrushStroke, CtrlTurnsAroundAndShiftSmooths) {
-    const auto dab = [](const std::string& tool, const Modifiers& modifiers) {
+    const auto dab = [](const std::string& tool, const app::Modifiers& modifiers) {
         return tool_dab(view(tool), modifiers, 12, 1, nullptr);
     };
     EXPECT_EQ(dab("raise", {true, false}).mode(), BrushMode::lower);
@@ -108,7 +108,7 @@ TEST(BrushStroke, CtrlTurnsAroundAndShiftSmooths) {
     EXPECT_EQ(dab("mask", {true, false}).target_m, 0);
     EXPECT_TRUE(dab("water", {true, false}).is_water());
     EXPECT_EQ(dab("flatten", {}).target_m, 12);
-    for (const std::string& tool : tool_names())
+    for (const std::string& tool : app::tool_names())
         for (const bool inverted : {false, true})
             for (const bool smooth : {false, true})
                 EXPECT_NO_THROW(check_dab(dab(tool, {inverted, smooth}))) << tool;
@@ -117,7 +117,7 @@ TEST(BrushStroke, CtrlTurnsAroundAndShiftSmooths) {
 TEST(BrushStroke, StampsStandASpacingApart) {
     Parameters parameters = view("stamp");
     parameters.set("brush.spacing", 2.0);
-    BrushStroke stroke(parameters, {}, {0, 0, 0}, 0);
+    app::BrushStroke stroke(parameters, {}, {0, 0, 0}, 0);
     std::vector<Dab> dabs;
     for (int i = 1; i <= 100; ++i)
         for (const Dab& dab : stroke.move(parameters, {10.0 * i, 0, 0}, 0.01, nullptr)) dabs.push_back(dab);
@@ -127,7 +127,7 @@ TEST(BrushStroke, StampsStandASpacingApart) {
 
 TEST(BrushStroke, ARampIsOneDabFromItsBeginningToItsEnd) {
     const Parameters parameters = view("ramp");
-    BrushStroke stroke(parameters, {}, {100, 200, 50}, 0);
+    app::BrushStroke stroke(parameters, {}, {100, 200, 50}, 0);
     EXPECT_TRUE(stroke.move(parameters, {300, 250, 90}, 0.5, nullptr).empty());
     const std::optional<Dab> dab = stroke.end(parameters);
     ASSERT_TRUE(dab);
@@ -140,7 +140,7 @@ TEST(BrushStroke, JitterIsTheSameForTheSameSeedAndStroke) {
     Parameters parameters = view("raise");
     parameters.set("brush.jitter", 0.5);
     const auto places = [&](unsigned number) {
-        BrushStroke stroke(parameters, {}, {0, 0, 0}, number);
+        app::BrushStroke stroke(parameters, {}, {0, 0, 0}, number);
         std::vector<glm::dvec2> found;
         for (const Dab& dab : stroke.move(parameters, {500, 0, 0}, 1, nullptr))
             found.emplace_back(dab.x_m, dab.y_m);

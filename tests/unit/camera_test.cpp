@@ -33,8 +33,8 @@ TEST(Walking, FollowsTheGroundWithoutJitter) {
     const gpu::Context context;
     const std::vector<float> heights = generate_heights(grid, {"hills", 3, 300});
     Terrain terrain(bedrock_terrain(grid, heights));
-    GroundProbe probe;
-    Camera camera{{700, 700, 0}, {900, 950, 40}, 60};
+    app::GroundProbe probe;
+    render::Camera camera{{700, 700, 0}, {900, 950, 40}, 60};
     const glm::dvec3 way = camera.target - camera.eye;
     probe.follow(terrain, camera.eye);
     while (!probe.height_m(grid, camera.eye)) probe.follow(terrain, camera.eye);
@@ -51,12 +51,12 @@ TEST(Walking, FollowsTheGroundWithoutJitter) {
     double largest_jerk = 0;
     double largest_off = 0;
     for (int frame = 0; frame < 1200; ++frame) {
-        walk(camera, speed * passed_s, 0);
+        app::walk(camera, speed * passed_s, 0);
         probe.follow(terrain, camera.eye);
         const std::optional<double> ground = probe.height_m(grid, camera.eye);
         ASSERT_TRUE(ground) << "frame " << frame;
         ASSERT_NEAR(*ground, bilinear(heights, camera.eye), 1e-6) << "frame " << frame;
-        stand(camera, *ground + eye_m, *ground + 0.2 * eye_m, passed_s);
+        app::stand(camera, *ground + eye_m, *ground + 0.2 * eye_m, passed_s);
         largest_off = std::max(largest_off, std::abs(camera.eye.z - *ground - eye_m));
         EXPECT_GE(camera.eye.z, *ground + 0.2 * eye_m - 1e-9);
         const double rise = (camera.eye.z - before) / passed_s;
@@ -81,19 +81,19 @@ TEST(Walking, FollowsTheGroundWithoutJitter) {
     // It comes to rest, to the bit.
     for (int frame = 0; frame < 200; ++frame) {
         const std::optional<double> ground = probe.height_m(grid, camera.eye);
-        stand(camera, *ground + eye_m, *ground + 0.5 * eye_m, passed_s);
+        app::stand(camera, *ground + eye_m, *ground + 0.5 * eye_m, passed_s);
     }
-    const Camera at_rest = camera;
-    stand(camera, *probe.height_m(grid, camera.eye) + eye_m, 0, passed_s);
+    const render::Camera at_rest = camera;
+    app::stand(camera, *probe.height_m(grid, camera.eye) + eye_m, 0, passed_s);
     EXPECT_EQ(camera, at_rest);
 }
 
 TEST(Walking, KeepsOutOfTheGroundAndOnItsTargetsSide) {
-    Camera camera{{0, 0, 10}, {100, 0, 10}, 50};
-    keep_above(camera, 25);
+    render::Camera camera{{0, 0, 10}, {100, 0, 10}, 50};
+    app::keep_above(camera, 25);
     EXPECT_EQ(camera.eye.z, 25);
     EXPECT_EQ(camera.target.z, 25);
-    keep_above(camera, 3);
+    app::keep_above(camera, 3);
     EXPECT_EQ(camera.eye.z, 25);
 }
 
@@ -102,7 +102,7 @@ TEST(GroundProbe, ComesToRestOnSmallTerrain) {
     const gpu::Context context;
     const Grid small{7, 5, 0.1, 0.1};
     Terrain terrain(bedrock_terrain(small, std::vector<float>(small.count(), 5.0F)));
-    GroundProbe probe;
+    app::GroundProbe probe;
     for (const glm::dvec2 place :
          {glm::dvec2(0, 0), glm::dvec2(small.width_m(), small.height_m()), glm::dvec2(0.3, 0.2)}) {
         EXPECT_TRUE(wait_until([&] {
@@ -130,7 +130,7 @@ TEST(GroundProbe, ComesToRestOnSmallTerrain) {
 TEST(GroundProbe, SeesChangesAndNothingBesideTheTerrain) {
     const gpu::Context context;
     Terrain terrain(bedrock_terrain(grid, std::vector<float>(grid.count(), 5.0F)));
-    GroundProbe probe;
+    app::GroundProbe probe;
     const auto wait = [&](glm::dvec2 place, double wanted) {
         wait_until([&] {
             probe.follow(terrain, place);
@@ -153,18 +153,18 @@ TEST(GroundProbe, SeesChangesAndNothingBesideTheTerrain) {
 TEST(Still, IsTheSameInTiles) {
     const gpu::Context context;
     Terrain terrain(bedrock_terrain(grid, generate_heights(grid, {"mountains", 3, 800})));
-    Renderer renderer(terrain, 32);
-    const Camera camera = overview(grid, 0, 800);
+    render::Renderer renderer(terrain, 32);
+    const render::Camera camera = render::overview(grid, 0, 800);
     const glm::ivec2 size(2500, 90);
     for (const char* method : {"exact", "mesh", "hybrid"}) {
-        ViewSettings settings;
+        render::ViewSettings settings;
         settings.method = method;
         settings.view = "slope";
         renderer.forget();
         renderer.draw(terrain, camera, settings, size.x, size.y);
         const std::vector<std::uint8_t> whole = renderer.read_rgb(size.x, size.y);
         const std::vector<float> depth = renderer.read_depth(size.x, size.y);
-        const Still still = draw_still(renderer, terrain, camera, settings, {}, size, 1);
+        const app::Still still = app::draw_still(renderer, terrain, camera, settings, {}, size, 1);
         ASSERT_EQ(still.rgb.size(), whole.size());
         std::size_t far_off = 0;
         std::size_t hits = 0;
@@ -187,7 +187,7 @@ TEST(Drape, LiesOverTheTerrainNorthUp) {
     const gpu::Context context;
     const Grid square{129, 129, 10, 10};
     Terrain terrain(bedrock_terrain(square, std::vector<float>(square.count(), 0.0F)));
-    Renderer renderer(terrain, 32);
+    render::Renderer renderer(terrain, 32);
     const std::vector<std::uint8_t> image = {255, 0, 0,   255, 0,   255, 0,   255,
                                              0,   0, 255, 255, 255, 255, 255, 255};
     renderer.drape(2, 2, std::as_bytes(std::span(image)));

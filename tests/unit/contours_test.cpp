@@ -19,8 +19,8 @@ TEST(Contours, AreLinesOnSlopesAndNothingOnTheSea) {
         for (int column = 0; column < grid.nx; ++column)
             heights.push_back(row < 128 ? 3.0F * static_cast<float>(128 - row) : 0.0F);
     Terrain terrain(bedrock_terrain(grid, heights));
-    Renderer renderer(terrain, 32);
-    ViewSettings settings;
+    render::Renderer renderer(terrain, 32);
+    render::ViewSettings settings;
     settings.view = "contours";
     constexpr int width = 400;
     constexpr int height = 400;

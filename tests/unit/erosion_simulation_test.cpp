@@ -88,11 +88,11 @@ TEST_P(ErosionOfEitherOrder, FrameRateReplayAndSavingMidwayChangeNoBit) {
     play(first, 0, 10, 2);
     const std::filesystem::path file =
         std::filesystem::temp_directory_path() / ("talus_erosion_" + std::to_string(::getpid()) + ".exr");
-    Document document;
+    io::Document document;
     document.state = first.read();
     document.parameters = to_toml(first.parameters());
-    save_document(file, document);
-    const Document loaded = open_document(file, {});
+    io::save_document(file, document);
+    const io::Document loaded = io::open_document(file, {});
     std::filesystem::remove(file);
     Parameters again(simulation_parameters());
     from_toml(loaded.parameters, "document", again);

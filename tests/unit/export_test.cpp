@@ -28,9 +28,9 @@ class Export : public testing::Test {
     }
     fs::path path(const std::string& name) const { return folder_ / name; }
 
-    static Document hills(int nx, int ny) {
+    static io::Document hills(int nx, int ny) {
         const Grid grid{nx, ny, 12.5, 10};
-        Document document;
+        io::Document document;
         document.state = bedrock_terrain(grid, generate_heights(grid, {"hills", 3, 640}));
         for (glm::vec2& height : document.state.bedrock) height.x -= 170;
         document.state.georeference = Georeference{"", {1000, 12.5, 0, 2000, 0, -10}};
@@ -45,29 +45,29 @@ class Export : public testing::Test {
 };
 
 std::vector<std::uint16_t> integers_in(const fs::path& path) {
-    const std::string bytes = read_text(path);
+    const std::string bytes = io::read_text(path);
     std::vector<std::uint16_t> values(bytes.size() / 2);
     std::memcpy(values.data(), bytes.data(), bytes.size());
     return values;
 }
 
 // The heights that an engine is to show: the ground with the samples that it takes, rows from the north.
-std::vector<float> expected(const Document& document, int nx, int ny) {
+std::vector<float> expected(const io::Document& document, int nx, int ny) {
     return resampled(document.state, nx, ny).ground();
 }
 
-std::map<std::string, double> typed(const Exported& exported) {
+std::map<std::string, double> typed(const io::Exported& exported) {
     std::map<std::string, double> values;
     for (const auto& [name, value] : exported.values) values[name] = std::atof(value.c_str());
     return values;
 }
 
 TEST_F(Export, UnrealsValuesGiveTheHeightsBackWithinHalfAStep) {
-    const Document document = hills(300, 410);
-    ExportSettings settings;
-    settings.kind = ExportKind::unreal;
+    const io::Document document = hills(300, 410);
+    io::ExportSettings settings;
+    settings.kind = io::ExportKind::unreal;
     settings.path = path("land.r16");
-    const Exported exported = export_terrain(document, settings);
+    const io::Exported exported = export_terrain(document, settings);
     ASSERT_EQ(exported.tile_samples, glm::ivec2(253, 505));
     const std::vector<std::uint16_t> values = integers_in(settings.path);
     const std::vector<float> heights = expected(document, 253, 505);
@@ -88,12 +88,12 @@ TEST_F(Export, UnrealsValuesGiveTheHeightsBackWithinHalfAStep) {
 }
 
 TEST_F(Export, UnitysTilesCountFromTheSouthAndMeet) {
-    const Document document = hills(500, 480);
-    ExportSettings settings;
-    settings.kind = ExportKind::unity;
+    const io::Document document = hills(500, 480);
+    io::ExportSettings settings;
+    settings.kind = io::ExportKind::unity;
     settings.path = path("terrain.raw");
     settings.tiles = {2, 2};
-    const Exported exported = export_terrain(document, settings);
+    const io::Exported exported = export_terrain(document, settings);
     ASSERT_EQ(exported.tile_samples, glm::ivec2(257));
     const std::vector<float> heights = expected(document, 513, 513);
     auto t = typed(exported);
@@ -121,11 +121,11 @@ TEST_F(Export, UnitysTilesCountFromTheSouthAndMeet) {
 }
 
 TEST_F(Export, GodotsRangeGivesTheHeightsBack) {
-    const Document document = hills(260, 200);
-    ExportSettings settings;
-    settings.kind = ExportKind::godot;
+    const io::Document document = hills(260, 200);
+    io::ExportSettings settings;
+    settings.kind = io::ExportKind::godot;
     settings.path = path("terrain.r16");
-    const Exported exported = export_terrain(document, settings);
+    const io::Exported exported = export_terrain(document, settings);
     // One spacing both ways: 12.5 m, where rows were 10 m apart.
     ASSERT_EQ(exported.tile_samples, glm::ivec2(260, 160));
     EXPECT_NEAR(exported.spacing_m.y / exported.spacing_m.x, 1, 0.01);
@@ -143,20 +143,20 @@ TEST_F(Export, GodotsRangeGivesTheHeightsBack) {
 }
 
 TEST_F(Export, TilesShareTheirEdgesAndTheirRangeAndStandWhereTheyWere) {
-    const Document document = hills(100, 75);
-    ExportSettings settings;
+    const io::Document document = hills(100, 75);
+    io::ExportSettings settings;
     settings.path = path("t.png");
     settings.tiles = {3, 2};
-    const Exported exported = export_terrain(document, settings);
+    const io::Exported exported = export_terrain(document, settings);
     EXPECT_EQ(exported.files.size(), 6U);
-    const auto columns = split_samples(100, 3);
-    const auto rows = split_samples(75, 2);
+    const auto columns = io::split_samples(100, 3);
+    const auto rows = io::split_samples(75, 2);
     const std::vector<float> heights = document.state.ground();
     const double step = (exported.range_m.y - exported.range_m.x) / 65535;
     for (std::size_t y = 0; y < 2; ++y)
         for (std::size_t x = 0; x < 3; ++x) {
-            const Heightmap tile =
-                read_heightmap(path("t_x" + std::to_string(x) + "_y" + std::to_string(y) + ".png"), {});
+            const io::Heightmap tile =
+                io::read_heightmap(path("t_x" + std::to_string(x) + "_y" + std::to_string(y) + ".png"), {});
             ASSERT_EQ(tile.grid.nx, columns[x].second);
             ASSERT_EQ(tile.grid.ny, rows[y].second);
             for (int r = 0; r < tile.grid.ny; ++r)
@@ -174,16 +174,16 @@ TEST_F(Export, TilesShareTheirEdgesAndTheirRangeAndStandWhereTheyWere) {
 
 TEST_F(Export, AMeshHasFewerTrianglesWithinItsErrorAndKeepsItsBorder) {
     // Smooth, as triangles can be: fBm of few octaves at this spacing.
-    Document document = hills(40, 30);
+    io::Document document = hills(40, 30);
     for (glm::vec2& height : document.state.bedrock) height *= 0.1F;
     document.state = resampled(document.state, 157, 117);
-    Heightmap heightmap;
+    io::Heightmap heightmap;
     heightmap.grid = document.state.grid;
     heightmap.heights = document.state.ground();
     const std::size_t all = 2U * 156 * 116;
     std::size_t before = all + 1;
     for (const double error_m : {0.0, 0.1, 1.0}) {
-        const TerrainMesh mesh = simplified_mesh(heightmap, error_m);
+        const io::TerrainMesh mesh = simplified_mesh(heightmap, error_m);
         const std::size_t triangles = mesh.indices.size() / 3;
         EXPECT_LE(mesh.error_m, error_m);
         EXPECT_LE(mesh.mean_m, error_m);
@@ -211,12 +211,12 @@ TEST_F(Export, AMeshHasFewerTrianglesWithinItsErrorAndKeepsItsBorder) {
     }
     EXPECT_LT(before, all / 5);
 
-    ExportSettings settings;
-    settings.kind = ExportKind::mesh;
+    io::ExportSettings settings;
+    settings.kind = io::ExportKind::mesh;
     settings.path = path("hills.obj");
     settings.mesh_error_m = 1;
-    export_terrain(document, settings);
-    const std::string obj = read_text(settings.path);
+    io::export_terrain(document, settings);
+    const std::string obj = io::read_text(settings.path);
     EXPECT_NE(obj.find("\nv "), std::string::npos);
     std::size_t faces = 0;
     for (std::size_t at = obj.find("\nf "); at != std::string::npos; at = obj.find("\nf ", at + 1)) ++faces;
@@ -224,13 +224,13 @@ TEST_F(Export, AMeshHasFewerTrianglesWithinItsErrorAndKeepsItsBorder) {
 }
 
 TEST_F(Export, ANormalMapIsTheSlope) {
-    Heightmap plane;
+    io::Heightmap plane;
     plane.grid = {20, 30, 2, 4};
     // Rises half a metre a metre eastwards and falls a quarter northwards.
     for (int y = 0; y < 30; ++y)
         for (int x = 0; x < 20; ++x) plane.heights.push_back(0.5F * 2 * x - 0.25F * 4 * (29 - y));
-    write_normal_map(path("normal.png"), plane, {0, 20}, {0, 30});
-    const ColourImage image = read_colour_image(path("normal.png"));
+    io::write_normal_map(path("normal.png"), plane, {0, 20}, {0, 30});
+    const io::ColourImage image = io::read_colour_image(path("normal.png"));
     const glm::dvec3 normal = glm::normalize(glm::dvec3(-0.5, 0.25, 1));
     for (const std::size_t pixel : {0U, 19U, 20U * 15 + 7, 599U})
         for (std::size_t k = 0; k < 3; ++k)
@@ -238,15 +238,15 @@ TEST_F(Export, ANormalMapIsTheSlope) {
 }
 
 TEST_F(Export, SaysWhatGetsLost) {
-    Document document = hills(60, 50);
-    ExportSettings settings;
+    io::Document document = hills(60, 50);
+    io::ExportSettings settings;
     settings.path = path("a.tif");
-    EXPECT_TRUE(losses(document.state, settings).empty());
+    EXPECT_TRUE(io::losses(document.state, settings).empty());
     document.state.water.assign(document.state.bedrock.size(), glm::vec4(1, 0, 0, 0));
-    EXPECT_EQ(losses(document.state, settings).size(), 1U);
+    EXPECT_EQ(io::losses(document.state, settings).size(), 1U);
     settings.path = path("a.png");
-    settings.range_m = Range(0, 100);
-    const std::vector<std::string> lost = losses(document.state, settings);
+    settings.range_m = io::Range(0, 100);
+    const std::vector<std::string> lost = io::losses(document.state, settings);
     ASSERT_EQ(lost.size(), 3U);
     EXPECT_NE(lost[1].find("16 bits"), std::string::npos);
     EXPECT_NE(lost[2].find("cut off"), std::string::npos);
@@ -254,19 +254,20 @@ TEST_F(Export, SaysWhatGetsLost) {
 
 // What the dialog announces is what is written.
 TEST_F(Export, AnnouncesTheSizesThatItWrites) {
-    const Document document = hills(600, 300);
-    for (const auto& [kind, ending] :
-         {std::pair(ExportKind::unreal, ".png"), {ExportKind::unity, ".raw"}, {ExportKind::godot, ".r16"}})
+    const io::Document document = hills(600, 300);
+    for (const auto& [kind, ending] : {std::pair(io::ExportKind::unreal, ".png"),
+                                       {io::ExportKind::unity, ".raw"},
+                                       {io::ExportKind::godot, ".r16"}})
         for (const glm::ivec2 tiles : {glm::ivec2(1, 1), glm::ivec2(2, 1), glm::ivec2(3, 2)}) {
-            ExportSettings settings;
+            io::ExportSettings settings;
             settings.kind = kind;
             settings.path = path(std::string("sizes") + ending);
             settings.tiles = tiles;
-            const Exported exported = export_terrain(document, settings);
+            const io::Exported exported = export_terrain(document, settings);
             // Godot's tiles need not be alike.
-            if (kind == ExportKind::godot && tiles != glm::ivec2(1)) continue;
+            if (kind == io::ExportKind::godot && tiles != glm::ivec2(1)) continue;
             const glm::ivec2 written = (exported.tile_samples - 1) * tiles + 1;
-            const std::string announced = losses(document.state, settings).front();
+            const std::string announced = io::losses(document.state, settings).front();
             if (written == glm::ivec2(600, 300))
                 EXPECT_EQ(announced.find("resampled"), std::string::npos) << announced;
             else
@@ -277,17 +278,17 @@ TEST_F(Export, AnnouncesTheSizesThatItWrites) {
 }
 
 TEST_F(Export, RefusesWhatCannotBeWritten) {
-    const Document document = hills(60, 50);
-    ExportSettings settings;
+    const io::Document document = hills(60, 50);
+    io::ExportSettings settings;
     settings.path = path("a.jpg");
-    EXPECT_THROW(export_terrain(document, settings), Error);
+    EXPECT_THROW(io::export_terrain(document, settings), Error);
     settings.path = path("a.png");
     settings.tiles = {0, 1};
-    EXPECT_THROW(export_terrain(document, settings), Error);
+    EXPECT_THROW(io::export_terrain(document, settings), Error);
     settings.tiles = {60, 1};
-    EXPECT_THROW(export_terrain(document, settings), Error);
-    settings.kind = ExportKind::unity;
-    EXPECT_THROW(export_terrain(document, settings), Error);
+    EXPECT_THROW(io::export_terrain(document, settings), Error);
+    settings.kind = io::ExportKind::unity;
+    EXPECT_THROW(io::export_terrain(document, settings), Error);
 }
 
 }  // namespace

@@ -33,9 +33,9 @@ class Files : public ::testing::Test {
     }
 
     // One sentence: no line breaks, names the file, not a word of it twice the same.
-    std::string refusal(const std::string& name, const ImportSettings& settings = {}) const {
+    std::string refusal(const std::string& name, const io::ImportSettings& settings = {}) const {
         try {
-            open_document(path(name), settings);
+            io::open_document(path(name), settings);
         } catch (const Error& error) {
             std::string message = error.what();
             EXPECT_EQ(message.find('\n'), std::string::npos) << message;
@@ -50,8 +50,8 @@ class Files : public ::testing::Test {
     fs::path folder_ = fs::temp_directory_path() / ("talus_files_" + std::to_string(::getpid()));
 };
 
-Heightmap rough(int nx, int ny) {
-    Heightmap heightmap;
+io::Heightmap rough(int nx, int ny) {
+    io::Heightmap heightmap;
     heightmap.grid = {nx, ny, 30, 20};
     std::mt19937 random(7);
     std::normal_distribution<float> normal(1500, 400);
@@ -61,19 +61,19 @@ Heightmap rough(int nx, int ny) {
 }
 
 TEST_F(Files, FloatsRoundTripToTheBitThroughEveryFloatFormat) {
-    const Heightmap original = rough(77, 53);
-    write_heightmap(path("a.tif"), original, std::nullopt);
-    Heightmap step = read_heightmap(path("a.tif"), {});
+    const io::Heightmap original = rough(77, 53);
+    io::write_heightmap(path("a.tif"), original, std::nullopt);
+    io::Heightmap step = io::read_heightmap(path("a.tif"), {});
     EXPECT_EQ(step.heights, original.heights);
     EXPECT_EQ(step.grid, original.grid);
     write_heightmap(path("b.exr"), step, std::nullopt);
-    step = read_heightmap(path("b.exr"), {});
+    step = io::read_heightmap(path("b.exr"), {});
     EXPECT_EQ(step.heights, original.heights);
     write_heightmap(path("c.r32"), step, std::nullopt);
-    step = read_heightmap(path("c.r32"), {});
+    step = io::read_heightmap(path("c.r32"), {});
     EXPECT_EQ(step.grid, original.grid);
     write_heightmap(path("d.tif"), step, std::nullopt);
-    step = read_heightmap(path("d.tif"), {});
+    step = io::read_heightmap(path("d.tif"), {});
     EXPECT_EQ(step.heights, original.heights);
     EXPECT_EQ(step.grid, original.grid);
 }
@@ -90,24 +90,24 @@ TEST_F(Files, ANameWithoutAKnownEndingIsCompleted) {
                                         {"ridge.obj", "ridge.obj"},
                                         {"ridge.jpeg", "ridge.jpeg"},
                                         {"ridge.f", "ridge.f.exr"}})
-        EXPECT_EQ(with_ending(given, ".exr"), fs::path(wanted));
+        EXPECT_EQ(io::with_ending(given, ".exr"), fs::path(wanted));
     for (const char* no_file : {"", ".", "..", "a/b/", "/", "a/.."})
-        EXPECT_EQ(with_ending(no_file, ".exr"), fs::path(no_file));
+        EXPECT_EQ(io::with_ending(no_file, ".exr"), fs::path(no_file));
     for (const auto& [given, wanted] : {std::pair{"ridge.v2", "ridge.v2.obj"},
                                         {"ridge.v2.tif", "ridge.v2.obj"},
                                         {"ridge", "ridge.obj"},
                                         {"ridge.obj", "ridge.obj"}})
-        EXPECT_EQ(with_other_ending(given, ".obj"), fs::path(wanted));
+        EXPECT_EQ(io::with_other_ending(given, ".obj"), fs::path(wanted));
 }
 
 TEST_F(Files, IntegersComeBackWithinHalfAStep) {
-    const Heightmap original = rough(64, 48);
+    const io::Heightmap original = rough(64, 48);
     const auto [low, high] = std::minmax_element(original.heights.begin(), original.heights.end());
     // Half a step, and half an ulp of the float that the height comes back as.
     const double half_step = (*high - *low) / 65535.0 / 2 + 0.5 * (std::nextafter(*high, HUGE_VALF) - *high);
     for (const char* name : {"a.png", "a.r16"}) {
-        write_heightmap(path(name), original, std::nullopt);
-        const Heightmap back = read_heightmap(path(name), {});
+        io::write_heightmap(path(name), original, std::nullopt);
+        const io::Heightmap back = io::read_heightmap(path(name), {});
         EXPECT_EQ(back.grid, original.grid) << name;
         double worst = 0;
         for (std::size_t i = 0; i < back.heights.size(); ++i)
@@ -117,13 +117,13 @@ TEST_F(Files, IntegersComeBackWithinHalfAStep) {
     }
     // The range travels inside the PNG too, for when the sidecar is lost.
     fs::remove(path("a.png.json"));
-    const Heightmap alone = read_heightmap(path("a.png"), {});
+    const io::Heightmap alone = io::read_heightmap(path("a.png"), {});
     EXPECT_NEAR(alone.heights[100], original.heights[100], half_step + 1e-3);
     EXPECT_EQ(alone.grid.dx, 30);
 }
 
 TEST_F(Files, TheDocumentKeepsEveryBitAndTheClock) {
-    Document document;
+    io::Document document;
     document.state = bedrock_terrain({70, 41, 12.5, 8}, std::vector<float>(70 * 41, 1000.0F));
     std::mt19937 random(3);
     std::uniform_real_distribution<float> small(-1e-5F, 1e-5F);
@@ -134,8 +134,8 @@ TEST_F(Files, TheDocumentKeepsEveryBitAndTheClock) {
     document.state.clock = {1234567, 0.1 + 0.2};
     document.parameters = "[thermal]\nrepose_deg = 31.0\n";
     document.state.georeference = Georeference{"", {500000.25, 12.5, 0, 4000000.125, 0, -8}};
-    save_document(path("d.exr"), document);
-    const Document back = open_document(path("d.exr"), {});
+    io::save_document(path("d.exr"), document);
+    const io::Document back = io::open_document(path("d.exr"), {});
     EXPECT_EQ(state_hash(back.state), state_hash(document.state));
     EXPECT_EQ(back.parameters, document.parameters);
     EXPECT_EQ(back.state.georeference, document.state.georeference);
@@ -143,27 +143,27 @@ TEST_F(Files, TheDocumentKeepsEveryBitAndTheClock) {
 }
 
 TEST_F(Files, RawSizeAndByteOrderAreGuessedAndSaid) {
-    Heightmap smooth;
+    io::Heightmap smooth;
     smooth.grid = {65, 65, 1, 1};
     for (int row = 0; row < 65; ++row)
         for (int column = 0; column < 65; ++column)
             smooth.heights.push_back(static_cast<float>(100 + column + row));
-    write_heightmap(path("a.r16"), smooth, glm::dvec2(0, 65535));
-    std::string bytes = read_text(path("a.r16"));
+    io::write_heightmap(path("a.r16"), smooth, glm::dvec2(0, 65535));
+    std::string bytes = io::read_text(path("a.r16"));
     for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) std::swap(bytes[i], bytes[i + 1]);
     write("big.r16", bytes);
-    ImportSettings settings;
+    io::ImportSettings settings;
     settings.range_m = glm::dvec2(0, 65535);
-    const Heightmap guessed = read_heightmap(path("big.r16"), settings);
+    const io::Heightmap guessed = read_heightmap(path("big.r16"), settings);
     EXPECT_EQ(guessed.heights, smooth.heights);
     ASSERT_EQ(guessed.notes.size(), 3U);
     EXPECT_NE(guessed.notes[0].find("65 x 65"), std::string::npos);
     EXPECT_NE(guessed.notes[1].find("big"), std::string::npos);
-    settings.raw = parse_raw_layout("65x65,big,bottom");
-    const Heightmap turned = read_heightmap(path("big.r16"), settings);
+    settings.raw = io::parse_raw_layout("65x65,big,bottom");
+    const io::Heightmap turned = read_heightmap(path("big.r16"), settings);
     EXPECT_EQ(turned.heights[0], smooth.heights[64 * 65]);
-    EXPECT_THROW(parse_raw_layout("65by65"), Error);
-    EXPECT_THROW(parse_raw_layout("65x65,middle"), Error);
+    EXPECT_THROW(io::parse_raw_layout("65by65"), Error);
+    EXPECT_THROW(io::parse_raw_layout("65x65,middle"), Error);
 }
 
 // Bytes that make no height in either order say nothing of the order.
@@ -188,7 +188,7 @@ TEST_F(Files, NaNsAreNoEvidenceForTheOtherByteOrder) {
             if (!is_level)
                 for (float& height : heights) height = spread(random);
             write("heights.r32", bytes_of(heights, big));
-            EXPECT_EQ(read_heightmap(path("heights.r32"), {}).heights, heights) << big << is_level;
+            EXPECT_EQ(io::read_heightmap(path("heights.r32"), {}).heights, heights) << big << is_level;
             heights[7] = heights[500] = std::nanf("");
             write("holes.r32", bytes_of(heights, big));
             EXPECT_NE(refusal("holes.r32").find(" 2 samples that are not finite"), std::string::npos);
@@ -200,7 +200,7 @@ TEST_F(Files, DeclaredNodataIsFilledAndCounted) {
     write("v.asc",
           "ncols 4\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 10\nNODATA_value -9999\n"
           "1 2 3 4\n5 -9999 7 8\n9 10 11 -9999\n");
-    const Heightmap filled = read_heightmap(path("v.asc"), {});
+    const io::Heightmap filled = io::read_heightmap(path("v.asc"), {});
     EXPECT_EQ(filled.grid, (Grid{4, 3, 10, 10}));
     ASSERT_FALSE(filled.notes.empty());
     EXPECT_NE(filled.notes[0].find("2 void samples"), std::string::npos);
@@ -219,7 +219,7 @@ TEST_F(Files, EsriBilIsReadWithItsHeader) {
         "plain.hdr",
         "NROWS 2\nNCOLS 3\nNBANDS 1\nNBITS 32\nPIXELTYPE FLOAT\nBYTEORDER I\nLAYOUT BIL\nULXMAP 0\nULYMAP 0\n"
         "XDIM 30\nYDIM 20\n");
-    const Heightmap read = read_heightmap(path("plain.bil"), {});
+    const io::Heightmap read = io::read_heightmap(path("plain.bil"), {});
     EXPECT_EQ(read.heights, heights);
     EXPECT_EQ(read.grid, (Grid{3, 2, 30, 20}));
     std::filesystem::remove(path("plain.hdr"));
@@ -230,46 +230,46 @@ TEST_F(Files, VoidsFarFromAnySampleAreFilledToo) {
     std::string text = "ncols 12\nnrows 12\nxllcorner 0\nyllcorner 0\ncellsize 10\nNODATA_value -9999\n100";
     for (int i = 1; i < 144; ++i) text += " -9999";
     write("corner.asc", text + "\n");
-    const Heightmap filled = read_heightmap(path("corner.asc"), {});
+    const io::Heightmap filled = io::read_heightmap(path("corner.asc"), {});
     for (const float h : filled.heights) EXPECT_EQ(h, 100);
 }
 
 TEST_F(Files, ASidecarIsNotBelievedOfOtherContent) {
-    Heightmap low = rough(32, 32);
-    Heightmap high = low;
+    io::Heightmap low = rough(32, 32);
+    io::Heightmap high = low;
     for (float& h : high.heights) h += 5000;
     for (const std::string name : {"a.png", "a.r16"}) {
-        write_heightmap(path(name), low, std::nullopt);
-        const std::string samples = read_text(path(name));
-        write_heightmap(path(name), high, std::nullopt);
+        io::write_heightmap(path(name), low, std::nullopt);
+        const std::string samples = io::read_text(path(name));
+        io::write_heightmap(path(name), high, std::nullopt);
         write(name, samples);  // as after a kill between the two files
-        const Heightmap back = read_heightmap(path(name), {});
+        const io::Heightmap back = io::read_heightmap(path(name), {});
         EXPECT_NE(back.notes.at(0).find("not used"), std::string::npos) << name;
         EXPECT_LT(*std::max_element(back.heights.begin(), back.heights.end()), 4500) << name;
     }
 }
 
 TEST_F(Files, SpacingGivenByHandDropsTheOldPlaceOnEarth) {
-    Heightmap placed = rough(20, 20);
+    io::Heightmap placed = rough(20, 20);
     placed.georeference = Georeference{"", {1000, 30, 0, 2000, 0, -20}};
-    write_heightmap(path("g.tif"), placed, std::nullopt);
-    ImportSettings settings;
+    io::write_heightmap(path("g.tif"), placed, std::nullopt);
+    io::ImportSettings settings;
     settings.spacing_m = 5;
-    const Heightmap read = read_heightmap(path("g.tif"), settings);
+    const io::Heightmap read = read_heightmap(path("g.tif"), settings);
     EXPECT_EQ(read.grid.dx, 5);
     write_heightmap(path("s.tif"), read, std::nullopt);
-    EXPECT_EQ(read_heightmap(path("s.tif"), {}).grid.dx, 5);
+    EXPECT_EQ(io::read_heightmap(path("s.tif"), {}).grid.dx, 5);
 }
 
 // Files whose rows run northwards, or columns westwards, show the same terrain at the same place.
 TEST_F(Files, RowsAndColumnsThatRunBackwardsAreTurnedRound) {
-    Heightmap placed = rough(23, 17);
+    io::Heightmap placed = rough(23, 17);
     const double width_m = placed.grid.nx * placed.grid.dx;
     const double height_m = placed.grid.ny * placed.grid.dy;
     placed.georeference = Georeference{"", {1000, 30, 0, 2000, 0, -20}};
     for (const bool northwards : {false, true})
         for (const bool westwards : {false, true}) {
-            Heightmap stored = placed;
+            io::Heightmap stored = placed;
             for (int y = 0; y < stored.grid.ny; ++y)
                 for (int x = 0; x < stored.grid.nx; ++x) {
                     const int row = northwards ? stored.grid.ny - 1 - y : y;
@@ -283,8 +283,8 @@ TEST_F(Files, RowsAndColumnsThatRunBackwardsAreTurnedRound) {
                                               northwards ? 2000 - height_m : 2000,
                                               0,
                                               northwards ? 20.0 : -20.0};
-            write_heightmap(path("t.tif"), stored, std::nullopt);
-            const Heightmap read = read_heightmap(path("t.tif"), {});
+            io::write_heightmap(path("t.tif"), stored, std::nullopt);
+            const io::Heightmap read = io::read_heightmap(path("t.tif"), {});
             EXPECT_EQ(read.heights, placed.heights) << northwards << westwards;
             EXPECT_EQ(read.georeference->transform, placed.georeference->transform)
                 << northwards << westwards;
@@ -294,8 +294,8 @@ TEST_F(Files, RowsAndColumnsThatRunBackwardsAreTurnedRound) {
 TEST_F(Files, PipesAreWrittenIntoAndReadOnlyFilesAreNot) {
     ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
     std::string got;
-    std::thread reader([&] { got = read_text(path("pipe")); });
-    write_atomically(path("pipe"), "through");
+    std::thread reader([&] { got = io::read_text(path("pipe")); });
+    io::write_atomically(path("pipe"), "through");
     reader.join();
     EXPECT_EQ(got, "through");
     EXPECT_TRUE(fs::is_fifo(path("pipe")));
@@ -326,29 +326,29 @@ TEST_F(Files, RefusesWhatIsNoTerrain) {
 
 TEST_F(Files, RefusesValuesThatAreNotFinite) {
     for (const float bad : {NAN, HUGE_VALF, -HUGE_VALF}) {
-        Heightmap heightmap = rough(16, 16);
+        io::Heightmap heightmap = rough(16, 16);
         heightmap.heights[17] = bad;
         for (const char* name : {"bad.tif", "bad.exr", "bad.r32"}) {
-            write_heightmap(path(name), heightmap, std::nullopt);
+            io::write_heightmap(path(name), heightmap, std::nullopt);
             EXPECT_NE(refusal(name).find("not finite"), std::string::npos) << name;
         }
-        Document document;
+        io::Document document;
         document.state = bedrock_terrain({8, 8, 1, 1}, std::vector<float>(64, 1.0F));
         document.state.regolith[3].y = bad;
-        save_document(path("doc.exr"), document);
+        io::save_document(path("doc.exr"), document);
         EXPECT_NE(refusal("doc.exr").find("not finite"), std::string::npos);
     }
 }
 
 TEST_F(Files, RefusesTruncatedFilesOfEveryKind) {
-    const Heightmap heightmap = rough(120, 90);
-    Document document;
+    const io::Heightmap heightmap = rough(120, 90);
+    io::Document document;
     document.state = bedrock_terrain(heightmap.grid, heightmap.heights);
-    save_document(path("doc.exr"), document);
+    io::save_document(path("doc.exr"), document);
     for (const char* name : {"a.tif", "a.exr", "a.png", "a.r16", "a.r32"})
-        write_heightmap(path(name), heightmap, std::nullopt);
+        io::write_heightmap(path(name), heightmap, std::nullopt);
     for (const std::string name : {"a.tif", "a.exr", "a.png", "a.r16", "a.r32", "doc.exr"}) {
-        const std::string whole = read_text(path(name));
+        const std::string whole = io::read_text(path(name));
         for (const double share : {0.02, 0.3, 0.6, 0.95}) {
             write(name, whole.substr(0, static_cast<std::size_t>(share * static_cast<double>(whole.size()))));
             refusal(name);
@@ -357,18 +357,19 @@ TEST_F(Files, RefusesTruncatedFilesOfEveryKind) {
 }
 
 TEST_F(Files, NeverCrashesOnDamagedBytes) {
-    const Heightmap heightmap = rough(40, 30);
-    for (const char* name : {"a.tif", "a.exr", "a.png"}) write_heightmap(path(name), heightmap, std::nullopt);
+    const io::Heightmap heightmap = rough(40, 30);
+    for (const char* name : {"a.tif", "a.exr", "a.png"})
+        io::write_heightmap(path(name), heightmap, std::nullopt);
     std::mt19937 random(99);
     for (const std::string name : {"a.tif", "a.exr", "a.png"}) {
-        const std::string whole = read_text(path(name));
+        const std::string whole = io::read_text(path(name));
         for (int i = 0; i < 150; ++i) {
             std::string damaged = whole;
             for (int k = 0; k < 1 + i % 8; ++k)
                 damaged[random() % std::min<std::size_t>(damaged.size(), 600)] = static_cast<char>(random());
             write(name, damaged);
             try {
-                open_document(path(name), {});
+                io::open_document(path(name), {});
             } catch (const Error& error) {
                 EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
             }
@@ -402,8 +403,8 @@ TEST_F(Files, RefusesBombs) {
     refusal("claim.png");
 
     // An EXR whose windows claim more than the limits, and more than its few rows hold.
-    write_heightmap(path("small.exr"), rough(16, 16), std::nullopt);
-    const std::string small = read_text(path("small.exr"));
+    io::write_heightmap(path("small.exr"), rough(16, 16), std::nullopt);
+    const std::string small = io::read_text(path("small.exr"));
     for (const std::int32_t last : {29999, 8191, -5}) {
         std::string claims = small;
         for (const std::string& window :
@@ -422,10 +423,10 @@ TEST_F(Files, RefusesBombs) {
 TEST_F(Files, AFailedWriteLeavesTheOldFile) {
     write("old.tif", "precious");
     fs::create_directories(path("readonly"));
-    EXPECT_THROW(write_atomically(path("no/such/folder/a.tif"), "x"), Error);
-    EXPECT_THROW(write_atomically(path("readonly"), "x"), Error);
-    write_atomically(path("old.tif"), "newer");
-    EXPECT_EQ(read_text(path("old.tif")), "newer");
+    EXPECT_THROW(io::write_atomically(path("no/such/folder/a.tif"), "x"), Error);
+    EXPECT_THROW(io::write_atomically(path("readonly"), "x"), Error);
+    io::write_atomically(path("old.tif"), "newer");
+    EXPECT_EQ(io::read_text(path("old.tif")), "newer");
     // Nothing but the files themselves is left behind.
     int entries = 0;
     for (const auto& entry : fs::directory_iterator(path(".")))
@@ -439,7 +440,7 @@ TEST_F(Files, RealFilesAreReadAsTheirSourcesSay) {
         std::puts("TALUS_DATA is not set: real files were not read");
         return;
     }
-    const Heightmap hills = read_heightmap(fs::path(data) / "bigtujunga_30m_1197x643.tif", {});
+    const io::Heightmap hills = io::read_heightmap(fs::path(data) / "bigtujunga_30m_1197x643.tif", {});
     EXPECT_EQ(hills.grid.nx, 1197);
     EXPECT_EQ(hills.grid.ny, 643);
     EXPECT_NEAR(hills.grid.dx, 30, 1e-9);
@@ -447,15 +448,16 @@ TEST_F(Files, RealFilesAreReadAsTheirSourcesSay) {
     EXPECT_EQ(*low, 315);
     EXPECT_EQ(*high, 2295);
     EXPECT_NE(hills.georeference->wkt.find("32611"), std::string::npos);
-    const Heightmap tatras = read_heightmap(fs::path(data) / "N49E020.hgt", {});
+    const io::Heightmap tatras = io::read_heightmap(fs::path(data) / "N49E020.hgt", {});
     EXPECT_EQ(tatras.grid.nx, 1201);
     EXPECT_NEAR(tatras.grid.dx, 60.3, 0.5);
     EXPECT_NEAR(tatras.grid.dy, 92.6, 0.3);
     EXPECT_GE(*std::min_element(tatras.heights.begin(), tatras.heights.end()), 150);
     EXPECT_NE(tatras.notes[0].find("29 void samples"), std::string::npos) << tatras.notes[0];
     // GeoTIFF keeps where it lies.
-    write_heightmap(path("copy.tif"), hills, std::nullopt);
-    EXPECT_EQ(read_heightmap(path("copy.tif"), {}).georeference->transform, hills.georeference->transform);
+    io::write_heightmap(path("copy.tif"), hills, std::nullopt);
+    EXPECT_EQ(io::read_heightmap(path("copy.tif"), {}).georeference->transform,
+              hills.georeference->transform);
 }
 
 }  // namespace

@@ -63,8 +63,8 @@ TEST(Layers, ComeBackFromTheDeviceFromPackingAndFromTheDocument) {
     expect_same_layers(*read, state);
     const std::filesystem::path path =
         std::filesystem::temp_directory_path() / ("talus_layers_" + std::to_string(::getpid()) + ".exr");
-    save_document(path, {state, "", "", {}});
-    expect_same_layers(open_document(path, {}).state, state);
+    io::save_document(path, {state, "", "", {}});
+    expect_same_layers(io::open_document(path, {}).state, state);
     std::filesystem::remove(path);
 }
 

@@ -21,8 +21,8 @@ struct Extent {
     glm::dvec2 low{1e9};
     glm::dvec2 high{-1e9};
 };
-Extent extent_of(const Grid& grid, const Camera& camera, double aspect, double low_m, double high_m) {
-    const CameraRays rays = camera_rays(camera, aspect, 1);
+Extent extent_of(const Grid& grid, const render::Camera& camera, double aspect, double low_m, double high_m) {
+    const render::CameraRays rays = camera_rays(camera, aspect, 1);
     Extent extent;
     for (const double x : {0.0, grid.width_m()})
         for (const double y : {0.0, grid.height_m()})
@@ -44,7 +44,8 @@ TEST(Overview, HoldsAllOfTheTerrainForAllSizesAndProportions) {
         for (const double relief_m : {0.0, 100.0, 20000.0})
             for (const double aspect : {16.0 / 9, 1.0, 9.0 / 21, 5.0})
                 for (const double fov_deg : {5.0, 50.0, 120.0}) {
-                    const Camera camera = overview(grid, -50, -50 + relief_m, {aspect, fov_deg});
+                    const render::Camera camera =
+                        render::overview(grid, -50, -50 + relief_m, {aspect, fov_deg});
                     EXPECT_EQ(camera.fov_deg, fov_deg);
                     const Extent extent = extent_of(grid, camera, aspect, -50, -50 + relief_m);
                     const glm::dvec2 most = glm::max(-extent.low, extent.high);
@@ -61,9 +62,9 @@ TEST(Overview, HoldsAllOfTheTerrainForAllSizesAndProportions) {
 TEST(Overview, HoldsItAllAroundATurntable) {
     for (const Grid& grid : grids)
         for (const double aspect : {16.0 / 9, 0.5}) {
-            const Camera camera = overview(grid, 0, 700, {aspect, 50, true});
+            const render::Camera camera = render::overview(grid, 0, 700, {aspect, 50, true});
             const glm::dvec2 middle(grid.width_m() / 2, grid.height_m() / 2);
-            for (const Camera& turned : turn_around(camera, middle, 24)) {
+            for (const render::Camera& turned : app::turn_around(camera, middle, 24)) {
                 const Extent extent = extent_of(grid, turned, aspect, 0, 700);
                 const glm::dvec2 most = glm::max(-extent.low, extent.high);
                 EXPECT_LE(std::max(most.x, most.y), 0.95) << grid.nx << " x " << grid.ny << ", " << aspect;
@@ -77,14 +78,15 @@ TEST(Overview, PicturesHaveSkyAllAround) {
     for (const Grid& grid : {Grid{129, 129, 20, 20}, Grid{400, 30, 10, 10}, Grid{20, 300, 10, 25}}) {
         const std::vector<float> heights = generate_heights(grid, {"mountains", 2, 600});
         Terrain terrain(bedrock_terrain(grid, heights));
-        Renderer renderer(terrain, 8);
+        render::Renderer renderer(terrain, 8);
         const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
         for (const glm::ivec2 size : {glm::ivec2(320, 180), glm::ivec2(120, 300)}) {
-            const Camera camera = overview(grid, *low, *high, {static_cast<double>(size.x) / size.y});
+            const render::Camera camera =
+                render::overview(grid, *low, *high, {static_cast<double>(size.x) / size.y});
             renderer.forget();
             renderer.draw(terrain, camera, {}, size.x, size.y);
             const std::vector<float> depth = renderer.read_depth(size.x, size.y);
-            const CameraRays rays = camera_rays(camera, size.x, size.y);
+            const render::CameraRays rays = camera_rays(camera, size.x, size.y);
             int hits = 0;
             int beside = 0;
             for (int y = 0; y < size.y; ++y)

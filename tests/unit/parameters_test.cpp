@@ -21,7 +21,7 @@ std::string error_of(const std::function<void()>& act) {
 }
 
 TEST(Parameters, RefuseInOneSentenceThatNamesTheParameter) {
-    Parameters p(all_parameters());
+    Parameters p(app::all_parameters());
     EXPECT_EQ(error_of([&] { p.set_assignment("thermal.repose_deg=95"); }),
               "thermal.repose_deg = 95 is out of range, it must be 1 to 80 °");
     EXPECT_EQ(error_of([&] { p.set_assignment("thermal.repose_deg=nan"); }),
@@ -36,12 +36,12 @@ TEST(Parameters, RefuseInOneSentenceThatNamesTheParameter) {
               "there is no parameter 'no.such', 'talus parameters' lists them");
     EXPECT_EQ(error_of([&] { p.set_assignment("thermal.on"); }),
               "'thermal.on' sets nothing, write it as section.name=value");
-    EXPECT_EQ(p, Parameters(all_parameters()));
+    EXPECT_EQ(p, Parameters(app::all_parameters()));
 }
 
 TEST(Parameters, EveryOneIsDeclaredWithHelpAndItsDefaultIsAllowed) {
-    for (const Parameter& parameter : all_parameters()) {
-        Parameters p(all_parameters());
+    for (const Parameter& parameter : app::all_parameters()) {
+        Parameters p(app::all_parameters());
         EXPECT_NO_THROW(p.set(parameter.name, parameter.preset)) << parameter.name;
         EXPECT_FALSE(parameter.help.empty()) << parameter.name;
         EXPECT_NE(parameter.name.find('.'), std::string::npos) << parameter.name;
@@ -50,7 +50,7 @@ TEST(Parameters, EveryOneIsDeclaredWithHelpAndItsDefaultIsAllowed) {
 
 // Also after units were converted there and back.
 TEST(Parameters, HaveTheDefaultsOfTheSettingsThatTheySet) {
-    const Parameters p(all_parameters());
+    const Parameters p(app::all_parameters());
     EXPECT_EQ(bound_settings(water_parameters(), p), WaterSettings());
     EXPECT_EQ(bound_settings(sediment_parameters(), p), SedimentSettings());
     EXPECT_EQ(bound_settings(thermal_parameters(), p), ThermalSettings());
@@ -61,7 +61,7 @@ TEST(Parameters, HaveTheDefaultsOfTheSettingsThatTheySet) {
 
 TEST(Parameters, SayTheirUnitsInTheirNames) {
     int with_unit = 0;
-    for (const Parameter& parameter : all_parameters()) {
+    for (const Parameter& parameter : app::all_parameters()) {
         const std::string unit = unit_in_name(parameter.unit);
         EXPECT_TRUE(parameter.name.ends_with(unit)) << parameter.name << " in " << parameter.unit;
         with_unit += unit.empty() ? 0 : 1;
@@ -70,10 +70,10 @@ TEST(Parameters, SayTheirUnitsInTheirNames) {
 }
 
 TEST(Parameters, GoByTheirOldNamesToo) {
-    Parameters p(all_parameters());
-    Parameters q(all_parameters());
+    Parameters p(app::all_parameters());
+    Parameters q(app::all_parameters());
     int old = 0;
-    for (const Parameter& parameter : all_parameters()) {
+    for (const Parameter& parameter : app::all_parameters()) {
         if (parameter.old_name.empty()) continue;
         ++old;
         p.set(parameter.name, parameter.high / 2);
@@ -87,7 +87,7 @@ TEST(Parameters, GoByTheirOldNamesToo) {
 }
 
 TEST(Parameters, OfOldPresetsAreRead) {
-    Parameters p(all_parameters());
+    Parameters p(app::all_parameters());
     from_toml("[water]\nrain = 150.0\n[erosion]\nsettling = 5\n[brush]\nrain = 20.0\n", "old.toml", p);
     EXPECT_EQ(p.number("water.rain_mm_per_h"), 150);
     EXPECT_EQ(p.number("erosion.settling_mm_per_s"), 5);
@@ -96,17 +96,17 @@ TEST(Parameters, OfOldPresetsAreRead) {
 
 // What a view shows hangs on the simulation's gravity, and on its own scale.
 TEST(ViewSettings, TakeGravityAndTheScalesOfAllViews) {
-    Parameters p(all_parameters());
+    Parameters p(app::all_parameters());
     p.set("water.gravity_m_per_s2", 3.7);
-    for (const View& view : views())
-        for (const ViewNumber& one : view.numbers)
+    for (const render::View& view : render::views())
+        for (const render::ViewNumber& one : view.numbers)
             if (one.parameter && std::holds_alternative<double>(one.parameter->preset))
                 p.set(one.parameter->name, one.parameter->high / 8);
     p.set("render.hillshade", std::string("four sides"));
-    const ViewSettings settings = view_settings(p, p);
+    const render::ViewSettings settings = render::view_settings(p, p);
     EXPECT_EQ(settings.gravity_m_per_s2, 3.7);
-    for (const View& view : views())
-        for (const ViewNumber& one : view.numbers) {
+    for (const render::View& view : render::views())
+        for (const render::ViewNumber& one : view.numbers) {
             if (one.uniform == "hillshade_from")
                 EXPECT_EQ(one.in(settings), 1);
             else if (one.parameter)
@@ -117,7 +117,7 @@ TEST(ViewSettings, TakeGravityAndTheScalesOfAllViews) {
 }
 
 TEST(Parameters, FollowOthersUnlessSet) {
-    Parameters p(all_parameters());
+    Parameters p(app::all_parameters());
     p.set("thermal.repose_deg", 40.0);
     EXPECT_EQ(p.number("thermal.wet_deg"), 40);
     EXPECT_FALSE(p.is_given("thermal.wet_deg"));
@@ -135,14 +135,14 @@ TEST(Presets, AllBuiltInOnesApply) {
     const std::vector<Preset> presets = built_in_presets();
     ASSERT_EQ(presets.size(), 13U);
     for (const Preset& preset : presets) {
-        Parameters p(all_parameters());
+        Parameters p(app::all_parameters());
         EXPECT_NO_THROW(apply_preset(preset, p)) << preset.name;
         EXPECT_FALSE(preset.description.empty());
     }
 }
 
 TEST(Presets, RefuseUnknownKeysAndWrongTypesAndChangeNothing) {
-    Parameters p(all_parameters());
+    Parameters p(app::all_parameters());
     const auto apply = [&](const std::string& text) {
         return error_of([&] { from_toml(text, "my.toml", p); });
     };
@@ -155,16 +155,16 @@ TEST(Presets, RefuseUnknownKeysAndWrongTypesAndChangeNothing) {
     EXPECT_EQ(apply("colour = 1\n"),
               "my.toml: unknown key 'colour', only title, description and [sections] stand at the top");
     EXPECT_NE(apply("[thermal\n").find("my.toml: line 1 is not TOML"), std::string::npos);
-    EXPECT_EQ(p, Parameters(all_parameters()));
+    EXPECT_EQ(p, Parameters(app::all_parameters()));
 }
 
 TEST(Presets, TomlKeepsEveryBit) {
-    Parameters p(all_parameters());
+    Parameters p(app::all_parameters());
     p.set("thermal.rate_m2_per_s", 1.0 / 3.0);
     p.set("time.tick_s", 0.1 + 0.2);
     p.set("thermal.repose_deg", 30.0);
     p.set("terrain.kind", std::string("hills"));
-    Parameters q(all_parameters());
+    Parameters q(app::all_parameters());
     from_toml(to_toml(p), "text", q);
     EXPECT_EQ(p, q);
 }

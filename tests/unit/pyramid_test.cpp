@@ -17,14 +17,14 @@ class PyramidSizes : public ::testing::TestWithParam<Grid> {};
 
 TEST_P(PyramidSizes, RefreshAfterRandomDabsEqualsRebuild) {
     const gpu::Context context;
-    EXPECT_EQ(pyramid_texels_differing(GetParam(), 1000), 0U);
+    EXPECT_EQ(claims::pyramid_texels_differing(GetParam(), 1000), 0U);
 }
 
 TEST_P(PyramidSizes, TakesAtMostFourBytesASample) {
     const gpu::Context context;
     const Grid grid = GetParam();
     const Terrain terrain(bedrock_terrain(grid, std::vector<float>(grid.count(), 0.0F)));
-    EXPECT_LE(static_cast<double>(Pyramid(terrain).bytes()) / static_cast<double>(grid.count()), 4.0);
+    EXPECT_LE(static_cast<double>(render::Pyramid(terrain).bytes()) / static_cast<double>(grid.count()), 4.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, PyramidSizes,

@@ -21,7 +21,7 @@ struct Plane {
         settings.method = "exact";
     }
     // Where the ring changed the picture, by metres east and north.
-    std::vector<bool> changed(const Ring& ring) {
+    std::vector<bool> changed(const render::Ring& ring) {
         renderer.draw(terrain, camera, settings, side_px, side_px);
         const std::vector<std::uint8_t> plain = renderer.read_rgb(side_px, side_px);
         renderer.draw(terrain, camera, settings, side_px, side_px, ring);
@@ -40,9 +40,9 @@ struct Plane {
     gpu::Context context;
     Grid grid{41, 41, 10, 10};
     Terrain terrain;
-    Renderer renderer;
-    Camera camera;
-    ViewSettings settings;
+    render::Renderer renderer;
+    render::Camera camera;
+    render::ViewSettings settings;
 };
 
 TEST(Ring, LiesWhereTheBrushReaches) {
@@ -72,7 +72,7 @@ TEST(Ring, AStampIsShownWhereItWouldBePressed) {
     gpu::Texture stamp("stamp", gpu::Format::r32f, 10, 5);
     stamp.fill(1);
     const DabStep step = dab_step(plane.grid, dab, {10, 5});
-    Ring ring;
+    render::Ring ring;
     ring.at_m = {dab.x_m, dab.y_m};
     ring.radius_m = 100;
     ring.stamp = &stamp;

@@ -62,20 +62,20 @@ void simulate_everything(Simulation& simulation) {
 
 // Every view by every method, with every choice of shading, of ground without and with layers.
 void draw_everything(Terrain& terrain) {
-    Renderer renderer(terrain, 8);
-    const Camera camera = overview(grid, 0, 300);
+    render::Renderer renderer(terrain, 8);
+    const render::Camera camera = render::overview(grid, 0, 300);
     const std::vector<std::uint8_t> picture(4 * 4 * 4, 200);
-    for (const MethodEntry& method : methods())
+    for (const render::MethodEntry& method : render::methods())
         for (const char* view : {"shaded", "steps", "cells"}) {
-            ViewSettings settings;
+            render::ViewSettings settings;
             settings.method = method.name;
             settings.view = view;
             renderer.draw(terrain, camera, settings, 64, 48);
             renderer.refine(terrain, 2);
         }
-    for (const View& view : views())
+    for (const render::View& view : render::views())
         for (int choice = 0; choice < (view.natural ? 16 : 1); ++choice) {
-            ViewSettings settings;
+            render::ViewSettings settings;
             settings.view = view.name;
             settings.shadows = (choice & 1) == 0;
             settings.occlusion = (choice & 2) == 0;
@@ -98,15 +98,15 @@ TEST(Shaders, AreGlslForTheReferenceCompiler) {
         }
         Simulation simulation(dry, Parameters(simulation_parameters()));
         simulate_everything(simulation);
-        Renderer renderer(simulation.terrain(), 8);
-        Ring stamped;
+        render::Renderer renderer(simulation.terrain(), 8);
+        render::Ring stamped;
         StampImage image;
         const gpu::Texture& stamp = image.of(simulation.stamp());
         stamped.radius_m = 80;
         stamped.stamp = &stamp;
-        renderer.draw(simulation.terrain(), overview(grid, 0, 300), {}, 64, 48, stamped);
+        renderer.draw(simulation.terrain(), render::overview(grid, 0, 300), {}, 64, 48, stamped);
         draw_everything(simulation.terrain());
-        static_cast<void>(arithmetic_of_device());
+        static_cast<void>(claims::arithmetic_of_device());
         gpu::keep_assembled_shaders({});
     }
     std::set<std::string> seen;

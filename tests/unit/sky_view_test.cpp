@@ -17,8 +17,8 @@ TEST(SkyView, RefreshAfterDabsEqualsRebuild) {
     const gpu::Context context;
     const Grid grid{700, 449, 20, 25};
     Terrain terrain(bedrock_terrain(grid, generate_heights(grid, {"mountains", 5, 1500})));
-    Pyramid pyramid(terrain);
-    SkyView kept(terrain);
+    render::Pyramid pyramid(terrain);
+    render::SkyView kept(terrain);
     Brush brush(terrain);
     std::mt19937 random(7);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -29,7 +29,7 @@ TEST(SkyView, RefreshAfterDabsEqualsRebuild) {
                                 400 * unit(random), 0, 0, Material::bedrock});
         pyramid.refresh(terrain);
         kept.refresh(terrain, pyramid);
-        SkyView fresh(terrain);
+        render::SkyView fresh(terrain);
         terrain.tiles.mark_all();
         fresh.refresh(terrain, pyramid);
         pyramid.refresh(terrain);
@@ -46,9 +46,9 @@ TEST(SkyView, IsRightOnPlainSlopeAndInACone) {
             for (int column = 0; column < grid.nx; ++column)
                 heights.push_back(static_cast<float>(height_m(10.0 * (column - 130), 10.0 * (row - 130))));
         Terrain terrain(bedrock_terrain(grid, heights));
-        Pyramid pyramid(terrain);
+        render::Pyramid pyramid(terrain);
         pyramid.refresh(terrain);
-        SkyView sky(terrain);
+        render::SkyView sky(terrain);
         sky.refresh(terrain, pyramid);
         const std::vector<float> share = sky.share().read_all<float>();
         EXPECT_GE(*std::min_element(share.begin(), share.end()), 0);

@@ -22,7 +22,7 @@ constexpr double rim_m = 12;  // what the file's border is above its 0
 
 // A file of signed floats: a bowl in level ground.
 std::string bowl_file() {
-    Heightmap heightmap;
+    io::Heightmap heightmap;
     heightmap.grid = {side, side, 10, 10};
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {
@@ -31,7 +31,7 @@ std::string bowl_file() {
             heightmap.heights.push_back(static_cast<float>(rim_m - depth));
         }
     std::string path = (std::filesystem::temp_directory_path() / "talus_bowl.tif").string();
-    write_heightmap(path, heightmap, std::nullopt);
+    io::write_heightmap(path, heightmap, std::nullopt);
     return path;
 }
 
@@ -46,15 +46,15 @@ Pressed pressed(const Stamp& stamp, const ChooseStamp& choose, const std::string
     Simulation simulation(bedrock_terrain(grid, std::vector<float>(grid.count(), 100)),
                           Parameters(simulation_parameters()));
     simulation.apply(choose);
-    Parameters view(app_parameters());
+    Parameters view(app::app_parameters());
     view.set("brush.tool", std::string("stamp"));
     view.set("brush.radius_m", 160.0);
     view.set("brush.falloff", 0.0);
     view.set("stamp.mode", mode);
     if (!zero.empty()) view.set("stamp.zero", zero);
-    Modifiers modifiers;
+    app::Modifiers modifiers;
     modifiers.inverted = inverted;
-    Dab dab = tool_dab(view, modifiers, 100, 0, &stamp);
+    Dab dab = app::tool_dab(view, modifiers, 100, 0, &stamp);
     dab.x_m = dab.y_m = 320;
     simulation.apply(dab);
     const std::vector<float> ground = simulation.read().ground();
@@ -66,7 +66,7 @@ Pressed pressed(const Stamp& stamp, const ChooseStamp& choose, const std::string
 
 TEST(Stamp, ABowlDigsUnlessItsLowestSampleStandsOnTheGround) {
     const gpu::Context context;
-    const ChooseStamp choose = read_stamp(bowl_file(), {});
+    const ChooseStamp choose = app::read_stamp(bowl_file(), {});
     const Stamp& stamp = *choose.stamp;
     EXPECT_NEAR(stamp.relief_m, bowl_m, 1e-4);
     constexpr double near_m = 1e-3;

@@ -13,8 +13,8 @@ namespace talus::tools_test {
 namespace {
 
 TEST(Tools, NameOnlyDeclaredParametersAndKeepTheirOwnInTheirSection) {
-    const Parameters declared(all_parameters());
-    for (const Tool& tool : tools()) {
+    const Parameters declared(app::all_parameters());
+    for (const app::Tool& tool : app::tools()) {
         for (const std::string& name : tool.settings) EXPECT_NO_THROW(declared.value(name)) << tool.name;
         if (!tool.strength.empty()) {
             EXPECT_NE(std::find(tool.settings.begin(), tool.settings.end(), tool.strength),

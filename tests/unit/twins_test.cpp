@@ -39,8 +39,8 @@ std::size_t differing(const std::vector<glm::vec4>& a, const std::vector<glm::ve
 // binds.
 TEST(Twins, DevicesRoundAsPromised) {
     const gpu::Context context;
-    const Arithmetic arithmetic = arithmetic_of_device();
-    fmt::print("{}\n", describe(arithmetic));
+    const claims::Arithmetic arithmetic = claims::arithmetic_of_device();
+    fmt::print("{}\n", claims::describe(arithmetic));
     if (context.device().software) {
         EXPECT_TRUE(arithmetic.rounds_as_ieee());
     }
@@ -55,8 +55,8 @@ TEST(Twins, DevicesRoundAsPromised) {
 
 TEST(Twins, BrushAndThermalAgreeToTheBitAfter500Ticks) {
     const gpu::Context context;
-    const TwinAgreement agreement = brush_and_slopes_against_twin(500);
-    if (arithmetic_of_device().rounds_as_ieee()) {
+    const claims::TwinAgreement agreement = claims::brush_and_slopes_against_twin(500);
+    if (claims::arithmetic_of_device().rounds_as_ieee()) {
         EXPECT_EQ(agreement.differing, 0U);
     }
     EXPECT_GT(agreement.changed, agreement.samples / 2) << "the run must have moved the ground";
@@ -67,7 +67,8 @@ TEST(Twins, BrushAndThermalAgreeToTheBitAfter500Ticks) {
 // they did not: programs that take turns got each other's variants of inlined uniforms (work_around_drivers).
 TEST(Twins, DabsOfAllKindsInTurnAgreeToTheBit) {
     const gpu::Context context;
-    if (!arithmetic_of_device().rounds_as_ieee()) GTEST_SKIP() << describe(arithmetic_of_device());
+    if (!claims::arithmetic_of_device().rounds_as_ieee())
+        GTEST_SKIP() << claims::describe(claims::arithmetic_of_device());
     const Grid grid{71, 57, 28, 37};
     TerrainState state = bedrock_terrain(grid, generate_heights(grid, {"mountains", 7, 900}));
     maths::BrushTwin<float> twin;

@@ -241,11 +241,11 @@ TEST_P(EitherOrder, FrameRateReplayAndSavingMidwayChangeNoBit) {
     play(first, 0, 10, 2);
     const std::filesystem::path file =
         std::filesystem::temp_directory_path() / ("talus_water_" + std::to_string(::getpid()) + ".exr");
-    Document document;
+    io::Document document;
     document.state = first.read();
     document.parameters = to_toml(first.parameters());
-    save_document(file, document);
-    const Document loaded = open_document(file, {});
+    io::save_document(file, document);
+    const io::Document loaded = io::open_document(file, {});
     std::filesystem::remove(file);
     Parameters again(simulation_parameters());
     from_toml(loaded.parameters, "document", again);
@@ -408,20 +408,20 @@ TEST(WaterSimulation, SaysHowTrueItsWavesAre) {
     EXPECT_NEAR(shallow_speed_excess(1000, 5, 9.81), deep, 1e-6 * deep);
     Parameters all = parameters();
     all.set("water.wave_period", 300.0);
-    EXPECT_NE(wave_note(coast(), all).find("faster than in nature"), std::string::npos);
-    EXPECT_EQ(wave_note(coast(), all).find("warning"), std::string::npos);
+    EXPECT_NE(app::wave_note(coast(), all).find("faster than in nature"), std::string::npos);
+    EXPECT_EQ(app::wave_note(coast(), all).find("warning"), std::string::npos);
     all.set("water.wave_period", 4.0);
-    EXPECT_EQ(wave_note(coast(), all).find("warning"), 0U);
+    EXPECT_EQ(app::wave_note(coast(), all).find("warning"), 0U);
     all.set("water.boundary.west", std::string("wall"));
-    EXPECT_EQ(wave_note(coast(), all), "");
+    EXPECT_EQ(app::wave_note(coast(), all), "");
 }
 
 TEST(WaterSimulation, GaugesFollowWithoutWaitingWhatTheyReadByWaiting) {
     const gpu::Context context;
     Simulation simulation(coast(), parameters(), undo_bytes);
-    Gauges waiting(grid);
-    Gauges following(grid);
-    for (Gauges* gauges : {&waiting, &following}) {
+    app::Gauges waiting(grid);
+    app::Gauges following(grid);
+    for (app::Gauges* gauges : {&waiting, &following}) {
         gauges->place({200, 1200});
         gauges->place({1500, 900});
     }
@@ -452,14 +452,14 @@ TEST(WaterSimulation, GaugesFollowWithoutWaitingWhatTheyReadByWaiting) {
 TEST(WaterSimulation, PresetsAreSeenToMoveWithinFiveSeconds) {
     const gpu::Context context;
     for (const auto& [preset, played_s] : {std::pair("flood", 38.0), std::pair("island", 4.5)}) {
-        SceneRequest request;
+        app::SceneRequest request;
         request.preset = preset;
-        const Scene scene = make_scene(request);
+        const app::Scene scene = make_scene(request);
         Simulation simulation(scene.document.state, scene.simulation);
-        Renderer renderer(simulation.terrain(), 8);
-        const Camera camera =
-            overview(scene.document.state.grid, 0, scene.simulation.number("terrain.relief_m"));
-        const ViewSettings settings = view_settings(scene.view, scene.simulation);
+        render::Renderer renderer(simulation.terrain(), 8);
+        const render::Camera camera =
+            render::overview(scene.document.state.grid, 0, scene.simulation.number("terrain.relief_m"));
+        const render::ViewSettings settings = render::view_settings(scene.view, scene.simulation);
         const auto look = [&] {
             renderer.draw(simulation.terrain(), camera, settings, 640, 360);
             return renderer.read_rgb(640, 360);

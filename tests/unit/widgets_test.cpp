@@ -26,14 +26,14 @@ TEST(Widgets, FiguresHaveNoExponentWherePeopleWriteNone) {
                                                 {999999999999999.0, 3, "999999999999999"},
                                                 {1e15, 3, "1e+15"},
                                                 {0.00001, 3, "1e-05"}})
-        EXPECT_EQ(figure(value, digits), wanted);
+        EXPECT_EQ(app::figure(value, digits), wanted);
 }
 
 TEST(Widgets, ShortenedTextsKeepWholeLetters) {
     const std::string text = "30 × 20 m³ über Höhe …";
     for (std::size_t bytes = 0; bytes <= text.size(); ++bytes) {
         const std::string shown =
-            shortened(text, [=](const std::string& some) { return some.size() <= bytes; });
+            app::shortened(text, [=](const std::string& some) { return some.size() <= bytes; });
         // The ellipsis alone is left where nothing fits.
         EXPECT_LE(shown.size(), std::max<std::size_t>(bytes, 3));
         if (bytes == text.size()) {
@@ -70,14 +70,14 @@ TEST(Widgets, TextsEndWithinTheirPanel) {
         ImGui::SetNextWindowSize({panel_width, 200});
         ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoSavedSettings);
         const float right = ImGui::GetWindowContentRegionMax().x;
-        text_line(text);
+        app::text_line(text);
         EXPECT_LE(ImGui::GetItemRectMax().x, right + 0.5F) << panel_width;
         EXPECT_GT(ImGui::GetItemRectSize().x, 20) << panel_width;
         const float whole = ImGui::CalcTextSize(text.c_str()).x;
         if (whole <= right - ImGui::GetCursorStartPos().x) {
             EXPECT_FLOAT_EQ(ImGui::GetItemRectSize().x, whole);
         }
-        figure_line("stamp", text);
+        app::figure_line("stamp", text);
         EXPECT_LE(ImGui::GetItemRectMax().x, right + 0.5F) << panel_width;
         ImGui::End();
         ImGui::EndFrame();
