@@ -17,7 +17,7 @@ double lattice(int x, int y, int period, std::uint32_t seed) {
     return static_cast<double>((n >> 8U) & 0xffffU) / 65535.0;
 }
 
-// Value noise on a lattice of so many cells a grain_side of the texture, at u and v from 0 to 1.
+// Value noise on a lattice of so many cells a side of the texture, at u and v from 0 to 1.
 double noise(double u, double v, int cells, std::uint32_t seed) {
     const double x = u * cells;
     const double y = v * cells;

@@ -5,8 +5,6 @@
 #include "render/blocks.h"
 
 namespace talus::render {
-namespace {}  // namespace
-
 Redraw::Redraw() : mark_("render/redraw_mark.comp"), list_("render/redraw_list.comp") {}
 
 void Redraw::begin(int width, int height) {

@@ -60,10 +60,10 @@ struct WriteField {
 };
 
 json to_json(const Dab& dab) {
-    const std::string& mode = brush_mode_names()[dab.act.index()];
+    const std::string& mode = brush_mode_names()[dab.effect.index()];
     json line = {{"op", "dab"}, {"mode", mode}};
     visit_footprint(dab, WriteField{line});
-    visit_own(dab, WriteField{has_object(dab.act) ? line[mode] : line});
+    visit_own(dab, WriteField{has_object(dab.effect) ? line[mode] : line});
     return line;
 }
 
@@ -88,14 +88,14 @@ struct ReadField {
 Dab to_dab(const json& line) {
     Dab dab;
     const std::string mode = line.at("mode");
-    dab.act = act_of(value_in<BrushMode>(brush_mode_names(), mode, "brush mode"));
+    dab.effect = effect_of(value_in<BrushMode>(brush_mode_names(), mode, "brush mode"));
     // Journals of 0.1.0 say on_regolith.
     if (line.value("on_regolith", false)) dab.material = Material::regolith;
     visit_footprint(dab, ReadField{line, true});
-    if (!has_object(dab.act)) {
+    if (!has_object(dab.effect)) {
         visit_own(dab, ReadField{line, false});
-    } else if (line.contains(mode)) {
-        json own = line[mode];
+    } else {
+        json own = line.at(mode);
         // Older journals stand stamps on their lowest sample.
         if (dab.as<StampDab>() && !own.contains("zero")) own["zero"] = 0.0;
         visit_own(dab, ReadField{own, true});

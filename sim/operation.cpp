@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <utility>
 
 #include "sim/terrain/blur.h"
 
@@ -21,7 +20,7 @@ struct Namer {
         const std::string& material = material_names()[static_cast<std::size_t>(dab.material)];
         if (dab.is_water()) return takes ? "take water" : "add water";
         if (dab.is_paint()) return (takes ? "wipe " : "paint ") + material;
-        return brush_mode_names()[dab.act.index()];
+        return brush_mode_names()[dab.effect.index()];
     }
     // Without the value: a slider that is dragged goes on under one name.
     std::string operator()(const SetParameter& set) const { return set.name; }

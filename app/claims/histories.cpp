@@ -37,7 +37,7 @@ Parameters rainy() {
 Dab some_dab(std::mt19937& random) {
     std::uniform_real_distribution<double> unit(0, 1);
     Dab dab;
-    dab.act = act_of(static_cast<BrushMode>(random() % 7));
+    dab.effect = effect_of(static_cast<BrushMode>(random() % 7));
     if (auto* ramp = dab.as<RampDab>()) ramp->way_m = {400 * unit(random), 300 * unit(random)};
     dab.material = static_cast<Material>(random() % 4);
     dab.x_m = worked_grid.width_m() * unit(random);

@@ -28,7 +28,7 @@ render::Method method_named(const std::string& name) {
 Dab random_dab(const Grid& grid, std::mt19937& random, double reach_m, double amount_m, double height_m) {
     std::uniform_real_distribution<double> unit(0, 1);
     Dab dab;
-    dab.act = act_of(static_cast<BrushMode>(random() % 4));
+    dab.effect = effect_of(static_cast<BrushMode>(random() % 4));
     dab.x_m = grid.width_m() * (1.1 * unit(random) - 0.05);
     dab.y_m = grid.height_m() * (1.1 * unit(random) - 0.05);
     dab.radius_m = 5 + reach_m * unit(random);

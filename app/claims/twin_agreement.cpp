@@ -6,7 +6,9 @@
 
 #include "app/claims/differing_bits.h"
 #include "app/claims/water_scenes.h"
+#include "sim/passes/brush.h"
 #include "sim/passes/brush_twin.h"
+#include "sim/passes/thermal.h"
 #include "sim/passes/thermal_twin.h"
 #include "sim/passes/water_twin.h"
 #include "sim/terrain/generate.h"
@@ -78,7 +80,7 @@ Dab turning_dab(int substep, const Grid& grid, std::mt19937& random) {
     Dab dab;
     dab.curve = static_cast<FalloffCurve>(substep / 40 % 4);
     dab.masked = substep / 5 % 3 == 0;
-    dab.act = act_of(static_cast<BrushMode>(substep / 5 % 8));
+    dab.effect = effect_of(static_cast<BrushMode>(substep / 5 % 8));
     if (auto* ramp = dab.as<RampDab>())
         *ramp = {900.0 * (glm::dvec2(unit(random), unit(random)) - 0.5), 300 * (unit(random) - 0.5)};
     if (auto* terrace = dab.as<TerraceDab>()) *terrace = {10 + 90 * unit(random), 0.9 * unit(random)};

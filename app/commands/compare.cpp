@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "app/commands/commands.h"
 #include "app/core/calibration.h"
@@ -40,6 +41,50 @@ struct Subject {
     double limit_px;
 };
 
+// How many rays took so many steps; the last: that or more.
+struct Steps {
+    std::array<std::int64_t, 1024> rays{};
+
+    void add(float walked) { ++rays[static_cast<std::size_t>(std::clamp(walked, 0.0F, 1023.0F))]; }
+    double mean() const {
+        double sum = 0;
+        for (std::size_t n = 0; n < rays.size(); ++n)
+            sum += static_cast<double>(n) * static_cast<double>(rays[n]);
+        return sum / static_cast<double>(all());
+    }
+    double share_above(std::size_t limit) const {
+        std::int64_t above = 0;
+        for (std::size_t n = limit + 1; n < rays.size(); ++n) above += rays[n];
+        return static_cast<double>(above) / static_cast<double>(all());
+    }
+    std::size_t p99() const {
+        std::size_t limit = 0;
+        while (share_above(limit) > 0.01) ++limit;
+        return limit;
+    }
+
+  private:
+    std::int64_t all() const { return std::accumulate(rays.begin(), rays.end(), std::int64_t{0}); }
+};
+
+// Median CPU time of a frame, ms, and what the device says of the last.
+std::pair<double, double> time_frame(const render::Method& method, const render::Frame& frame,
+                                     const render::HitsTarget& target) {
+    gpu::Timestamp timer("frame");
+    std::vector<double> seconds;
+    std::optional<double> gpu_ms;
+    for (int round = 0; round <= timed_rounds; ++round) {
+        const double before = process_cpu_s();
+        timer.begin();
+        method(frame);
+        timer.end();
+        const std::vector<float> wait = target.read_distances(1, 1);
+        if (round > 0) seconds.push_back(process_cpu_s() - before);
+        gpu_ms = timer.milliseconds();
+    }
+    return {1000 * median(seconds), gpu_ms.value_or(0)};
+}
+
 nlohmann::ordered_json measure_method(const Subject& subject, const render::MethodEntry& entry,
                                       double tolerance_px) {
     const int width = subject.size.x;
@@ -53,28 +98,16 @@ nlohmann::ordered_json measure_method(const Subject& subject, const render::Meth
     double mean_square = 0;
     double mean_px = 0;
     double cpu_ms = 0;
-    std::array<std::int64_t, 1024> steps{};  // how many rays took so many; the last: that or more
+    Steps steps;
     for (const render::NamedCamera& view : subject.cameras) {
         const render::Frame frame{subject.terrain, subject.pyramid,      view.camera,         width, height,
                                   tolerance_px,    subject.patch_pixels, target.framebuffer()};
-        gpu::Timestamp timer("frame");
-        std::vector<double> seconds;
-        std::optional<double> gpu_ms;
-        for (int round = 0; round <= timed_rounds; ++round) {
-            const double before = process_cpu_s();
-            timer.begin();
-            plain(frame);
-            timer.end();
-            const std::vector<float> wait = target.read_distances(1, 1);
-            if (round > 0) seconds.push_back(process_cpu_s() - before);
-            gpu_ms = timer.milliseconds();
-        }
+        const auto [frame_ms, gpu_ms] = time_frame(plain, frame, target);
         const render::PictureError error = subject.measure.compare(
             view.camera, width, height, target.read_distances(width, height), subject.limit_px);
         const render::MethodFigures figures = plain.figures();
         counting(frame);
-        for (const float walked : target.read_details(width, height))
-            ++steps[static_cast<std::size_t>(std::clamp(walked, 0.0F, 1023.0F))];
+        for (const float walked : target.read_details(width, height)) steps.add(walked);
         telling(frame);
         std::array<int, 4> kinds{};  // nothing, mesh, rays, ended early
         for (const float kind : target.read_details(width, height))
@@ -88,8 +121,8 @@ nlohmann::ordered_json measure_method(const Subject& subject, const render::Meth
                           {"wrong_coverage", error.wrong_coverage},
                           {"silhouettes", error.silhouettes},
                           {"silhouettes_missed", error.silhouettes_missed},
-                          {"cpu_ms", 1000 * median(seconds)},
-                          {"gpu_ms", gpu_ms.value_or(0)},
+                          {"cpu_ms", frame_ms},
+                          {"gpu_ms", gpu_ms},
                           {"mesh_cells", figures.mesh_cells},
                           {"triangles", figures.triangles},
                           {"mesh_pixels", kinds[1]},
@@ -103,39 +136,24 @@ nlohmann::ordered_json measure_method(const Subject& subject, const render::Meth
         all.largest_px = std::max(all.largest_px, error.largest_px);
         mean_px += error.mean_px;
         mean_square += std::isinf(error.psnr_db) ? 0 : std::pow(10, -error.psnr_db / 10);
-        cpu_ms += 1000 * median(seconds);
+        cpu_ms += frame_ms;
     }
     const auto count = static_cast<double>(subject.cameras.size());
-    std::int64_t rays = 0;
-    double sum = 0;
-    for (std::size_t n = 0; n < steps.size(); ++n) {
-        rays += steps[n];
-        sum += static_cast<double>(n) * static_cast<double>(steps[n]);
-    }
-    const auto share_above = [&](std::size_t limit) {
-        std::int64_t above = 0;
-        for (std::size_t n = limit + 1; n < steps.size(); ++n) above += steps[n];
-        return static_cast<double>(above) / static_cast<double>(rays);
-    };
-    std::size_t p99 = 0;
-    while (share_above(p99) > 0.01) ++p99;
-    nlohmann::ordered_json result;
-    result["method"] = entry.name;
-    result["tolerance_px"] = tolerance_px;
-    result["cpu_ms"] = cpu_ms / count;
-    result["psnr_db"] = mean_square > 0 ? -10 * std::log10(mean_square / count) : HUGE_VAL;
-    result["mean_px"] = mean_px / count;
-    result["largest_px"] = all.largest_px;
-    result["beyond_limit"] = all.beyond;
-    result["wrong_coverage"] = all.wrong_coverage;
-    result["silhouettes"] = all.silhouettes;
-    result["silhouettes_missed"] = all.silhouettes_missed;
-    result["steps_mean"] = sum / static_cast<double>(rays);
-    result["steps_p99"] = p99;
-    result["steps_above_35"] = share_above(35);
-    result["steps_above_85"] = share_above(85);
-    result["frames"] = frames;
-    return result;
+    return {{"method", entry.name},
+            {"tolerance_px", tolerance_px},
+            {"cpu_ms", cpu_ms / count},
+            {"psnr_db", mean_square > 0 ? -10 * std::log10(mean_square / count) : HUGE_VAL},
+            {"mean_px", mean_px / count},
+            {"largest_px", all.largest_px},
+            {"beyond_limit", all.beyond},
+            {"wrong_coverage", all.wrong_coverage},
+            {"silhouettes", all.silhouettes},
+            {"silhouettes_missed", all.silhouettes_missed},
+            {"steps_mean", steps.mean()},
+            {"steps_p99", steps.p99()},
+            {"steps_above_35", steps.share_above(35)},
+            {"steps_above_85", steps.share_above(85)},
+            {"frames", frames}};
 }
 
 }  // namespace

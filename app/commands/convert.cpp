@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/commands/commands.h"
 #include "app/core/outputs.h"
 #include "sim/error.h"
 #include "sim/io/endings.h"

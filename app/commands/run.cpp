@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "app/commands/commands.h"
 #include "app/core/gauges.h"
 #include "app/core/outputs.h"
 #include "app/core/sources.h"

@@ -3,7 +3,7 @@
 #include "app/tools/tools.h"
 #include "render/view.h"
 #include "sim/passes/brush.h"
-#include "sim/passes/mask.h"
+#include "sim/passes/mask_settings.h"
 #include "sim/simulation_parameters.h"
 
 namespace talus::app {
@@ -26,9 +26,9 @@ std::vector<Parameter> app_parameters() {
         number(
             "brush.blend_per_s", 4, 0, 1000, "1/s",
             "Smooth, flatten, height, terrace and what is painted: share of the way a second in the middle."),
-        number("brush.falloff", 1, 0, 1, "",
+        number("brush.falloff", Dab().falloff, 0, 1, "",
                "How much of the radius fades out: 0 a hard edge, 1 soft all the way."),
-        choice("brush.curve", "smooth", falloff_curve_names(),
+        choice("brush.curve", Dab().curve, falloff_curve_names(),
                "How it fades: smooth, linear, round like a ball, sharp like a thorn."),
         number("brush.spacing", 0.25, 0.02, 4, "",
                "Way between two dabs of a stroke, in radii; stamps: between two of them."),
@@ -57,17 +57,17 @@ std::vector<Parameter> app_parameters() {
         number("map.south_m", 0, -1e6, 1e6, "m", "Crop: southern edge."),
         number("map.east_m", 0, -1e6, 1e6, "m", "Crop: eastern edge; unless set, the terrain's."),
         number("map.north_m", 0, -1e6, 1e6, "m", "Crop: northern edge; unless set, the terrain's."),
-        choice("mask.from", "slope", mask_source_names(),
+        choice("mask.from", MaskSettings().source, mask_source_names(),
                "What a mask is made of: height, slope, curvature (crests above 0, hollows below), depth of "
                "water, "
                "the mask itself (to invert it), everything."),
         number("mask.low", 30, -1e6, 1e6, "m, ° or 1/km", "The mask is 1 from here …"),
         number("mask.high", 90, -1e6, 1e6, "m, ° or 1/km", "… to here …"),
         number("mask.fade", 5, 0, 1e6, "m, ° or 1/km", "… and falls to 0 over so much beyond each."),
-        choice("mask.join", "replace", mask_join_names(),
+        choice("mask.join", MaskSettings().join, mask_join_names(),
                "It takes the place of the painted mask, is added to it, keeps what both have, or is taken "
                "away."),
-        toggle("mask.inverted", false, "1 where it would be 0."),
+        toggle("mask.inverted", MaskSettings().inverted, "1 where it would be 0."),
         number("mask.blur_m", 50, 1e-3, 1e6, "m", "Standard deviation of a blur of the mask."),
         choice("camera.mode", "orbit", {"orbit", "fly", "walk"},
                "Orbit turns about a point on the ground; fly moves with W A S D, Q and E; walk keeps the eye "

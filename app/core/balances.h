@@ -22,7 +22,10 @@ class Balances {
     /// Takes what the ledger shows, without waiting, and asks anew about twice a second where something
     /// changed. Once a frame, while somebody looks at it.
     void follow(Simulation& simulation);
-    void clear() { *this = {}; }
+    void clear() {
+        kept_.clear();
+        of_changes_ = 0;
+    }
 
   private:
     std::vector<Balance> kept_;

@@ -1,10 +1,12 @@
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "app/core/legend.h"
+#include "app/core/report.h"
 
 namespace talus::app {
 namespace {
@@ -17,6 +19,11 @@ constexpr int baseline_px = 12;
 
 // How much of the pixel lies within the box's rounded corners.
 float covered(const LegendDrawing::Box& box, glm::vec2 pixel) {
+    // Boxes without round corners end at pixels, so that those side by side leave nothing between them.
+    if (box.rounding <= 0)
+        return glm::all(glm::greaterThanEqual(pixel, box.low)) && glm::all(glm::lessThan(pixel, box.high))
+                   ? 1.0F
+                   : 0.0F;
     const glm::vec2 middle = (box.low + box.high) / 2.0F;
     const glm::vec2 beyond = glm::abs(pixel - middle) - (box.high - box.low) / 2.0F + box.rounding;
     const float distance = glm::length(glm::max(beyond, 0.0F)) + std::min(std::max(beyond.x, beyond.y), 0.0F);
@@ -38,22 +45,41 @@ void blend(const LegendDrawing::Box& box, glm::ivec2 size, std::vector<std::uint
         }
 }
 
+// OpenImageIO ends the program where a text lies outside of its picture, and this one may be smaller than its
+// legend: the text gets a picture of its own.
+void blend(const LegendDrawing::Text& text, int width, glm::ivec2 size, std::vector<std::uint8_t>& rgb) {
+    constexpr int room = 4;
+    const glm::ivec2 extent(width + 2 * room, static_cast<int>(line_px) + 2 * room);
+    std::vector<std::uint8_t> shares(static_cast<std::size_t>(extent.x) * extent.y);
+    OIIO::ImageBuf picture(OIIO::ImageSpec(extent.x, extent.y, 1, OIIO::TypeDesc::UINT8), shares.data());
+    OIIO::ImageBufAlgo::render_text(picture, room, room + baseline_px, text.words, em_px, font_file(),
+                                    {1.0F});
+    const glm::ivec2 corner = glm::ivec2(text.at) - room;
+    for (int y = 0; y < extent.y; ++y)
+        for (int x = 0; x < extent.x; ++x) {
+            const glm::ivec2 at = corner + glm::ivec2(x, y);
+            if (at.x < 0 || at.y < 0 || at.x >= size.x || at.y >= size.y) continue;
+            const int share = shares[static_cast<std::size_t>(y) * extent.x + x];
+            for (int c = 0; c < 3; ++c) {
+                std::uint8_t& there = rgb[3 * (static_cast<std::size_t>(at.y) * size.x + at.x) + c];
+                there = static_cast<std::uint8_t>(there + share * (255 - there) / 255);
+            }
+        }
+}
+
 }  // namespace
 
 void draw_legends(const std::vector<render::Legend>& legends, glm::ivec2 size,
                   std::vector<std::uint8_t>& rgb) {
     if (legends.empty()) return;
-    const std::string font = font_file();
-    const auto width_of = [&](const std::string& text) {
-        return static_cast<float>(OIIO::ImageBufAlgo::text_size(text, em_px, font).width());
+    const auto width_of = [](const std::string& text) {
+        const OIIO::ROI extent = OIIO::ImageBufAlgo::text_size(text, em_px, font_file());
+        return extent.defined() ? static_cast<float>(extent.width()) : 0.0F;
     };
     const LegendDrawing drawing = legend_drawing(legends, size, line_px, width_of);
     for (const LegendDrawing::Box& box : drawing.boxes) blend(box, size, rgb);
-    OIIO::ImageBuf picture(OIIO::ImageSpec(size.x, size.y, 3, OIIO::TypeDesc::UINT8), rgb.data());
     for (const LegendDrawing::Text& text : drawing.texts)
-        OIIO::ImageBufAlgo::render_text(picture, static_cast<int>(text.at.x),
-                                        static_cast<int>(text.at.y) + baseline_px, text.words, em_px, font,
-                                        {1.0F, 1.0F, 1.0F});
+        blend(text, static_cast<int>(width_of(text.words)), size, rgb);
 }
 
 }  // namespace talus::app

@@ -3,7 +3,6 @@
 #include "app/core/still.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -230,7 +229,7 @@ void Session::play(double wall_s, double budget_s) {
         timed_ = ran;
         if (ran.substeps > 0) tick_timer_.end();
     }
-    if (wall_s > 0) {
+    if (wall_s > 0 && !ran.saved) {
         const double reached = (simulation_->clock().simulated_s - simulated_before) / wall_s;
         speed_reached_ += 0.1 * (reached - speed_reached_);
     }

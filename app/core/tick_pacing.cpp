@@ -19,7 +19,7 @@ TickPacing::Ran TickPacing::play(const PacedTicks& ticks, const Frame& frame) {
     const double substep_s = substep_ms_ / 1000;
     const double needed_s = frame.stroking && !ticks.is_mid_tick() ? tick_ms_ / 1000 : substep_s;
     credit_s_ = std::min(credit_s_ + frame.budget_s, std::max(frame.budget_s, 1.2 * needed_s));
-    if (needed_s > credit_s_) return {};
+    if (needed_s > credit_s_) return {.saved = true};
     const double allowed_s = credit_s_;
     const double fitting = tick_ms_ > 0 ? std::floor(allowed_s * 1000 / tick_ms_) : 1;
     const double begin_s = ticks.now_s();

@@ -26,6 +26,7 @@ class TickPacing {
     struct Ran {
         int ticks = 0;
         std::uint64_t substeps = 0;
+        bool saved = false;  ///< nothing could run yet: the frame was saved for
     };
 
     /// Runs what this frame owes and may spend. What does not fit in a frame is saved for; what could not be

@@ -34,14 +34,14 @@ void draw_map_panel(PanelContext& context) {
     if (button("Offset", "adds it to every height, as far as the brush's mask says")) {
         const double offset_m = view.number("map.offset_m");
         Dab dab;
-        if (offset_m < 0) dab.act = LowerDab{};
+        if (offset_m < 0) dab.effect = LowerDab{};
         dab.amount_m = std::abs(offset_m);
         ask_everywhere(context, dab);
     }
     draw_parameters(session, requests, {"map.scale", "map.base_m"});
     if (button("Scale", "heights above the base times the scale")) {
         Dab dab;
-        dab.act = FlattenDab{};
+        dab.effect = FlattenDab{};
         dab.blend = 1 - view.number("map.scale");
         dab.target_m = view.number("map.base_m");
         ask_everywhere(context, dab);
@@ -71,7 +71,7 @@ void draw_map_panel(PanelContext& context) {
         tool.set("brush.tool", std::string("stamp"));
         Dab dab = tool_dab(tool, {}, session.bounds().x, 0, session.simulation().stamp().get());
         // Whatever its zero is, its lowest sample comes to where the terrain's was.
-        auto& placed = std::get<StampDab>(dab.act);
+        auto& placed = std::get<StampDab>(dab.effect);
         dab.target_m += placed.zero * dab.amount_m;
         const Grid& grid = session.grid();
         placed.half_m = {grid.width_m() / 2, grid.height_m() / 2};

@@ -8,7 +8,6 @@
 
 namespace talus::app {
 
-/// What panels ask the window to do, once the frame's panels are done.
 struct PanelRequests;
 
 /// Where a widget is in the window, pixels from the upper left. For tests, which find widgets by name.

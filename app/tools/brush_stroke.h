@@ -7,7 +7,7 @@
 
 #include "app/tools/tools.h"
 #include "sim/parameters.h"
-#include "sim/passes/brush.h"
+#include "sim/passes/dab.h"
 #include "sim/terrain/stamp.h"
 
 namespace talus::app {

@@ -12,7 +12,7 @@ void erode(const ToolUse& use, Dab& dab) {
     // That of a click ends when its load has settled.
     constexpr double shortest_s = 1e-3;
     how.time_s = std::max(use.parameters.number("erode.speed") * use.wall_s, shortest_s);
-    dab.act = how;
+    dab.effect = how;
 }
 
 }  // namespace

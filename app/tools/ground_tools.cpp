@@ -7,28 +7,28 @@ namespace {
 constexpr const char* turns_around = "Ctrl turns it around, Shift smooths.";
 
 void raise(const ToolUse& use, Dab& dab) {
-    dab.act = act_of(use.inverted ? BrushMode::lower : BrushMode::raise);
+    dab.effect = effect_of(use.inverted ? BrushMode::lower : BrushMode::raise);
 }
 
 void lower(const ToolUse& use, Dab& dab) {
-    dab.act = act_of(use.inverted ? BrushMode::raise : BrushMode::lower);
+    dab.effect = effect_of(use.inverted ? BrushMode::raise : BrushMode::lower);
 }
 
 void smooth(const ToolUse&, Dab& dab) {
-    dab.act = SmoothDab{};
+    dab.effect = SmoothDab{};
 }
 
 void flatten(const ToolUse&, Dab& dab) {
-    dab.act = FlattenDab{};
+    dab.effect = FlattenDab{};
 }
 
 void bring_to_height(const ToolUse& use, Dab& dab) {
-    dab.act = FlattenDab{};
+    dab.effect = FlattenDab{};
     dab.target_m = use.parameters.number("brush.height_m");
 }
 
 void ramp(const ToolUse&, Dab& dab) {
-    dab.act = RampDab{};
+    dab.effect = RampDab{};
     dab.blend = 1;
 }
 

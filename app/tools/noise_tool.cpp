@@ -6,9 +6,9 @@ namespace {
 void add_noise(const ToolUse& use, Dab& dab) {
     const Parameters& p = use.parameters;
     if (use.inverted) dab.amount_m = -dab.amount_m;
-    dab.act = NoiseDab{p.choice_as<int>("noise.kind"), p.number("noise.wavelength_m"),
-                       p.whole("noise.octaves"),       p.number("noise.gain"),
-                       p.number("noise.warp"),         static_cast<std::uint32_t>(p.whole("noise.seed"))};
+    dab.effect = NoiseDab{p.choice_as<int>("noise.kind"), p.number("noise.wavelength_m"),
+                          p.whole("noise.octaves"),       p.number("noise.gain"),
+                          p.number("noise.warp"),         static_cast<std::uint32_t>(p.whole("noise.seed"))};
 }
 
 }  // namespace
@@ -23,7 +23,8 @@ Tool noise_tool() {
         .strength = "brush.rate_m_per_s",
         .parameters = {
             choice(
-                "noise.kind", "fbm", noise_kind_names(),
+                "noise.kind", noise_kind_names()[static_cast<std::size_t>(NoiseDab().kind)],
+                noise_kind_names(),
                 "Noise brush and noise over the whole map: fbm, rolling; ridged, crests; billow, hollows."),
             number("noise.wavelength_m", NoiseDab().wavelength_m, 1e-2, 1e6, "m",
                    "Size of its largest features; unless set, it follows the terrain's size."),
@@ -32,7 +33,8 @@ Tool noise_tool() {
                    "Height of finer detail against the coarser one."),
             number("noise.warp", NoiseDab().warp, 0, 2, "",
                    "How much the plane is bent first, in wavelengths: ridges wind."),
-            whole("noise.seed", 1, 0, 1000000, "", "Another seed gives other noise.")}};
+            whole("noise.seed", static_cast<int>(NoiseDab().seed), 0, 1000000, "",
+                  "Another seed gives other noise.")}};
 }
 
 }  // namespace talus::app

@@ -8,7 +8,7 @@ constexpr const char* wipes = "Ctrl wipes what was painted.";
 
 void put(const ToolUse& use, Dab& dab, Material material) {
     dab.material = material;
-    dab.act = act_of(use.inverted ? BrushMode::lower : BrushMode::raise);
+    dab.effect = effect_of(use.inverted ? BrushMode::lower : BrushMode::raise);
 }
 
 void paint(const ToolUse& use, Dab& dab, Material material, const char* value) {

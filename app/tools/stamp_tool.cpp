@@ -23,7 +23,7 @@ void press_stamp(const ToolUse& use, Dab& dab) {
         how.half_m = dab.radius_m * size / std::max(size.x, size.y);
     }
     dab.radius_m = 1.001 * glm::length(how.half_m);
-    dab.act = how;
+    dab.effect = how;
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ Tool stamp_tool() {
         .strength = "stamp.relief_m",
         .course = StrokeCourse::stamps,
         .parameters = {
-            choice("stamp.mode", "add", stamp_mode_names(),
+            choice("stamp.mode", StampDab().mode, stamp_mode_names(),
                    "Stamp: added to the ground; higher and lower: the ground gives way only where it is in "
                    "the way; "
                    "replace: the ground becomes the stamp."),
@@ -46,8 +46,9 @@ Tool stamp_tool() {
                 "stamp.zero", "border", stamp_zero_names(),
                 "Stamp: which of its heights leaves the ground as it is, so that what is lower digs: that of "
                 "its border, its lowest sample, or 0 m of the file."),
-            number("stamp.turn_deg", 0, -360, 360, "°", "The stamp turned, counterclockwise."),
-            toggle("stamp.mirrored", false, "The stamp mirrored, west for east.")}};
+            number("stamp.turn_deg", StampDab().turn_deg, -360, 360, "°",
+                   "The stamp turned, counterclockwise."),
+            toggle("stamp.mirrored", StampDab().mirrored, "The stamp mirrored, west for east.")}};
 }
 
 }  // namespace talus::app

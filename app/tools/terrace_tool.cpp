@@ -5,7 +5,7 @@ namespace {
 
 void terrace(const ToolUse& use, Dab& dab) {
     dab.target_m = 0;
-    dab.act = TerraceDab{use.parameters.number("terrace.step_m"), use.parameters.number("terrace.flat")};
+    dab.effect = TerraceDab{use.parameters.number("terrace.step_m"), use.parameters.number("terrace.flat")};
 }
 
 }  // namespace

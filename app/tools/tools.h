@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "sim/parameters.h"
-#include "sim/passes/brush.h"
+#include "sim/passes/dab.h"
 #include "sim/terrain/stamp.h"
 
 namespace talus::app {

@@ -386,7 +386,7 @@ class Window {
     TypedKeys typed_;
     bool refining_ = false;
     double last_s_ = 0;
-    double frame_s_ = 0;
+    double frame_s_ = 1.0 / 30;
 };
 
 }  // namespace

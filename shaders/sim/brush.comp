@@ -81,11 +81,12 @@ shared dvec4 sample_books[256];
 
 void main() {
     int2 tile = first_tile + int2(gl_WorkGroupID.xy);
+    const int blocks_across = tile_samples / block_samples;
     dvec4 book = dvec4(0.0);
     bool changed = false;
-    for (int block = 0; block < 16; ++block) {
-        int2 corner = tile * tile_samples + int2(block & 3, block >> 2) * 16;
-        if (any(lessThan(corner + 15, dab_low)) || any(greaterThan(corner, dab_high))) continue;
+    for (int block = 0; block < tile_blocks; ++block) {
+        int2 corner = tile * tile_samples + int2(block % blocks_across, block / blocks_across) * block_samples;
+        if (any(lessThan(corner + (block_samples - 1), dab_low)) || any(greaterThan(corner, dab_high))) continue;
         int2 at = corner + int2(gl_LocalInvocationID.xy);
         if (at.x >= samples.x || at.y >= samples.y) continue;
         real4 before = load_solid(at);

@@ -1,4 +1,4 @@
-// The largest depth so far and when water arrived, on the listed tiles: 4 groups a tile, 16 rows each.
+// The largest depth so far and when water arrived, on the listed tiles: a group for each strip of a tile.
 layout(local_size_x = 64) in;
 #include "sim/tile_samples.glsl"
 #include "maths/glsl_types.glsl"
@@ -15,10 +15,10 @@ uniform real now_s;
 
 void main() {
     int tile = int(listed_tiles[gl_WorkGroupID.y]);
-    int2 first = int2(tile % tiles.x, tile / tiles.x) * tile_samples + int2(int(gl_LocalInvocationIndex), int(gl_WorkGroupID.x) * 16);
+    int2 first = int2(tile % tiles.x, tile / tiles.x) * tile_samples + int2(int(gl_LocalInvocationIndex), int(gl_WorkGroupID.x) * strip_rows);
     if (first.x >= samples.x) return;
     bool changed = false;
-    for (int row = 0; row < min(16, samples.y - first.y); ++row) {
+    for (int row = 0; row < min(strip_rows, samples.y - first.y); ++row) {
         int2 at = first + int2(0, row);
         real depth = imageLoad(water, at + water_ghosts).x;
         real2 before = imageLoad(inundation, at).xy;

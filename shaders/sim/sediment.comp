@@ -1,4 +1,4 @@
-// After a sub-step: the water's load and the bed exchange solid, on the listed tiles, 4 groups of 16 rows a tile. Of its
+// After a sub-step: the water's load and the bed exchange solid, on the listed tiles, a group for each strip of a tile. Of its
 // neighbours a sample looks at the bed alone, so that all else is in place.
 layout(local_size_x = 64) in;
 #include "sim/tile_samples.glsl"
@@ -44,7 +44,7 @@ real bed_at(int2 at) { return imageLoad(bed, at + water_ghosts).x; }
 void main() {
     int tile = int(listed_tiles[gl_WorkGroupID.y]);
     int column = int(gl_LocalInvocationIndex);
-    int first_row = int(gl_WorkGroupID.x) * 16;
+    int first_row = int(gl_WorkGroupID.x) * strip_rows;
     int2 first = int2(tile % tiles.x, tile / tiles.x) * tile_samples + int2(column, first_row);
     if (first.x >= samples.x) return;
     uint awake = 0u;  // what exchanges keeps the water awake
@@ -52,7 +52,7 @@ void main() {
     bool erodes = false;
     real here = bed_at(first);
     real north = bed_at(first + int2(0, -1));
-    for (int row = 0; row < min(16, samples.y - first.y); ++row) {
+    for (int row = 0; row < min(strip_rows, samples.y - first.y); ++row) {
         int2 at = first + int2(0, row);
         real south = bed_at(at + int2(0, 1));
         real before_here = here;

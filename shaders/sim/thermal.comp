@@ -1,4 +1,4 @@
-// One sub-step of thermal erosion on the listed tiles: 16 groups of 16 x 16 samples a tile.
+// One sub-step of thermal erosion on the listed tiles: a group for each block of a tile.
 layout(local_size_x = 16, local_size_y = 16) in;
 #include "sim/tile_samples.glsl"
 #include "sim/samples.glsl"
@@ -27,7 +27,8 @@ real load_mask(int2 at) { return real(1); }
 void main() {
     int tile = int(listed_tiles[gl_WorkGroupID.y]);
     int block = int(gl_WorkGroupID.x);
-    int2 at = int2(tile % tiles.x, tile / tiles.x) * tile_samples + int2(block & 3, block >> 2) * 16 + int2(gl_LocalInvocationID.xy);
+    const int blocks_across = tile_samples / block_samples;
+    int2 at = int2(tile % tiles.x, tile / tiles.x) * tile_samples + int2(block % blocks_across, block / blocks_across) * block_samples + int2(gl_LocalInvocationID.xy);
     if (at.x >= samples.x || at.y >= samples.y) return;
     real4 before = load_solid(at);
     real4 after = thermal_sample(at);

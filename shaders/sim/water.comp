@@ -1,4 +1,4 @@
-// One stage of a sub-step of shallow water on the listed tiles: 4 groups a tile, 16 rows each. An invocation marches
+// One stage of a sub-step of shallow water on the listed tiles: a group for each strip of a tile. An invocation marches
 // southwards down its column, so that each face between rows is solved once. ORDER 1: an Euler step in each
 // STAGE. ORDER 2: STAGE 1
 // writes the Euler step to `back`; STAGE 2 reads it there and completes `front` in place (each texel by its owner).
@@ -71,8 +71,8 @@ WaterFace face_between(WaterCell before, WaterCell a, WaterSlope slope_a, WaterC
 
 void main() {
     int tile = int(listed_tiles[gl_WorkGroupID.y]);
-    int2 first = int2(tile % tiles.x, tile / tiles.x) * tile_samples + int2(int(gl_LocalInvocationIndex), int(gl_WorkGroupID.x) * 16);
-    int rows = min(16, samples.y - first.y);
+    int2 first = int2(tile % tiles.x, tile / tiles.x) * tile_samples + int2(int(gl_LocalInvocationIndex), int(gl_WorkGroupID.x) * strip_rows);
+    int rows = min(strip_rows, samples.y - first.y);
     real dt = clock_dt_s;
     bool moved = false;
     bool moved_high = false;  // within reach of the tile's first row
@@ -143,7 +143,7 @@ void main() {
             moves = moves || after.x > real(0) || loss > real(0);
 #endif
             moved = moved || moves;
-            int row_in_tile = int(gl_WorkGroupID.x) * 16 + row;
+            int row_in_tile = int(gl_WorkGroupID.x) * strip_rows + row;
             moved_high = moved_high || (moves && row_in_tile < water_reach);
             moved_low = moved_low || (moves && row_in_tile >= tile_samples - water_reach);
             imageStore(water_out, at + water_ghosts, after);
@@ -191,7 +191,7 @@ void main() {
     if (gl_LocalInvocationIndex == 0u) {
         dvec2 sum = dvec2(0.0);
         for (int i = 0; i < tile_samples; ++i) sum += column_sources[i];
-        tile_sources[tile * 4 + int(gl_WorkGroupID.x)] += sum;
+        tile_sources[tile * tile_strips + int(gl_WorkGroupID.x)] += sum;
     }
 #endif
 }

@@ -74,7 +74,7 @@ void main() {
     if (running)
         for (int index = me; index < count; index += 256) water_activity[index] = 0u;
     if (me == 0) {
-        list_arguments[0] = 4u;
+        list_arguments[0] = uint(tile_strips);
         list_arguments[1] = listed;
         list_arguments[2] = 1u;
         clock_dt_s = real(0);

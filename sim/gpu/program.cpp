@@ -100,7 +100,14 @@ void Program::build() {
         throw Error(fmt::format("shaders/{}: {}", paths_.back(), program_log(fresh)));
     }
     glObjectLabel(GL_PROGRAM, fresh, static_cast<GLsizei>(paths_.back().size()), paths_.back().data());
-    places_ = places_of(fresh, text);
+    std::vector<Place> places = places_of(fresh, text);
+    // While running, shaders from a folder may use what this program is given, and nothing else.
+    if (handle_ != 0)
+        for (const Place& one : places)
+            if (!given_.contains(one.name))
+                throw Error(fmt::format("shaders/{} uses '{}', which the program does not give it",
+                                        paths_.back(), one.name));
+    places_ = std::move(places);
     handle_ = std::move(fresh);
     locations_.clear();
     for (const auto& [name, value] : values_) upload(name, value);
@@ -118,6 +125,7 @@ void Program::follow_files() {
 
 Place* Program::place(Use use, std::string_view name) {
     follow_files();
+    if (!given_.contains(name)) given_.emplace(name);
     const auto found = std::find_if(places_.begin(), places_.end(),
                                     [&](const Place& one) { return one.use == use && one.name == name; });
     if (found == places_.end()) return nullptr;
@@ -154,9 +162,9 @@ void Program::bind_storage(std::string_view name, const Buffer& buffer) {
 void Program::bind_uniforms(std::string_view name, const Buffer& buffer) {
     Place* const at = place(Use::uniforms, name);
     if (!at) return;
-    // std140 makes blocks whole multiples of 16 bytes; drivers count that in, or do not.
-    const auto whole = [](std::size_t bytes) { return (bytes + 15) / 16 * 16; };
-    if (whole(buffer.bytes()) != whole(at->bytes))
+    // Drivers count what is left of the last 16 bytes in, or do not.
+    at->bound = buffer.bytes() >= at->bytes && buffer.bytes() < at->bytes + 16;
+    if (!at->bound)
         throw Error(fmt::format(
             "shaders/{} has {} bytes of '{}', but {} were bound there: both must declare the same",
             paths_.back(), at->bytes, name, buffer.bytes()));

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -96,6 +97,7 @@ class Program {
     std::map<std::string, int, std::less<>> locations_;
     std::map<std::string, Value, std::less<>> values_;
     std::vector<Place> places_;
+    std::set<std::string, std::less<>> given_;  // names that were ever bound
 };
 
 }  // namespace talus::gpu

@@ -19,7 +19,8 @@ namespace talus::gpu {
 template <typename Numbers>
 class UniformBlock {
   public:
-    explicit UniformBlock(const std::string& label) : buffer_(label, sizeof(Numbers)) {}
+    // std140 makes blocks whole multiples of 16 bytes.
+    explicit UniformBlock(const std::string& label) : buffer_(label, (sizeof(Numbers) + 15) / 16 * 16) {}
 
     /// In its turn: dispatches before it do not see it, those after it do. Writes where the numbers are
     /// others.

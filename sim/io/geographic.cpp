@@ -55,7 +55,7 @@ glm::dvec2 metres_per_degree(double latitude_deg) {
            (std::numbers::pi / 180);
 }
 
-// Fills what `void_at` names, by inverse distance (GDALFillNodata), and notes how many.
+// Fills what is not `valid`, by inverse distance (GDALFillNodata), and notes how many.
 void fill_voids(const fs::path& path, Heightmap& heightmap, const std::vector<GByte>& valid) {
     const auto voids = std::count(valid.begin(), valid.end(), GByte{0});
     if (voids == 0) return;
@@ -88,20 +88,92 @@ void fill_voids(const fs::path& path, Heightmap& heightmap, const std::vector<GB
     heightmap.notes.push_back(fmt::format("{} void samples were filled by interpolation", voids));
 }
 
-}  // namespace
-
-Heightmap read_geographic(const fs::path& path, const ImportSettings& settings) {
-    start_gdal();
+// Throws talus::Error where GDAL cannot open the file with one of the formats' drivers.
+Dataset opened(const fs::path& path) {
     std::vector<const char*> drivers;
     for (const HeightmapFormat& format : heightmap_formats())
         if (format.gdal_driver) drivers.push_back(format.gdal_driver);
     drivers.push_back(nullptr);
-    const Dataset dataset(static_cast<GDALDataset*>(
+    Dataset dataset(static_cast<GDALDataset*>(
         GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data(), nullptr, nullptr)));
     if (!dataset) throw Error(fmt::format("'{}' cannot be read: {}", path.string(), gdal_says()));
-    const int nx = dataset->GetRasterXSize();
-    const int ny = dataset->GetRasterYSize();
-    check_file_size(path, nx, ny);
+    return dataset;
+}
+
+void read_samples(const fs::path& path, GDALRasterBand& band, Heightmap& heightmap) {
+    const int nx = heightmap.grid.nx;
+    const int ny = heightmap.grid.ny;
+    heightmap.heights.resize(heightmap.grid.count());
+    // Errors on the way count too: GDAL reads some damaged files as zeros and only warns.
+    CPLErrorReset();
+    if (band.RasterIO(GF_Read, 0, 0, nx, ny, heightmap.heights.data(), nx, ny, GDT_Float32, 0, 0) !=
+            CE_None ||
+        CPLGetLastErrorType() >= CE_Failure)
+        throw Error(fmt::format("'{}' cannot be read: {}", path.string(), gdal_says()));
+}
+
+// Talus keeps the north row first, and columns that run eastwards.
+void turn_northwards(Heightmap& heightmap, std::array<double, 6>& t) {
+    const int nx = heightmap.grid.nx;
+    const int ny = heightmap.grid.ny;
+    const auto row = [&](int number) {
+        return heightmap.heights.begin() + static_cast<std::ptrdiff_t>(number) * nx;
+    };
+    if (t[5] > 0) {
+        for (int at = 0; at < ny / 2; ++at) std::swap_ranges(row(at), row(at + 1), row(ny - 1 - at));
+        t[3] += t[5] * ny;
+        t[0] += t[2] * ny;
+        t[5] = -t[5];
+        t[2] = -t[2];
+        heightmap.notes.push_back("the file stores its south row first, its rows were turned round");
+    }
+    if (t[1] < 0) {
+        for (int at = 0; at < ny; ++at) std::reverse(row(at), row(at + 1));
+        t[0] += t[1] * nx;
+        t[3] += t[4] * nx;
+        t[1] = -t[1];
+        t[4] = -t[4];
+        heightmap.notes.push_back("the file's columns run westwards, they were turned round");
+    }
+}
+
+// Takes the file's place on Earth, where it says one, and its spacing from that.
+void place(GDALDataset& dataset, Heightmap& heightmap) {
+    Georeference georeference;
+    if (dataset.GetGeoTransform(georeference.transform.data()) != CE_None) return;
+    const OGRSpatialReference* system = dataset.GetSpatialRef();
+    if (system) {
+        char* wkt = nullptr;
+        system->exportToWkt(&wkt);
+        georeference.wkt = wkt ? wkt : "";
+        CPLFree(wkt);
+    }
+    std::array<double, 6>& t = georeference.transform;
+    turn_northwards(heightmap, t);
+    heightmap.grid.dx = std::hypot(t[1], t[4]);
+    heightmap.grid.dy = std::hypot(t[2], t[5]);
+    if (system && system->IsGeographic()) {
+        const double latitude = std::clamp(t[3] + 0.5 * heightmap.grid.ny * t[5], -89.9, 89.9);
+        const glm::dvec2 degree = metres_per_degree(latitude);
+        heightmap.grid.dx *= degree.x;
+        heightmap.grid.dy *= degree.y;
+        heightmap.notes.push_back(
+            fmt::format("degrees became metres at latitude {:.3f}: {:.2f} x {:.2f} m a sample", latitude,
+                        heightmap.grid.dx, heightmap.grid.dy));
+    } else if (system) {
+        const double unit = system->GetLinearUnits();
+        heightmap.grid.dx *= unit;
+        heightmap.grid.dy *= unit;
+    }
+    heightmap.georeference = georeference;
+}
+
+}  // namespace
+
+Heightmap read_geographic(const fs::path& path, const ImportSettings& settings) {
+    start_gdal();
+    const Dataset dataset = opened(path);
+    check_file_size(path, dataset->GetRasterXSize(), dataset->GetRasterYSize());
     if (dataset->GetRasterCount() < 1)
         throw Error(fmt::format("'{}' holds no band of samples", path.string()));
     GDALRasterBand* band = dataset->GetRasterBand(1);
@@ -110,18 +182,12 @@ Heightmap read_geographic(const fs::path& path, const ImportSettings& settings) 
         throw Error(fmt::format("'{}' holds complex numbers, heights are real", path.string()));
 
     Heightmap heightmap;
-    heightmap.grid = {nx, ny, 1, 1};
+    heightmap.grid = {dataset->GetRasterXSize(), dataset->GetRasterYSize(), 1, 1};
     heightmap.kind = fmt::format("{}, {}", dataset->GetDriver()->GetDescription(), GDALGetDataTypeName(type));
-    heightmap.heights.resize(heightmap.grid.count());
     if (dataset->GetRasterCount() > 1)
         heightmap.notes.push_back(
             fmt::format("the file has {} bands, the first was read", dataset->GetRasterCount()));
-    // Errors on the way count too: GDAL reads some damaged files as zeros and only warns.
-    CPLErrorReset();
-    if (band->RasterIO(GF_Read, 0, 0, nx, ny, heightmap.heights.data(), nx, ny, GDT_Float32, 0, 0) !=
-            CE_None ||
-        CPLGetLastErrorType() >= CE_Failure)
-        throw Error(fmt::format("'{}' cannot be read: {}", path.string(), gdal_says()));
+    read_samples(path, *band, heightmap);
 
     int has_nodata = 0;
     const double nodata = band->GetNoDataValue(&has_nodata);
@@ -134,57 +200,8 @@ Heightmap read_geographic(const fs::path& path, const ImportSettings& settings) 
         fill_voids(path, heightmap, valid);
     }
 
-    Georeference georeference;
-    const bool placed = dataset->GetGeoTransform(georeference.transform.data()) == CE_None;
-    const OGRSpatialReference* system = dataset->GetSpatialRef();
-    if (system) {
-        char* wkt = nullptr;
-        system->exportToWkt(&wkt);
-        georeference.wkt = wkt ? wkt : "";
-        CPLFree(wkt);
-    }
-    std::array<double, 6>& t = georeference.transform;
-    if (placed) {
-        if (t[5] > 0) {
-            // South-up: Talus keeps the north row first.
-            for (int row = 0; row < ny / 2; ++row)
-                std::swap_ranges(heightmap.heights.begin() + static_cast<std::ptrdiff_t>(row) * nx,
-                                 heightmap.heights.begin() + static_cast<std::ptrdiff_t>(row + 1) * nx,
-                                 heightmap.heights.begin() + static_cast<std::ptrdiff_t>(ny - 1 - row) * nx);
-            t[3] += t[5] * ny;
-            t[0] += t[2] * ny;
-            t[5] = -t[5];
-            t[2] = -t[2];
-            heightmap.notes.push_back("the file stores its south row first, its rows were turned round");
-        }
-        if (t[1] < 0) {
-            for (int row = 0; row < ny; ++row) {
-                const auto begin = heightmap.heights.begin() + static_cast<std::ptrdiff_t>(row) * nx;
-                std::reverse(begin, begin + nx);
-            }
-            t[0] += t[1] * nx;
-            t[3] += t[4] * nx;
-            t[1] = -t[1];
-            t[4] = -t[4];
-            heightmap.notes.push_back("the file's columns run westwards, they were turned round");
-        }
-        heightmap.grid.dx = std::hypot(t[1], t[4]);
-        heightmap.grid.dy = std::hypot(t[2], t[5]);
-        if (system && system->IsGeographic()) {
-            const double latitude = std::clamp(t[3] + 0.5 * ny * t[5], -89.9, 89.9);
-            const glm::dvec2 degree = metres_per_degree(latitude);
-            heightmap.grid.dx *= degree.x;
-            heightmap.grid.dy *= degree.y;
-            heightmap.notes.push_back(
-                fmt::format("degrees became metres at latitude {:.3f}: {:.2f} x {:.2f} m a sample", latitude,
-                            heightmap.grid.dx, heightmap.grid.dy));
-        } else if (system) {
-            const double unit = system->GetLinearUnits();
-            heightmap.grid.dx *= unit;
-            heightmap.grid.dy *= unit;
-        }
-        heightmap.georeference = georeference;
-    } else if (!settings.spacing_m) {
+    place(*dataset, heightmap);
+    if (!heightmap.georeference && !settings.spacing_m) {
         heightmap.notes.push_back("the file says no spacing, 1 m a sample was taken: --spacing sets it");
     }
     if (settings.spacing_m && heightmap.georeference) {
@@ -193,8 +210,8 @@ Heightmap read_geographic(const fs::path& path, const ImportSettings& settings) 
             "--spacing overrides the file's own, so its coordinate system no longer holds and is dropped");
     }
 
-    const bool picture = !system && (type == GDT_Byte || type == GDT_UInt16) && !has_nodata;
-    if (picture)
+    const bool integers = type == GDT_Byte || type == GDT_UInt16;
+    if (integers && !dataset->GetSpatialRef() && !has_nodata)  // a picture
         scale_integers(heightmap, type == GDT_Byte ? 255 : 65535, std::nullopt, settings);
     else if (GDALDataTypeIsFloating(type))
         scale_floats(heightmap, settings);

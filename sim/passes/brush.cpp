@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace talus {
@@ -113,7 +112,7 @@ void Brush::dab(Terrain& terrain, const Dab& dab, const gpu::Texture* stamp) {
         program.set("dab_blend", step.blend);
         program.set("dab_target_m", step.target_m);
         program.set("dab_on_regolith", step.on_regolith);
-        visit_own(dab, SetUniform{program, brush_mode_names()[dab.act.index()] + "_"});
+        visit_own(dab, SetUniform{program, brush_mode_names()[dab.effect.index()] + "_"});
         // Where there is no stamp another image stands in for it, unread.
         program.bind_image("stamp", stamp ? *stamp : terrain.ground);
         if (dab.as<StampDab>() && stamp) {

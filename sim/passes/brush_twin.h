@@ -6,8 +6,6 @@
 
 namespace talus::maths {
 
-using namespace glsl;  // the numbers of modes
-
 /// The CPU twin of shaders/sim/brush.comp: one dab over the whole terrain.
 template <typename Real>
 struct BrushTwin {
@@ -60,6 +58,8 @@ struct BrushTwin {
         const int y = at.y < 0 ? 0 : (at.y >= ny ? ny - 1 : at.y);
         return ground_samples[static_cast<std::size_t>(y) * nx + x];
     }
+
+#include "maths/brush_modes.glsl"
 
 #include "maths/brush.glsl"
 

@@ -9,7 +9,7 @@ namespace talus {
 namespace {
 
 template <typename Act, int number>
-constexpr bool is_numbered = std::is_same_v<std::variant_alternative_t<number, DabAct>, Act>;
+constexpr bool is_numbered = std::is_same_v<std::variant_alternative_t<number, DabEffect>, Act>;
 static_assert(is_numbered<RaiseDab, glsl::brush_mode_raise> &&
               is_numbered<LowerDab, glsl::brush_mode_lower> &&
               is_numbered<SmoothDab, glsl::brush_mode_smooth> &&
@@ -20,12 +20,13 @@ static_assert(is_numbered<RaiseDab, glsl::brush_mode_raise> &&
 
 // The alternatives, one after the other, each with its defaults.
 template <std::size_t... At>
-std::vector<DabAct> all_acts(std::index_sequence<At...>) {
-    return {DabAct(std::in_place_index<At>)...};
+std::vector<DabEffect> all_acts(std::index_sequence<At...>) {
+    return {DabEffect(std::in_place_index<At>)...};
 }
 
-const std::vector<DabAct>& acts() {
-    static const std::vector<DabAct> all = all_acts(std::make_index_sequence<std::variant_size_v<DabAct>>());
+const std::vector<DabEffect>& acts() {
+    static const std::vector<DabEffect> all =
+        all_acts(std::make_index_sequence<std::variant_size_v<DabEffect>>());
     return all;
 }
 
@@ -34,18 +35,18 @@ const std::vector<DabAct>& acts() {
 const std::vector<std::string>& brush_mode_names() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> of;
-        for (const DabAct& one : acts())
+        for (const DabEffect& one : acts())
             of.emplace_back(std::visit([](const auto& act) { return act.name; }, one));
         return of;
     }();
     return names;
 }
 
-DabAct act_of(BrushMode mode) {
+DabEffect effect_of(BrushMode mode) {
     return acts().at(static_cast<std::size_t>(mode));
 }
 
-bool has_object(const DabAct& act) {
+bool has_object(const DabEffect& act) {
     return std::visit(
         [](const auto& one) {
             return requires {

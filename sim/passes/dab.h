@@ -31,10 +31,11 @@ const std::vector<std::string>& falloff_curve_names();
 
 const std::vector<std::string>& noise_kind_names();
 
-// What a dab does, a small struct each. Its fields stand once: journals, checks and uniforms visit them.
-// `visit` is called with a field's name and value and, for a number or a pair of them, its smallest and
-// largest value, for a choice, the names of its values. Shaders know them by the act's name and the field's:
-// ramp_rise_m.
+// What a dab does, a small struct each. `digs`: its amount may be below 0; `exaggerates`: its blend may be;
+// `has_object`: journals write its fields in an object of its own. Its fields stand once: journals, checks
+// and uniforms visit them. `visit` is called with a field's name and value and, for a number or a pair of
+// them, its smallest and largest value, for a choice, the names of its values. Shaders know them by the
+// effect's name and the field's: ramp_rise_m.
 
 /// Adds the dab's material, or brings a painted layer nearer to its target.
 struct RaiseDab {
@@ -162,8 +163,8 @@ struct ErodeDab {
 };
 
 /// One of them, in the order of their numbers in shaders/maths/brush_modes.glsl.
-using DabAct = std::variant<RaiseDab, LowerDab, SmoothDab, FlattenDab, RampDab, NoiseDab, TerraceDab,
-                            StampDab, ErodeDab>;
+using DabEffect = std::variant<RaiseDab, LowerDab, SmoothDab, FlattenDab, RampDab, NoiseDab, TerraceDab,
+                               StampDab, ErodeDab>;
 enum class BrushMode {
     raise = glsl::brush_mode_raise,
     lower = glsl::brush_mode_lower,
@@ -177,12 +178,12 @@ enum class BrushMode {
 };
 /// Their names as journals have them.
 const std::vector<std::string>& brush_mode_names();
-/// The act of a mode, with the defaults of its fields.
-DabAct act_of(BrushMode mode);
+/// The effect of a mode, with the defaults of its fields.
+DabEffect effect_of(BrushMode mode);
 
 /// One dab: what a brush does to the ground in one moment. World coordinates, metres.
 struct Dab {
-    DabAct act;
+    DabEffect effect;
     // Its footprint, which every dab has.
     double x_m = 0;
     double y_m = 0;
@@ -195,20 +196,20 @@ struct Dab {
     /// Flatten: the height to reach; ramp: at its beginning; terrace: of a step; stamp: that its zero
     /// stands on; paint: the value, as PaintedLayer says.
     double target_m = 0;
-    /// What raise adds and lower takes; the other acts change the ground whatever it is.
+    /// What raise adds and lower takes; the other effects change the ground whatever it is.
     Material material = Material::bedrock;
     FalloffCurve curve = FalloffCurve::smooth;
     bool masked = false;  ///< as far as the painted mask says
 
-    BrushMode mode() const { return static_cast<BrushMode>(act.index()); }
+    BrushMode mode() const { return static_cast<BrushMode>(effect.index()); }
     /// Null: the dab does something else.
-    template <typename Act>
-    const Act* as() const {
-        return std::get_if<Act>(&act);
+    template <typename Effect>
+    const Effect* as() const {
+        return std::get_if<Effect>(&effect);
     }
-    template <typename Act>
-    Act* as() {
-        return std::get_if<Act>(&act);
+    template <typename Effect>
+    Effect* as() {
+        return std::get_if<Effect>(&effect);
     }
     /// From here to the other end of the line that it lies along; 0: a dab of one place.
     glm::dvec2 way_m() const { return as<RampDab>() ? as<RampDab>()->way_m : glm::dvec2(0); }
@@ -222,7 +223,7 @@ struct Dab {
     bool brings_or_takes() const { return as<RaiseDab>() || as<LowerDab>(); }
 };
 
-/// Visits the fields of a dab's footprint, as those of its act (DabAct).
+/// Visits the fields of a dab's footprint, as those of its effect (DabEffect).
 template <typename AnyDab, typename Visit>
 void visit_footprint(AnyDab& dab, Visit&& visit) {
     const auto [digs, exaggerates] = std::visit(
@@ -230,7 +231,7 @@ void visit_footprint(AnyDab& dab, Visit&& visit) {
             return std::pair(
                 requires { act.digs; }, requires { act.exaggerates; });
         },
-        dab.act);
+        dab.effect);
     visit("x_m", dab.x_m, -1e9, 1e9);
     visit("y_m", dab.y_m, -1e9, 1e9);
     visit("radius_m", dab.radius_m, 1e-6, 1e9);
@@ -243,18 +244,18 @@ void visit_footprint(AnyDab& dab, Visit&& visit) {
     visit("masked", dab.masked);
 }
 
-/// Visits the fields that the dab's act has besides.
+/// Visits the fields that the dab's effect has besides.
 template <typename AnyDab, typename Visit>
 void visit_own(AnyDab& dab, Visit&& visit) {
     std::visit(
         [&](auto& act) {
             if constexpr (requires { act.visit_fields(act, visit); }) act.visit_fields(act, visit);
         },
-        dab.act);
+        dab.effect);
 }
 
-/// Whether journals write the act's fields in an object of its own rather than beside the footprint's.
-bool has_object(const DabAct& act);
+/// Whether journals write the effect's fields in an object of its own rather than beside the footprint's.
+bool has_object(const DabEffect& effect);
 
 /// Throws talus::Error that names the field when a dab cannot be made.
 void check_dab(const Dab& dab);

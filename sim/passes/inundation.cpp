@@ -6,7 +6,7 @@ Inundation::Inundation(const Terrain& terrain)
     : program_("sim/inundation.comp"), changed_(terrain.tiles.count()) {}
 
 void Inundation::record(Terrain& terrain, double simulated_s) {
-    terrain.tiles.list(Tiles::water | Tiles::placed, read_, 0, 0, 4, changed_);
+    terrain.tiles.list(Tiles::water | Tiles::placed, read_, 0, 0, glsl::tile_strips, changed_);
     program_.bind_image("water", terrain.water->front);
     program_.bind_image("inundation", terrain.inundation->front);
     terrain.tiles.bind_for_stamping(program_);

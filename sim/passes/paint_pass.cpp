@@ -1,3 +1,5 @@
+#include <optional>
+
 #include "sim/passes/dab_region.h"
 #include "sim/passes/mask.h"
 #include "sim/passes/paint.h"
@@ -13,18 +15,22 @@ class PaintPass : public Pass {
 
     bool act(Terrain& terrain, const Moment& /*at*/, const PassAct& act) override {
         if (const auto* mask = std::get_if<MaskSettings>(&act)) {
-            mask_.make(terrain, *mask);
+            if (!mask_) mask_.emplace();
+            mask_->make(terrain, *mask);
             return true;
         }
         const auto* dab = std::get_if<Dab>(&act);
         if (!dab || !dab->is_paint()) return false;
-        if (!is_masked_out(terrain, *dab)) paint_.dab(terrain, *dab);
+        if (is_masked_out(terrain, *dab)) return true;
+        if (!paint_) paint_.emplace();
+        paint_->dab(terrain, *dab);
         return true;
     }
 
   private:
-    Paint paint_;
-    Mask mask_;
+    // Made when they are needed: each compiles its shader.
+    std::optional<Paint> paint_;
+    std::optional<Mask> mask_;
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ void Thermal::substep(Terrain& terrain, const ThermalStep& step) {
     // All that a slope may hang on.
     const std::uint32_t changes =
         Tiles::ground | Tiles::eroded | Tiles::placed | Tiles::painted | (wet ? Tiles::water : 0U);
-    terrain.tiles.list(changes, read_, -1, 1, 16, active_);
+    terrain.tiles.list(changes, read_, -1, 1, glsl::tile_blocks, active_);
     gpu::Program& program = program_of(wet, step.masked);
     if (wet) program.bind_image("water", terrain.water->front);
     if (step.masked) program.bind_image("painted", terrain.painted->front);

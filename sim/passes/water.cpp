@@ -1,11 +1,7 @@
 #include "sim/passes/water.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <numbers>
 
 #include "sim/passes/water_schedule.h"
 #include "sim/terrain/springs.h"
@@ -35,7 +31,8 @@ Water::Water(const Terrain& terrain)
       clock_("water clock", sizeof(WaterClock)),
       activity_("water activity", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(std::uint32_t)),
       speeds_("water speeds", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(std::uint32_t)),
-      sources_("water sources", static_cast<std::size_t>(terrain.tiles.count()) * 4 * sizeof(glm::dvec2)),
+      sources_("water sources",
+               static_cast<std::size_t>(terrain.tiles.count()) * glsl::tile_strips * sizeof(glm::dvec2)),
       springs_("water springs", sizeof(glm::vec4)),
       series_("water edge series", 2 * (glsl::edge_series_steps + 1) * sizeof(float)),
       edge_books_("water edge books",

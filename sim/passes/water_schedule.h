@@ -15,10 +15,10 @@ inline bool has_sources(const WaterSettings& settings, int stage) {
     return any && (settings.order == 1 || stage == 2);
 }
 
-/// A sub-step of the water in its order, once its length is known: equal Euler steps
-/// that follow each other, which at order 2 are the stages of one step. For the device (sim/passes/water.h)
-/// and for the twin (sim/passes/water_twin.h). Before each stage, 1 and 2, the samples beyond the edges are
-/// made; before the first one springs give. The exchange of solid with the bed ends it.
+/// The parts of a sub-step of the water, once its length is known, for the device (sim/passes/water.h) and
+/// for the twin (sim/passes/water_twin.h): for each of its two stages the samples beyond the edges (before
+/// the first, the springs too), then the stage; last the exchange of solid with the bed. Of order 1 the
+/// stages are Euler steps that follow each other, of order 2 those of one step.
 template <typename FillGhosts, typename RunStage, typename Exchange>
 void run_substep(const WaterSettings& settings, FillGhosts&& fill_ghosts, RunStage&& run_stage,
                  Exchange&& exchange) {

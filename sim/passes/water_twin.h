@@ -28,7 +28,8 @@ class WaterTwin {
           water_order(settings.order),
           grid_(grid),
           settings_(settings),
-          front_(static_cast<std::size_t>(nx + 4) * (ny + 4), real4(0)),
+          front_(static_cast<std::size_t>(nx + 2 * glsl::water_ghosts) * (ny + 2 * glsl::water_ghosts),
+                 real4(0)),
           back_(front_),
           bed_(front_.size(), 0),
           painted_(painted),
@@ -118,7 +119,9 @@ class WaterTwin {
     }
 
     std::size_t texel(int2 at) const {
-        return static_cast<std::size_t>(at.y + 2) * (nx + 4) + static_cast<std::size_t>(at.x + 2);
+        const int2 inside = at + glsl::water_ghosts;
+        return static_cast<std::size_t>(inside.y) * (nx + 2 * glsl::water_ghosts) +
+               static_cast<std::size_t>(inside.x);
     }
 
     real substep(real left) {

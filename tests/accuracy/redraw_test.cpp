@@ -65,7 +65,7 @@ TEST_P(Redraw, LongShadowsAndPlainsAreRedrawn) {
         // The view of cells tells mesh from rays, and the level where a ray ended.
         if (frame == 60) settings.view = "cells";
         Dab dab;
-        dab.act = act_of(frame % 3 == 2 ? BrushMode::flatten : BrushMode::raise);
+        dab.effect = effect_of(frame % 3 == 2 ? BrushMode::flatten : BrushMode::raise);
         dab.target_m = 10;
         dab.blend = 1;
         dab.x_m = grid.width_m() * (0.2 + 0.6 * unit(random));

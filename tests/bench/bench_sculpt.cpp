@@ -48,7 +48,7 @@ struct Place {
             dab.x_m = 2500 + 10 * i;
             dab.y_m = 2500;
             dab.radius_m = 256;
-            dab.act = ErodeDab{5000, 2, 3000, i == 0, i == 15};
+            dab.effect = ErodeDab{5000, 2, 3000, i == 0, i == 15};
             simulation.apply(dab);
         }
         simulation.end_entry();

@@ -57,7 +57,8 @@ class SessionFiles : public testing::Test {
     }
     void answer(const std::string& words) {
         ASSERT_TRUE(state_.question) << words;
-        for (const auto& [text, act] : std::exchange(state_.question, std::nullopt)->answers)
+        const app::Question asked = *std::exchange(state_.question, std::nullopt);
+        for (const auto& [text, act] : asked.answers)
             if (text == words) act();
         finish();
     }

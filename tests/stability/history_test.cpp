@@ -42,8 +42,8 @@ class RandomActs {
 
     Dab dab(const Grid& grid, bool has_stamp) {
         Dab dab;
-        dab.act = act_of(static_cast<BrushMode>(random_() % 9));
-        if (dab.mode() == BrushMode::stamp && !has_stamp) dab.act = RaiseDab{};
+        dab.effect = effect_of(static_cast<BrushMode>(random_() % 9));
+        if (dab.mode() == BrushMode::stamp && !has_stamp) dab.effect = RaiseDab{};
         dab.material = static_cast<Material>(random_() % 6);
         dab.x_m = grid.width_m() * (1.2 * unit() - 0.1);
         dab.y_m = grid.height_m() * (1.2 * unit() - 0.1);
@@ -305,7 +305,7 @@ TEST(History, AnActThatFailsLeavesEverythingAsItWas) {
     simulation.apply(everywhere(simulation.terrain().grid(), Dab{RaiseDab{}, 0, 0, 1, 1, 12}));
     const Seen before = seen(simulation);
     Dab stamp;
-    stamp.act = StampDab{};
+    stamp.effect = StampDab{};
     const Operation wrong[] = {Resample{1, 40},
                                Resample{100000, 40},
                                Crop{{500, 0, 400, 900}},

@@ -22,7 +22,7 @@ Dab erosion(double x_m, double y_m, double radius_m) {
     dab.x_m = x_m;
     dab.y_m = y_m;
     dab.radius_m = radius_m;
-    dab.act = ErodeDab{5000, 10, 1000, true, true};
+    dab.effect = ErodeDab{5000, 10, 1000, true, true};
     return dab;
 }
 
@@ -248,7 +248,7 @@ TEST(ErodeBrush, MakesNoNeedles) {
                     Simulation simulation(before,
                                           slides ? Parameters(simulation_parameters()) : without_slides());
                     Dab dab = erosion(0.55 * grid.width_m(), 0.48 * grid.height_m(), radius * grid.dx);
-                    dab.act = ErodeDab{5000, seconds * grid.dx / 5, acceleration, true, true};
+                    dab.effect = ErodeDab{5000, seconds * grid.dx / 5, acceleration, true, true};
                     hold(simulation, dab, 24);
                     const std::vector<float> is = simulation.read().ground();
                     double grown = 0;

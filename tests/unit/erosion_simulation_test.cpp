@@ -49,7 +49,7 @@ Dab random_dab(std::mt19937& random) {
     std::uniform_real_distribution<double> unit(0, 1);
     const Material materials[] = {Material::bedrock, Material::regolith, Material::water, Material::hardness};
     Dab dab;
-    dab.act = act_of(random() % 3 == 0 ? BrushMode::lower : BrushMode::raise);
+    dab.effect = effect_of(random() % 3 == 0 ? BrushMode::lower : BrushMode::raise);
     dab.x_m = grid.width_m() * unit(random);
     dab.y_m = grid.height_m() * unit(random);
     dab.radius_m = 30 + 300 * unit(random);

@@ -223,7 +223,7 @@ TEST(WholeMap, OffsetScaleAndBlendAreExact) {
     offset.amount_m = 25;
     simulation.apply(everywhere(grid, offset));
     Dab scale;
-    scale.act = FlattenDab{};
+    scale.effect = FlattenDab{};
     scale.blend = 1 - 3.0;
     scale.target_m = 125;
     simulation.apply(everywhere(grid, scale));
@@ -233,14 +233,14 @@ TEST(WholeMap, OffsetScaleAndBlendAreExact) {
     // The terrain as its own stamp, over the whole map: it becomes what it was.
     simulation.apply(ChooseStamp{{}, {0, 0, grid.width_m(), grid.height_m()}, nullptr});
     Dab level;
-    level.act = FlattenDab{};
+    level.effect = FlattenDab{};
     level.blend = 1;
     simulation.apply(everywhere(grid, level));
     Dab stamp;
     stamp.blend = 1;
     stamp.amount_m = simulation.stamp()->relief_m;
     stamp.target_m = 125;
-    stamp.act = StampDab{StampMode::replace, {grid.width_m() / 2, grid.height_m() / 2}, 0, false};
+    stamp.effect = StampDab{StampMode::replace, {grid.width_m() / 2, grid.height_m() / 2}, 0, false};
     simulation.apply(everywhere(grid, stamp));
     const TerrainState after = simulation.read();
     for (int y : {0, 31, 64})

@@ -3,8 +3,10 @@
 
 #include <unistd.h>
 #include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <tuple>
 
 #include "sim/error.h"
 #include "sim/gpu/context.h"
@@ -12,6 +14,9 @@
 #include "sim/gpu/program.h"
 #include "sim/gpu/shader_text.h"
 #include "sim/gpu/texture.h"
+#include "sim/passes/sediment_step.h"
+#include "sim/passes/thermal_step.h"
+#include "sim/passes/water_numbers.h"
 
 namespace talus::gpu {
 namespace {
@@ -37,6 +42,101 @@ TEST(Debug, ErrorsAreExceptions) {
 
 TEST(Context, RefusesADeviceThatIsNotThere) {
     EXPECT_THROW(Context(ContextChoice{99, false}), Error);
+}
+
+// A line of a block: its type and name, and where C++ has it, bytes.
+struct Number {
+    std::string type;
+    std::string name;
+    std::size_t offset;
+};
+
+std::vector<Number> thermal_lines() {
+    std::vector<Number> lines;
+#define NUMBER(type, name) lines.push_back({#type, #name, offsetof(ThermalNumbers, name)});
+#include "maths/thermal_numbers.glsl"
+#undef NUMBER
+    return lines;
+}
+std::vector<Number> sediment_lines() {
+    std::vector<Number> lines;
+#define NUMBER(type, name) lines.push_back({#type, #name, offsetof(SedimentNumbers, name)});
+#include "maths/sediment_numbers.glsl"
+#undef NUMBER
+    return lines;
+}
+std::vector<Number> water_lines() {
+    std::vector<Number> lines;
+#define NUMBER(type, name) lines.push_back({#type, #name, offsetof(WaterNumbers, name)});
+#include "maths/water_numbers.glsl"
+#undef NUMBER
+    return lines;
+}
+
+// A shader that writes the words of all numbers, in their order.
+std::string copying_shader(const std::string& file, const std::vector<Number>& lines) {
+    std::string body;
+    int words = 0;
+    for (const Number& line : lines) {
+        const bool pair = line.type.ends_with("2");
+        for (const char* part : {".x", ".y"}) {
+            if (!pair && part[1] == 'y') continue;
+            const std::string value = line.name + (pair ? part : "");
+            const bool whole = line.type.starts_with("int");
+            body += "    words[" + std::to_string(words++) + "] = " + (whole ? "uint(" : "floatBitsToUint(") +
+                    value + ");\n";
+        }
+    }
+    return "layout(local_size_x = 1) in;\n#include \"maths/glsl_types.glsl\"\n"
+           "layout(std140) uniform Numbers {\n#include \"maths/" +
+           file +
+           "\"\n};\n"
+           "layout(std430) buffer Words { uint words[64]; };\nvoid main() {\n" +
+           body + "}\n";
+}
+
+// Every number of every block lies where C++ has it (std140).
+TEST(Program, ReadsUniformBlocksWhereTheStructsHaveThem) {
+    const Context context;
+    const fs::path folder = fs::temp_directory_path() / ("talus_blocks_" + std::to_string(::getpid()));
+    const auto copy = [&](const std::string& name) { write(folder / name, embedded_shaders().at(name)); };
+    copy("maths/glsl_types.glsl");
+    const std::tuple<std::string, std::vector<Number>, std::size_t> blocks[] = {
+        {"thermal_numbers.glsl", thermal_lines(), sizeof(ThermalNumbers)},
+        {"sediment_numbers.glsl", sediment_lines(), sizeof(SedimentNumbers)},
+        {"water_numbers.glsl", water_lines(), sizeof(WaterNumbers)}};
+    for (const auto& [file, lines, bytes] : blocks) {
+        copy("maths/" + file);
+        write(folder / ("copy_" + file + ".comp"), copying_shader(file, lines));
+    }
+    use_shader_folder(folder);
+    struct BuiltInAfterwards {
+        ~BuiltInAfterwards() { use_built_in_shaders(); }
+    } const afterwards;
+    for (const auto& [file, lines, bytes] : blocks) {
+        // Every word is another one, and a float that no device flushes to 0.
+        std::vector<std::uint32_t> memory((bytes + 15) / 16 * 4);
+        for (std::size_t i = 0; i < memory.size(); ++i)
+            memory[i] = 0x3f800000U + static_cast<std::uint32_t>(i);
+        Buffer numbers("numbers", memory.size() * sizeof(std::uint32_t));
+        numbers.write_all(memory);
+        Buffer words("words", 64 * sizeof(std::uint32_t));
+        words.fill(0);
+        Program program(("copy_" + file + ".comp").c_str());
+        program.bind_uniforms("Numbers", numbers);
+        program.bind_storage("Words", words);
+        program.dispatch(1);
+        barrier({Use::storage, Use::buffer_transfer});
+        const auto read = words.read_all<std::uint32_t>();
+        std::size_t at = 0;
+        for (const Number& line : lines)
+            for (std::size_t part = 0; part < (line.type.ends_with("2") ? 2U : 1U); ++part)
+                EXPECT_EQ(read[at++], 0x3f800000U + line.offset / 4 + part) << line.name;
+        EXPECT_THROW(program.bind_uniforms("Numbers", Buffer("too small", numbers.bytes() - 16)), Error);
+        program.bind_storage("Words", words);
+        EXPECT_THROW(program.dispatch(1), Error) << "without its numbers";
+    }
+    fs::remove_all(folder);
 }
 
 // What shaders use is bound by name before each run; anything else would be what another program left.

@@ -68,7 +68,7 @@ TEST(Ring, AStampIsShownWhereItWouldBePressed) {
     dab.falloff = 0;
     dab.amount_m = 5;
     dab.blend = 1;
-    dab.act = StampDab{StampMode::add, {90, 40}, 30, false};
+    dab.effect = StampDab{StampMode::add, {90, 40}, 30, false};
     gpu::Texture stamp("stamp", gpu::Format::r32f, 10, 5);
     stamp.fill(1);
     const DabStep step = dab_step(plane.grid, dab, {10, 5});

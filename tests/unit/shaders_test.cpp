@@ -40,7 +40,7 @@ void simulate_everything(Simulation& simulation) {
     }
     dab.material = Material::bedrock;
     for (int mode = 0; mode < 9; ++mode) {
-        dab.act = act_of(static_cast<BrushMode>(mode));
+        dab.effect = effect_of(static_cast<BrushMode>(mode));
         simulation.apply(dab);
     }
     simulation.apply(MakeMask{MaskSource::slope, 0, 40, 5});

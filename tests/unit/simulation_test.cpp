@@ -27,7 +27,7 @@ Parameters parameters() {
 Dab random_dab(std::mt19937& random) {
     std::uniform_real_distribution<double> unit(0, 1);
     Dab dab;
-    dab.act = act_of(static_cast<BrushMode>(random() % 4));
+    dab.effect = effect_of(static_cast<BrushMode>(random() % 4));
     dab.x_m = grid.width_m() * unit(random);
     dab.y_m = grid.height_m() * unit(random);
     dab.radius_m = 30 + 500 * unit(random);

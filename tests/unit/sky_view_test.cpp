@@ -24,9 +24,9 @@ TEST(SkyView, RefreshAfterDabsEqualsRebuild) {
     std::uniform_real_distribution<double> unit(0, 1);
     for (int round = 0; round < 20; ++round) {
         for (int i = 0; i < 3; ++i)
-            brush.dab(terrain, {act_of(static_cast<BrushMode>(random() % 2)), grid.width_m() * unit(random),
-                                grid.height_m() * unit(random), 30 + 300 * unit(random), 1,
-                                400 * unit(random), 0, 0, Material::bedrock});
+            brush.dab(terrain, {effect_of(static_cast<BrushMode>(random() % 2)),
+                                grid.width_m() * unit(random), grid.height_m() * unit(random),
+                                30 + 300 * unit(random), 1, 400 * unit(random), 0, 0, Material::bedrock});
         pyramid.refresh(terrain);
         kept.refresh(terrain, pyramid);
         render::SkyView fresh(terrain);

@@ -47,7 +47,7 @@ struct Vary {
 TEST(Dab, ComesBackFromAJournalWithEveryFieldOfEveryMode) {
     for (std::size_t mode = 0; mode < brush_mode_names().size(); ++mode) {
         Dab dab;
-        dab.act = act_of(static_cast<BrushMode>(mode));
+        dab.effect = effect_of(static_cast<BrushMode>(mode));
         visit_footprint(dab, Vary());
         visit_own(dab, Vary());
         dab.falloff = dab.blend = 0.5;
@@ -62,7 +62,7 @@ TEST(Dab, ComesBackFromAJournalWithEveryFieldOfEveryMode) {
 
 TEST(Dab, RefusesAFieldBeyondItsLimitsByItsName) {
     Dab dab;
-    dab.act = TerraceDab{.step_m = 0};
+    dab.effect = TerraceDab{.step_m = 0};
     try {
         check_dab(dab);
         FAIL() << "a terrace without a step";

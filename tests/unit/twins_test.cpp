@@ -88,7 +88,7 @@ TEST(Twins, DabsOfAllKindsInTurnAgreeToTheBit) {
         // Terrains that take each other's place bring programs of their own.
         if (i % 20 == 19) brush = Brush(terrain);
         Dab dab;
-        dab.act = act_of(static_cast<BrushMode>(random() % 7));
+        dab.effect = effect_of(static_cast<BrushMode>(random() % 7));
         dab.curve = static_cast<FalloffCurve>(random() % 4);
         dab.masked = random() % 2 == 0;
         if (auto* ramp = dab.as<RampDab>())

@@ -51,7 +51,7 @@ std::uint64_t hash_of(const Simulation& simulation) {
 Dab water_dab(std::mt19937& random) {
     std::uniform_real_distribution<double> unit(0, 1);
     Dab dab;
-    dab.act = act_of(random() % 3 == 0 ? BrushMode::lower : BrushMode::raise);
+    dab.effect = effect_of(random() % 3 == 0 ? BrushMode::lower : BrushMode::raise);
     dab.x_m = grid.width_m() * unit(random);
     dab.y_m = grid.height_m() * unit(random);
     dab.radius_m = 30 + 300 * unit(random);
@@ -352,13 +352,13 @@ TEST(WaterSimulation, RainFallsWhereItWasPainted) {
     }
     EXPECT_NEAR(simulation.ledger().water_in, static_cast<double>(wet) * 100 * 1e-4, 1e-6);
     // Wiped, it stops; by a mask of one half, half of it falls.
-    dab.act = LowerDab{};
+    dab.effect = LowerDab{};
     dab.target_m = 0;
     simulation.apply(dab);
     const double before = simulation.ledger().water_in;
     simulation.apply(Ticks{10});
     EXPECT_EQ(simulation.ledger().water_in, before);
-    dab.act = RaiseDab{};
+    dab.effect = RaiseDab{};
     dab.material = Material::mask;
     dab.target_m = 0.5;
     simulation.apply(dab);

@@ -1,0 +1,112 @@
+#include "app/command_options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "sim/error.h"
+#include "sim/io/heightmap_formats.h"
+#include "sim/terrain/layers.h"
+
+namespace talus::app {
+
+std::vector<double> numbers(const std::string& option, const std::string& text, char separator,
+                            std::size_t count) {
+    std::vector<double> values;
+    const char* at = text.data();
+    const char* end = at + text.size();
+    while (at <= end && values.size() < count) {
+        double value = 0;
+        const auto [next, error] = std::from_chars(at, end, value);
+        if (error != std::errc() || (next != end && *next != separator)) break;
+        values.push_back(value);
+        at = next + 1;
+    }
+    const bool finite =
+        std::all_of(values.begin(), values.end(), [](double v) { return std::abs(v) <= 1e12; });
+    if (values.size() != count || at != end + 1 || !finite)
+        throw Error(fmt::format("{} '{}' cannot be read, write it as {} numbers with '{}' between", option,
+                                text, count, separator));
+    return values;
+}
+
+glm::ivec2 size_from(const std::string& text, const char* option) {
+    const std::vector<double> v = numbers(option, text, 'x', 2);
+    if (v[0] != std::floor(v[0]) || v[1] != std::floor(v[1]) || std::abs(v[0]) > 1e6 || std::abs(v[1]) > 1e6)
+        throw Error(
+            fmt::format("{} '{}' cannot be read, write it as two whole numbers, e.g. 513x513", option, text));
+    return {v[0], v[1]};
+}
+
+io::ImportSettings Texts::import() const {
+    io::ImportSettings settings;
+    if (!spacing.empty()) {
+        settings.spacing_m = numbers("--spacing", spacing, ',', 1)[0];
+        if (!(*settings.spacing_m > 0))
+            throw Error(fmt::format("--spacing {} cannot be used, it must be positive", spacing));
+    }
+    if (!range.empty()) settings.range_m = range_m();
+    if (!raw.empty()) settings.raw = io::parse_raw_layout(raw);
+    return settings;
+}
+
+std::optional<glm::dvec2> Texts::range_m() const {
+    if (range.empty()) return std::nullopt;
+    const std::vector<double> v = numbers("--range", range, ',', 2);
+    if (!(v[1] > v[0]))
+        throw Error(fmt::format("--range {} cannot be used, its first height must be the lower one", range));
+    return glm::dvec2(v[0], v[1]);
+}
+
+std::optional<glm::dvec3> point_from(const char* option, const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    const std::vector<double> v = numbers(option, text, ',', 3);
+    return glm::dvec3(v[0], v[1], v[2]);
+}
+
+SceneRequest Texts::scene(const std::string& file_given) const {
+    SceneRequest request;
+    request.preset = preset;
+    request.input = file_given;
+    request.import = import();
+    request.assignments = assignments;
+    request.texture = texture;
+    if (!method.empty()) request.assignments.push_back("render.method=" + method);
+    if (!view.empty()) request.assignments.push_back("render.view=" + view);
+    if (!fov.empty()) request.assignments.push_back("camera.fov_deg=" + fov);
+    return request;
+}
+
+void add_gpu(CLI::App& app, Texts& t) {
+    app.add_option("--gpu", t.gpu, "use the N-th device, hardware first (0 is the first)");
+    app.add_flag("--require-hardware", t.require_hardware, "refuse software renderers");
+    app.add_option("--shader-dir", t.shader_dir, "read shaders from this folder and follow its changes");
+}
+void add_texture(CLI::App& app, Texts& t) {
+    app.add_option("--texture", t.texture,
+                   "a picture draped over the terrain, its edges on the outer samples")
+        ->type_name("PICTURE");
+}
+void add_import(CLI::App& app, Texts& t) {
+    app.add_option("--spacing", t.spacing, "metres between samples");
+    app.add_option("--range", t.range, "lo,hi: heights of the file's smallest and largest value, in metres");
+    app.add_option("--raw", t.raw, "NXxNY[,big][,bottom]: how a raw file's samples lie");
+}
+void add_outputs(CLI::App& app, Texts& t, Outputs& outputs) {
+    app.add_option("--out", outputs.files,
+                   fmt::format("write the terrain: {}; .exr is a document; may be repeated",
+                               fmt::join(io::writable_endings(), ", ")))
+        ->type_name("FILE");
+    app.add_option("--image", outputs.image, "write a picture")->type_name("FILE.png");
+    app.add_option("--report", outputs.report, "write the report")->type_name("FILE.json");
+    app.add_option("--journal", outputs.journal, "write what was done, for 'talus replay'")
+        ->type_name("FILE.journal");
+    app.add_option("--layer", outputs.layer,
+                   fmt::format("what single-layer outputs hold: {}", fmt::join(output_names(), ", ")));
+    app.add_flag("--json", t.json, "print the report");
+}
+
+}  // namespace talus::app
