@@ -25,7 +25,7 @@ Preset find_preset(const std::string& name_or_path);
 /// a value of the wrong type or out of range; the parameters are as they were then.
 void apply_preset(const Preset& preset, Parameters& parameters);
 
-/// All parameters that differ from their default or were given, as TOML; and back.
+/// The parameters that were given, as TOML; and back.
 std::string to_toml(const Parameters& parameters);
 void from_toml(const std::string& text, const std::string& source, Parameters& parameters);
 

@@ -201,6 +201,9 @@ Heightmap read_geographic(const fs::path& path, const ImportSettings& settings) 
     }
 
     place(*dataset, heightmap);
+    // Whole numbers that lie nowhere are a picture's brightness.
+    const bool picture = (type == GDT_Byte || type == GDT_UInt16) && !heightmap.georeference && !has_nodata &&
+                         !dataset->GetSpatialRef();
     if (!heightmap.georeference && !settings.spacing_m) {
         heightmap.notes.push_back("the file says no spacing, 1 m a sample was taken: --spacing sets it");
     }
@@ -210,8 +213,7 @@ Heightmap read_geographic(const fs::path& path, const ImportSettings& settings) 
             "--spacing overrides the file's own, so its coordinate system no longer holds and is dropped");
     }
 
-    const bool integers = type == GDT_Byte || type == GDT_UInt16;
-    if (integers && !dataset->GetSpatialRef() && !has_nodata)  // a picture
+    if (picture)
         scale_integers(heightmap, type == GDT_Byte ? 255 : 65535, std::nullopt, settings);
     else if (GDALDataTypeIsFloating(type))
         scale_floats(heightmap, settings);

@@ -226,6 +226,18 @@ TEST_F(Files, EsriBilIsReadWithItsHeader) {
     EXPECT_NE(refusal("plain.bil").find("plain.bil"), std::string::npos);
 }
 
+// Heights without a sign that lie somewhere are metres, and no picture's brightness.
+TEST_F(Files, WholeMetresOfAPlacedFileAreNotStretched) {
+    const std::vector<std::uint16_t> heights = {100, 200, 300, 400, 500, 1234};
+    write("whole.bil", std::string(reinterpret_cast<const char*>(heights.data()), 2 * heights.size()));
+    write("whole.hdr",
+          "NROWS 2\nNCOLS 3\nNBANDS 1\nNBITS 16\nBYTEORDER I\nLAYOUT BIL\nULXMAP 500\nULYMAP 900\nXDIM "
+          "30\nYDIM "
+          "20\n");
+    EXPECT_EQ(io::read_heightmap(path("whole.bil"), {}).heights,
+              std::vector<float>(heights.begin(), heights.end()));
+}
+
 TEST_F(Files, VoidsFarFromAnySampleAreFilledToo) {
     std::string text = "ncols 12\nnrows 12\nxllcorner 0\nyllcorner 0\ncellsize 10\nNODATA_value -9999\n100";
     for (int i = 1; i < 144; ++i) text += " -9999";
