@@ -46,14 +46,8 @@ DabEffect effect_of(BrushMode mode) {
     return acts().at(static_cast<std::size_t>(mode));
 }
 
-bool has_object(const DabEffect& act) {
-    return std::visit(
-        [](const auto& one) {
-            return requires {
-                one.has_object;
-            };
-        },
-        act);
+bool has_object(const DabEffect& effect) {
+    return std::visit([](const auto& one) { return HasObject<std::decay_t<decltype(one)>>; }, effect);
 }
 
 const std::vector<std::string>& material_names() {

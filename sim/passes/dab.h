@@ -223,13 +223,27 @@ struct Dab {
     bool brings_or_takes() const { return as<RaiseDab>() || as<LowerDab>(); }
 };
 
+// What effects say of themselves by constants of these names.
+template <typename Effect>
+concept Digs = requires {
+    Effect::digs;
+};
+template <typename Effect>
+concept Exaggerates = requires {
+    Effect::exaggerates;
+};
+template <typename Effect>
+concept HasObject = requires {
+    Effect::has_object;
+};
+
 /// Visits the fields of a dab's footprint, as those of its effect (DabEffect).
 template <typename AnyDab, typename Visit>
 void visit_footprint(AnyDab& dab, Visit&& visit) {
     const auto [digs, exaggerates] = std::visit(
-        [](const auto& act) {
-            return std::pair(
-                requires { act.digs; }, requires { act.exaggerates; });
+        [](const auto& effect) {
+            using Effect = std::decay_t<decltype(effect)>;
+            return std::pair(Digs<Effect>, Exaggerates<Effect>);
         },
         dab.effect);
     visit("x_m", dab.x_m, -1e9, 1e9);
