@@ -93,7 +93,8 @@ void main() {
             clock_edge_fastest = 0u;
             total_substeps += 1.0lf;
             total_listed += double(listed);
-            precise real rain = even_rain_m_per_s * next.dt;
+            // A product alone is what it is; `precise` here keeps the reference compiler busy for ever (glslang 12.0).
+            real rain = even_rain_m_per_s * next.dt;
             book_rain_m += double(water_eulers) * double(rain);
         }
     }
