@@ -12,15 +12,25 @@ void delete_buffer(unsigned name) {
     glDeleteBuffers(1, &name);
 }
 
-Buffer::Buffer(const std::string& label, std::size_t bytes) : bytes_(bytes) {
+namespace {
+
+unsigned made(const std::string& label, std::size_t bytes, const std::byte* data, GLbitfield flags) {
     GLuint name = 0;
     glCreateBuffers(1, &name);
-    handle_ = Handle<delete_buffer>(name);
     glObjectLabel(GL_BUFFER, name, static_cast<GLsizei>(label.size()), label.data());
-    glNamedBufferStorage(name, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferStorage(name, static_cast<GLsizeiptr>(bytes), data, flags);
     hazards::made(hazards::Kind::buffer, name, label);
     raise_errors();
+    return name;
 }
+
+}  // namespace
+
+Buffer::Buffer(const std::string& label, std::size_t bytes)
+    : handle_(made(label, bytes, nullptr, GL_DYNAMIC_STORAGE_BIT)), bytes_(bytes) {}
+
+Buffer::Buffer(const std::string& label, std::span<const std::byte> data)
+    : handle_(made(label, data.size(), data.data(), 0)), bytes_(data.size()) {}
 
 void Buffer::fill(std::uint32_t word) {
     hazards::used(hazards::Kind::buffer, handle_, Use::buffer_transfer, "Buffer::fill");

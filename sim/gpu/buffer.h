@@ -25,6 +25,8 @@ class Buffer {
   public:
     Buffer() = default;
     Buffer(const std::string& label, std::size_t bytes);
+    /// Of these bytes, for ever: no call writes it.
+    Buffer(const std::string& label, std::span<const std::byte> data);
 
     std::size_t bytes() const { return bytes_; }
     unsigned name() const { return handle_; }

@@ -1,6 +1,9 @@
 #pragma once
+#include <array>
+#include <cstring>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "sim/gpu/buffer.h"
 
@@ -19,20 +22,23 @@ namespace talus::gpu {
 template <typename Numbers>
 class UniformBlock {
   public:
-    // std140 makes blocks whole multiples of 16 bytes.
-    explicit UniformBlock(const std::string& label) : buffer_(label, (sizeof(Numbers) + 15) / 16 * 16) {}
+    explicit UniformBlock(std::string label) : label_(std::move(label)) { set({}); }
 
-    /// In its turn: dispatches before it do not see it, those after it do. Writes where the numbers are
-    /// others.
+    /// Dispatches before it do not see it, those after it do: other numbers get a buffer of their own, so
+    /// that nothing writes one that a dispatch may still read.
     void set(const Numbers& numbers) {
         if (now_ == numbers) return;
         now_ = numbers;
-        buffer_.write(0, std::as_bytes(std::span(&numbers, 1)));
+        // std140 makes blocks whole multiples of 16 bytes.
+        std::array<std::byte, (sizeof(Numbers) + 15) / 16 * 16> bytes{};
+        std::memcpy(bytes.data(), &numbers, sizeof(Numbers));
+        buffer_ = Buffer(label_, bytes);
     }
     /// For Program::bind_uniforms().
     operator const Buffer&() const { return buffer_; }
 
   private:
+    std::string label_;
     Buffer buffer_;
     std::optional<Numbers> now_;
 };
