@@ -75,6 +75,14 @@ EGLContext make_current(EGLDisplay display) {
     return context;
 }
 
+bool is_zink_wanted() {
+    const auto names_zink = [](const char* variable) {
+        const char* driver = std::getenv(variable);
+        return driver && std::string_view(driver) == "zink";
+    };
+    return names_zink("GALLIUM_DRIVER") || names_zink("MESA_LOADER_DRIVER_OVERRIDE");
+}
+
 }  // namespace
 
 std::string describe(const Device& device) {
@@ -149,8 +157,12 @@ Device adopt_current_context(const std::string& route) {
 void work_around_drivers() {
     // Mesa 22.3's zink compiles programs anew for the values of uniforms that branches hang on, and confuses
     // these variants where programs take turns: a dab faded by the curve of an earlier one.
-    static const bool once = setenv("ZINK_INLINE_UNIFORMS", "0", 0) == 0;
-    static_cast<void>(once);
+    static const bool uniforms = setenv("ZINK_INLINE_UNIFORMS", "0", 0) == 0;
+    // Nor does it keep account of a buffer into which texels are packed by a draw, as Mesa does: what is
+    // copied or read from the buffer next may be what was there before. Of packing by a compute shader it
+    // does.
+    static const bool packing = !is_zink_wanted() || setenv("MESA_COMPUTE_PBO", "1", 0) == 0;
+    static_cast<void>(uniforms && packing);
 }
 
 Context::Context(const ContextChoice& choice) {
