@@ -60,9 +60,9 @@ struct SolidTwin {
         brush.masks = thermal.masks;
         for (const glm::vec4& solid : solid_of(state)) samples.emplace_back(solid);
     }
-    void dab(const Dab& dab, const DabStep& step) {
+    void dab(BrushMode mode, const DabNumbers& numbers) {
         brush.ground_samples.swap(samples);
-        brush.dab(dab, step);
+        brush.dab(mode, numbers);
         brush.ground_samples.swap(samples);
     }
     void slide() {
@@ -163,7 +163,6 @@ TwinAgreement brush_and_slopes_against_twin(int substeps) {
     const ThermalStep step = thermal_step(grid, settings, 1, 1);
     SolidTwin<float> twin(state, step);
     SolidTwin<double> exact(state, step);
-    twin.brush.stamp_samples = exact.brush.stamp_samples = stamp_samples;
     for (int i = 0; i < 63; ++i) twin.brush.stamp_heights.push_back(static_cast<float>(i * 37 % 63) / 62);
     exact.brush.stamp_heights.assign(twin.brush.stamp_heights.begin(), twin.brush.stamp_heights.end());
     gpu::Texture stamp("stamp", gpu::Format::r32f, stamp_samples.x, stamp_samples.y);
@@ -175,10 +174,10 @@ TwinAgreement brush_and_slopes_against_twin(int substeps) {
     for (int substep = 0; substep < substeps; ++substep) {
         if (substep % 5 == 0) {
             const Dab dab = turning_dab(substep, grid, random);
-            const DabStep dab_in_steps = dab_step(grid, dab, stamp_samples);
+            const DabNumbers numbers = dab_numbers(grid, dab, stamp_samples);
             brush.dab(terrain, dab, &stamp);
-            twin.dab(dab, dab_in_steps);
-            exact.dab(dab, dab_in_steps);
+            twin.dab(dab.mode(), numbers);
+            exact.dab(dab.mode(), numbers);
         }
         thermal.substep(terrain, step);
         twin.slide();

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/passes/dab_step.h"
+#include "sim/passes/dab_numbers.h"
 #include "sim/passes/erode_brush.h"
 
 namespace talus::app {
@@ -47,12 +47,13 @@ render::Ring Sculpting::ring(const Simulation& simulation, const Parameters& vie
     const std::shared_ptr<const Stamp>& stamp = simulation.stamp();
     if (!stamp || tool_named(view.choice("brush.tool")).course != StrokeCourse::stamps) return ring;
     const Dab dab = tool_dab(view, {}, 0, 0, stamp.get());
-    const DabStep step = dab_step(simulation.terrain().grid(), dab, {stamp->grid.nx, stamp->grid.ny});
+    const DabNumbers numbers =
+        dab_numbers(simulation.terrain().grid(), dab, {stamp->grid.nx, stamp->grid.ny});
     ring.radius_m = dab.radius_m;
     ring.stamp = &stamp_image_.of(stamp);
     // A dab counts rows southwards.
-    ring.stamp_columns = {step.stamp_columns.x, -step.stamp_columns.y};
-    ring.stamp_rows = {step.stamp_rows.x, -step.stamp_rows.y};
+    ring.stamp_columns = {numbers.stamp_columns.x, -numbers.stamp_columns.y};
+    ring.stamp_rows = {numbers.stamp_rows.x, -numbers.stamp_rows.y};
     return ring;
 }
 

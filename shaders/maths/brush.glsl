@@ -1,18 +1,8 @@
 // One dab of a brush on one sample. The including side gives real4 load_solid(int2), repeating the edge, real
 // load_stamp(int2), repeating the edge, what maths/brush_weight.glsl and maths/brush_noise.glsl need, and
-//   samples         int2, columns and rows of the terrain
-//   dab_mode        int, of maths/brush_modes.glsl, which the including side includes
-//   dab_amount_m    real, raise and lower: metres at full weight; noise and stamp: the height of 1
-//   dab_blend       real, smooth, flatten, ramp, terrace, stamp: share of the way at full weight
-//   dab_target_m    real2, flatten: the height to reach, two words; ramp: at its beginning; terrace: of a step; stamp:
-//                   that its 0 stands on
-//   ramp_rise_m      real, ramp: how much higher its end is
-//   dab_on_regolith int, 1: raise adds regolith rather than bedrock
-//   noise_wavelength_m    real, noise: the wavelength
-//   terrace_step_m  real, terrace: height of a step; terrace_flat real, 0 to 1: share of it that is level
-//   stamp_samples   int2, columns and rows of the stamp; stamp_columns, stamp_rows real2: of them, a metre along the
-//                   terrain's columns and rows; stamp_mode int, as dab_mode; stamp_zero
-//                   real: which of its heights, 0 to 1, stands on the ground
+//   samples   int2, columns and rows of the terrain
+//   dab_mode  int, of maths/brush_modes.glsl, which the including side includes
+// and the numbers of maths/dab_numbers.glsl.
 #include "maths/brush_noise.glsl"
 #include "maths/brush_weight.glsl"
 #include "maths/solid.glsl"

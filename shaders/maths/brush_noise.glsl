@@ -1,9 +1,4 @@
-// The relief that a noise brush raises, about -1 to 1. The including side gives
-//   noise_kind    int, of maths/brush_modes.glsl
-//   noise_octaves int
-//   noise_gain    real, an octave against the one before it
-//   noise_warp    real, how far the plane is bent first, in wavelengths
-//   noise_seed    uint
+// The relief that a noise brush raises, about -1 to 1. Needs the numbers of maths/dab_numbers.glsl.
 #include "maths/noise.glsl"
 
 // Fractional Brownian motion; ridged: crests where noise crosses zero; billow: hollows there (Ebert et al. 2003,

@@ -1,12 +1,5 @@
-// How strongly a dab acts at a place. The including side gives
-//   cell_m        real2, spacing, metres
-//   dab_sample    int2, the sample at or before the dab's centre (column, row)
-//   dab_offset    real2, the centre's offset from that sample in spacings, 0 to 1
-//   dab_radius_m  real
-//   dab_falloff   real, 0 (hard edge) to 1 (soft all the way): the share of the radius over which it fades
-//   dab_curve     int, how it fades: of maths/brush_modes.glsl
-//   dab_length_m  real2, from the centre to the other end, metres (column, row): a dab along a line; 0: a round one
-// and real load_mask(int2), how far the mask lets it act, 0 to 1.
+// How strongly a dab acts at a place. The including side gives the numbers of maths/dab_numbers.glsl and real
+// load_mask(int2), how far the mask lets it act, 0 to 1.
 
 // 1 in the middle, 0 at the radius and beyond.
 real brush_weight(real2 offset_m) {

@@ -18,6 +18,18 @@ struct CastHit {
 // step of the walk gets on.
 const int cast_step_limit = 131072;
 
+// From where to where a ray is over or under the terrain's rectangle and below its highest sample, m along it; an end
+// before the beginning: nowhere. Parameters as below and in maths/patch.glsl.
+real2 cast_span(int2 origin_cell, real2 fraction, real3 direction, real2 inverse, real inverse_z, int2 side, real height_m) {
+    int2 near_edge = int2(side.x == 1 ? 0 : patches.x, side.y == 1 ? 0 : patches.y);
+    real2 enter = cast_planes(near_edge - origin_cell, fraction, inverse);
+    real2 leave = cast_planes(patches - near_edge - origin_cell, fraction, inverse);
+    real begin = max(max(enter.x, enter.y), real(0));
+    real end = min(leave.x, leave.y);
+    real crossing = (load_highest() - height_m) * inverse_z;
+    return direction.z < real(0) ? real2(max(begin, crossing), end) : real2(begin, min(end, crossing));
+}
+
 // origin_cell + fraction: where the ray starts, in columns and rows; direction: columns, rows and metres of height
 // per metre of ray; from_m: before it no ground is met, 0 where nothing is known; start_level: where in the pyramid to
 // start; height_m: where the ray starts over the origin height.
@@ -33,19 +45,9 @@ CastHit cast_ray(int2 origin_cell, real2 fraction, real3 direction, real from_m,
     int2 side = int2(direction.x < real(0) ? 0 : 1, direction.y < real(0) ? 0 : 1);
     int2 forward = int2(2 * side.x - 1, 2 * side.y - 1);
 
-    // Into the terrain's rectangle. Every plane's distance is this same expression, so that equal planes compare equal.
-    int2 near_edge = int2(side.x == 1 ? 0 : patches.x, side.y == 1 ? 0 : patches.y);
-    int2 far_edge = int2(patches.x - near_edge.x, patches.y - near_edge.y);
-    real enter_x = (real(near_edge.x - origin_cell.x) - fraction.x) * inverse.x;
-    real enter_y = (real(near_edge.y - origin_cell.y) - fraction.y) * inverse.y;
-    real leave_x = (real(far_edge.x - origin_cell.x) - fraction.x) * inverse.x;
-    real leave_y = (real(far_edge.y - origin_cell.y) - fraction.y) * inverse.y;
-    real begin = max(max(enter_x, enter_y), real(0));
-    real end = min(leave_x, leave_y);
-    // And below its highest sample.
-    real crossing = (load_highest() - height_m) * inverse_z;
-    begin = direction.z < real(0) ? max(begin, crossing) : begin;
-    end = direction.z < real(0) ? end : min(end, crossing);
+    real2 span = cast_span(origin_cell, fraction, direction, inverse, inverse_z, side, height_m);
+    real begin = span.x;
+    real end = span.y;
 
     // A cell's lowest point of the ray is where it leaves, going down, or where it enters. As factors, not selects.
     real down = direction.z < real(0) ? direction.z : real(0);
@@ -69,9 +71,8 @@ CastHit cast_ray(int2 origin_cell, real2 fraction, real3 direction, real from_m,
             if (count_steps) hit.steps += 1;
             real top = load_top(cell, level) - height_m;
             int2 far_plane = int2((cell.x + side.x) << level, (cell.y + side.y) << level);
-            real far_x = (real(far_plane.x - origin_cell.x) - fraction.x) * inverse.x;
-            real far_y = (real(far_plane.y - origin_cell.y) - fraction.y) * inverse.y;
-            real leave = min(far_x, far_y);
+            real2 far = cast_planes(far_plane - origin_cell, fraction, inverse);
+            real leave = min(far.x, far.y);
             bool descend = leave * down + at * up_or_level <= top;
 
             // Down: to the half that the ray is in when it has come down to the cell's top.
@@ -79,13 +80,12 @@ CastHit cast_ray(int2 origin_cell, real2 fraction, real3 direction, real from_m,
             int half_cell = (1 << level) >> 1;
             int2 middle = int2(far_plane.x + (side.x == 1 ? -half_cell : half_cell),
                                far_plane.y + (side.y == 1 ? -half_cell : half_cell));
-            real middle_x = (real(middle.x - origin_cell.x) - fraction.x) * inverse.x;
-            real middle_y = (real(middle.y - origin_cell.y) - fraction.y) * inverse.y;
-            int2 child = int2(2 * cell.x + (drop >= middle_x ? side.x : 1 - side.x),
-                              2 * cell.y + (drop >= middle_y ? side.y : 1 - side.y));
+            real2 halfway = cast_planes(middle - origin_cell, fraction, inverse);
+            int2 child = int2(2 * cell.x + (drop >= halfway.x ? side.x : 1 - side.x),
+                              2 * cell.y + (drop >= halfway.y ? side.y : 1 - side.y));
 
             // On: to the next cell, one level up where that lies in another parent.
-            bool by_x = far_x <= far_y;
+            bool by_x = far.x <= far.y;
             int2 next = int2(cell.x + (by_x ? forward.x : 0), cell.y + (by_x ? 0 : forward.y));
             int up = level < top_level && ((by_x ? cell.x : cell.y) & 1) == (by_x ? side.x : side.y) ? 1 : 0;
 

@@ -43,6 +43,10 @@ real cast_inverse(real d) {
     return d < real(0) ? real(-1) / size : real(1) / size;
 }
 
+// Distances along a ray to a plane between columns and to one between rows, counted from the ray's origin cell; fraction
+// and inverse as below. All planes' distances are this expression, so that equal planes compare equal.
+real2 cast_planes(int2 planes, real2 fraction, real2 inverse) { return (real2(planes) - fraction) * inverse; }
+
 // A ray's hit in one patch: signs at entry and exit decide, the quadratic says where.
 //   z          corners over the ray's start; offset: the patch's column and row from the ray's origin cell
 //   fraction   where in that cell the ray starts; direction: columns, rows and metres of height per metre of ray
@@ -50,17 +54,15 @@ real cast_inverse(real d) {
 //   begin      where on the ray the ground begins to count
 // The ground is solid: a ray below the patch where it enters hits there.
 PatchCast cast_patch(real4 z, int2 offset, real2 fraction, real3 direction, real2 inverse, int2 side, real begin) {
-    real near_x = (real(offset.x + 1 - side.x) - fraction.x) * inverse.x;
-    real near_y = (real(offset.y + 1 - side.y) - fraction.y) * inverse.y;
-    real far_x = (real(offset.x + side.x) - fraction.x) * inverse.x;
-    real far_y = (real(offset.y + side.y) - fraction.y) * inverse.y;
-    real enter = max(max(near_x, near_y), begin);
-    real leave = max(min(far_x, far_y), enter);
+    real2 near = cast_planes(offset + 1 - side, fraction, inverse);
+    real2 far = cast_planes(offset + side, fraction, inverse);
+    real enter = max(max(near.x, near.y), begin);
+    real leave = max(min(far.x, far.y), enter);
     // Where a plane is crossed, its coordinate is 0 or 1 to the bit, so both patches read the same edge.
-    real in_u = enter == near_x ? real(1 - side.x) : (fraction.x + enter * direction.x) - real(offset.x);
-    real in_v = enter == near_y ? real(1 - side.y) : (fraction.y + enter * direction.y) - real(offset.y);
-    real out_u = leave == far_x ? real(side.x) : (fraction.x + leave * direction.x) - real(offset.x);
-    real out_v = leave == far_y ? real(side.y) : (fraction.y + leave * direction.y) - real(offset.y);
+    real in_u = enter == near.x ? real(1 - side.x) : (fraction.x + enter * direction.x) - real(offset.x);
+    real in_v = enter == near.y ? real(1 - side.y) : (fraction.y + enter * direction.y) - real(offset.y);
+    real out_u = leave == far.x ? real(side.x) : (fraction.x + leave * direction.x) - real(offset.x);
+    real out_v = leave == far.y ? real(side.y) : (fraction.y + leave * direction.y) - real(offset.y);
     real2 entry = real2(min(max(in_u, real(0)), real(1)), min(max(in_v, real(0)), real(1)));
     real2 exit = real2(min(max(out_u, real(0)), real(1)), min(max(out_v, real(0)), real(1)));
     real above_in = direction.z * enter - patch_height(z, entry);
@@ -70,6 +72,6 @@ PatchCast cast_patch(real4 z, int2 offset, real2 fraction, real3 direction, real
     hit.distance_m = s >= real(0) ? enter + s : real(-1);
     hit.leave_m = leave;
     hit.above_out = above_out;
-    hit.by_x = far_x <= far_y;
+    hit.by_x = far.x <= far.y;
     return hit;
 }

@@ -1,6 +1,5 @@
-// One dab of water on one sample. Needs maths/brush_weight.glsl, maths/two_sum.glsl, and
-//   dab_amount_m  real, metres at full weight
-//   dab_takes     int, 1: takes water
+// One dab of water on one sample. Needs maths/brush_weight.glsl, maths/two_sum.glsl and the numbers of
+// maths/dab_numbers.glsl.
 
 // Metres of depth that the dab adds; no more is taken than there is.
 real water_brush_change(int2 at, real4 water) {

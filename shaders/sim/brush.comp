@@ -41,25 +41,6 @@ layout(r32f) uniform readonly image2D stamp;
 real painted_mask(int2 at) { return imageLoad(painted, at).y; }
 #include "sim/dab.glsl"
 
-uniform real dab_amount_m;
-uniform real dab_blend;
-uniform real2 dab_target_m;
-uniform real ramp_rise_m;
-uniform int dab_on_regolith;
-uniform int noise_kind;
-uniform int noise_octaves;
-uniform real noise_gain;
-uniform real noise_warp;
-uniform uint noise_seed;
-uniform real noise_wavelength_m;
-uniform real terrace_step_m;
-uniform real terrace_flat;
-uniform int2 stamp_samples;
-uniform real2 stamp_columns;
-uniform real2 stamp_rows;
-uniform real stamp_zero;
-uniform int stamp_mode;
-
 real load_stamp(int2 at) { return imageLoad(stamp, clamp(at, int2(0), stamp_samples - 1)).x; }
 #include "maths/brush.glsl"
 

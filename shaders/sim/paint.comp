@@ -9,8 +9,6 @@ layout(rgba32f) uniform image2D painted;
 
 uniform int2 samples;
 uniform int2 tiles;
-uniform real dab_blend;
-uniform real dab_target;
 uniform int painted_layer;  // component
 
 real painted_mask(int2 at) { return imageLoad(painted, at).y; }
@@ -26,11 +24,11 @@ void main() {
             int2 at = first + int2(0, row);
             real4 value = imageLoad(painted, at);
             real before = painted_layer == layer_hardness ? value.x : (painted_layer == layer_mask ? value.y : value.z);
-            precise real way = (brush_weight_at(at) * dab_blend) * (dab_target - before);
+            precise real way = (brush_weight_at(at) * dab_blend) * (dab_target_m.x - before);
             precise real nearer = before + way;
             // It gets there: a trace of rain that nobody sees would keep its tile awake.
-            bool there = abs(dab_target - nearer) <= real(1e-3) * max(dab_target, real(1)) && way != real(0);
-            real after = there ? dab_target : nearer;
+            bool there = abs(dab_target_m.x - nearer) <= real(1e-3) * max(dab_target_m.x, real(1)) && way != real(0);
+            real after = there ? dab_target_m.x : nearer;
             if (after == before) continue;
             if (painted_layer == layer_hardness) value.x = after;
             if (painted_layer == layer_mask) value.y = after;

@@ -49,7 +49,7 @@ const real water_friction = real(0);
 #ifdef SEDIMENT
 #include "maths/sediment_transport.glsl"
 
-// A sample's load, and by the way its concentration.
+// Concentration of a sample's suspended load, by volume.
 real load_concentration(int2 at, real depth) { return sediment_concentration(depth, imageLoad(load_in, at + water_ghosts).x); }
 #endif
 
@@ -69,119 +69,166 @@ WaterFace face_between(WaterCell before, WaterCell a, WaterSlope slope_a, WaterC
     return water_face(a, slope_a, b, slope_b, water_face_rests(before, a, b, behind));
 }
 
+// What an invocation keeps while it marches: of its column the sample of a row and those around it, and the face behind.
+struct March {
+    WaterCell north;
+    WaterCell cell;
+    WaterCell south;
+    WaterSlope slope;
+    WaterFace face_north;
+    real4 here;  // the texels of cell and south
+    real4 below;
+#ifdef SEDIMENT
+    real solid_here;  // concentrations
+    real solid_south;
+    real flux_north;  // of solid
+#endif
+};
+
+March march_from(int2 first) {
+    March m;
+    real4 ignored;
+    WaterCell north_2 = load_cell(first + int2(0, -2), ignored);
+    m.north = load_cell(first + int2(0, -1), ignored);
+    m.cell = load_cell(first, m.here);
+    m.south = load_cell(first + int2(0, 1), m.below);
+    m.slope = water_slope(m.south, m.cell, m.north);
+    m.face_north = face_between(m.south, m.cell, m.slope, m.north, water_slope(m.cell, m.north, north_2), north_2);
+#ifdef SEDIMENT
+    m.solid_here = load_concentration(first, m.cell.depth);
+    m.solid_south = load_concentration(first + int2(0, 1), m.south.depth);
+    m.flux_north = sediment_flux(m.face_north.mass, m.solid_here, load_concentration(first + int2(0, -1), m.north.depth));
+#endif
+    return m;
+}
+
+// The faces of a row's sample, and what stands beyond them.
+struct Across {
+    WaterCell west;
+    WaterCell east;
+    WaterFace face_west;
+    WaterFace face_east;
+};
+
+Across across(int2 at, WaterCell cell) {
+    Across a;
+    WaterCell west_2 = load_turned(at + int2(-2, 0));
+    a.west = load_turned(at + int2(-1, 0));
+    WaterCell turned = water_turned(cell);
+    a.east = load_turned(at + int2(1, 0));
+    WaterCell east_2 = load_turned(at + int2(2, 0));
+    WaterSlope slope = water_slope(a.west, turned, a.east);
+    a.face_west = face_between(west_2, a.west, water_slope(west_2, a.west, turned), turned, slope, a.east);
+    a.face_east = face_between(a.west, turned, slope, a.east, water_slope(turned, a.east, east_2), east_2);
+    return a;
+}
+
+#ifdef SOURCES
+// Rain and loss in dt seconds, which the sums take too. True where water is or was lost.
+bool add_sources(int2 at, real dt, inout real4 water, inout dvec2 sources) {
+    real loss = water_loss(water, dt);
+#ifdef RAIN_MAP
+    real4 paint = imageLoad(painted, at);
+    precise real rain = water_rain(paint.y, paint.z) * dt;
+    sources += dvec2(double(loss), double(rain));
+#else
+    precise real rain = rain_m_per_s * dt;
+    sources.x += double(loss);
+#endif
+    water = water_with_sources(water, rain, loss);
+    return water.x > real(0) || loss > real(0);
+}
+#endif
+
+#ifdef SEDIMENT
+// The load of a row's sample after the stage. Gives the flux of solid over its southern face.
+real step_load(int2 at, March m, Across a, real mass_south) {
+    real flux_south = sediment_flux(mass_south, m.solid_south, m.solid_here);
+    real flux_west = sediment_flux(a.face_west.mass, load_concentration(at + int2(-1, 0), a.west.depth), m.solid_here);
+    real flux_east = sediment_flux(a.face_east.mass, m.solid_here, load_concentration(at + int2(1, 0), a.east.depth));
+    real solid_gain = sediment_gain(flux_west, flux_east, flux_south, m.flux_north);
+    real2 load_here = imageLoad(load_in, at + water_ghosts).xy;
+#if ORDER == 2 && STAGE == 2
+    real2 load_start = imageLoad(load_out, at + water_ghosts).xy;
+#else
+    real2 load_start = load_here;
+#endif
+    real2 load = sediment_after_stage(STAGE, load_start, load_here, solid_gain);
+    imageStore(load_out, at + water_ghosts, real4(load.x, load.y, 0.0, 0.0));
+    return flux_south;
+}
+#endif
+
+// Marks a tile in which water moved, and the neighbours within whose reach it did.
+void mark_awake(int tile, bool moved_high, bool moved_low) {
+    int column = int(gl_LocalInvocationIndex);
+    uint awake = wet | (moved_high ? wet_north : 0u) | (moved_low ? wet_south : 0u) |
+                 (column < water_reach ? wet_west : 0u) | (column >= tile_samples - water_reach ? wet_east : 0u);
+    if ((water_activity[tile] & awake) != awake) atomicOr(water_activity[tile], awake);
+    stamp_tile(tile, tile_water);
+}
+
 void main() {
     int tile = int(listed_tiles[gl_WorkGroupID.y]);
-    int2 first = int2(tile % tiles.x, tile / tiles.x) * tile_samples + int2(int(gl_LocalInvocationIndex), int(gl_WorkGroupID.x) * strip_rows);
+    int first_row = int(gl_WorkGroupID.x) * strip_rows;  // in the tile
+    int2 first = int2(tile % tiles.x, tile / tiles.x) * tile_samples + int2(int(gl_LocalInvocationIndex), first_row);
     int rows = min(strip_rows, samples.y - first.y);
-    real dt = clock_dt_s;
     bool moved = false;
     bool moved_high = false;  // within reach of the tile's first row
     bool moved_low = false;
     real fastest = real(0);
 #ifdef SOURCES
+    real dt = clock_dt_s;
     dvec2 sources = dvec2(0.0);
 #endif
 
     if (first.x < samples.x && rows > 0) {
-        real4 here;
-        real4 below;
-        real4 ignored;
-        WaterCell north_2 = load_cell(first + int2(0, -2), ignored);
-        WaterCell north = load_cell(first + int2(0, -1), ignored);
-        WaterCell cell = load_cell(first, here);
-        WaterCell south = load_cell(first + int2(0, 1), below);
-        WaterSlope slope = water_slope(south, cell, north);
-        WaterFace face_north = face_between(south, cell, slope, north, water_slope(cell, north, north_2), north_2);
-#ifdef SEDIMENT
-        real solid_here = load_concentration(first, cell.depth);
-        real solid_south = load_concentration(first + int2(0, 1), south.depth);
-        real solid_north = sediment_flux(face_north.mass, solid_here, load_concentration(first + int2(0, -1), north.depth));
-#endif
+        March m = march_from(first);
         int row = 0;
         do {
             int2 at = first + int2(0, row);
             real4 next;
             WaterCell south_2 = load_cell(at + int2(0, 2), next);
-            WaterSlope slope_south = water_slope(south_2, south, cell);
-            WaterFace face_south = face_between(south_2, south, slope_south, cell, slope, north);
-
-            WaterCell west_2 = load_turned(at + int2(-2, 0));
-            WaterCell west = load_turned(at + int2(-1, 0));
-            WaterCell turned = water_turned(cell);
-            WaterCell east = load_turned(at + int2(1, 0));
-            WaterCell east_2 = load_turned(at + int2(2, 0));
-            WaterSlope slope_x = water_slope(west, turned, east);
-            WaterFace face_west = face_between(west_2, west, water_slope(west_2, west, turned), turned, slope_x, east);
-            WaterFace face_east = face_between(west, turned, slope_x, east, water_slope(turned, east, east_2), east_2);
-
-            WaterChange change = water_change(here.x, face_west, face_east, face_south, face_north);
+            WaterSlope slope_south = water_slope(south_2, m.south, m.cell);
+            WaterFace face_south = face_between(south_2, m.south, slope_south, m.cell, m.slope, m.north);
+            Across a = across(at, m.cell);
+            WaterChange change = water_change(m.here.x, a.face_west, a.face_east, face_south, m.face_north);
 #if ORDER == 2 && STAGE == 2
             real4 start = imageLoad(water_out, at + water_ghosts);
 #else
-            real4 start = here;
+            real4 start = m.here;
 #endif
-            real4 after = water_after_stage(STAGE, start, here, change);
+            real4 after = water_after_stage(STAGE, start, m.here, change);
+            // By its bits: a resting -0 becomes 0.
+            bool moves = !change.rests || (floatBitsToUint(m.here.z) | floatBitsToUint(m.here.w)) != 0u;
 #ifdef SOURCES
-            real loss = water_loss(after, dt);
-#ifdef RAIN_MAP
-            real4 paint = imageLoad(painted, at);
-            precise real rain = water_rain(paint.y, paint.z) * dt;
-            sources += dvec2(double(loss), double(rain));
-#else
-            precise real rain = rain_m_per_s * dt;
-            sources.x += double(loss);
-#endif
-            after = water_with_sources(after, rain, loss);
+            bool changed = add_sources(at, dt, after, sources);
+            moves = moves || changed;
 #endif
 #if STAGE == 2
             // Of what stays: a run that is saved and loaded finds the same.
             fastest = max(fastest, water_speed(after));
 #endif
-            // By its bits: a resting -0 becomes 0.
-            bool moves = !change.rests || (floatBitsToUint(here.z) | floatBitsToUint(here.w)) != 0u;
-#ifdef SOURCES
-            moves = moves || after.x > real(0) || loss > real(0);
-#endif
             moved = moved || moves;
-            int row_in_tile = int(gl_WorkGroupID.x) * strip_rows + row;
-            moved_high = moved_high || (moves && row_in_tile < water_reach);
-            moved_low = moved_low || (moves && row_in_tile >= tile_samples - water_reach);
+            moved_high = moved_high || (moves && first_row + row < water_reach);
+            moved_low = moved_low || (moves && first_row + row >= tile_samples - water_reach);
             imageStore(water_out, at + water_ghosts, after);
 #ifdef SEDIMENT
-            real flux_south = sediment_flux(face_south.mass, solid_south, solid_here);
-            real flux_west = sediment_flux(face_west.mass, load_concentration(at + int2(-1, 0), west.depth), solid_here);
-            real flux_east = sediment_flux(face_east.mass, solid_here, load_concentration(at + int2(1, 0), east.depth));
-            real solid_gain = sediment_gain(flux_west, flux_east, flux_south, solid_north);
-            real2 load_here = imageLoad(load_in, at + water_ghosts).xy;
-#if ORDER == 2 && STAGE == 2
-            real2 load_start = imageLoad(load_out, at + water_ghosts).xy;
-#else
-            real2 load_start = load_here;
+            m.flux_north = step_load(at, m, a, face_south.mass);
+            m.solid_here = m.solid_south;
+            m.solid_south = load_concentration(at + int2(0, 2), south_2.depth);
 #endif
-            real2 load = sediment_after_stage(STAGE, load_start, load_here, solid_gain);
-            imageStore(load_out, at + water_ghosts, real4(load.x, load.y, 0.0, 0.0));
-            solid_north = flux_south;
-            solid_here = solid_south;
-            solid_south = load_concentration(at + int2(0, 2), south_2.depth);
-#endif
-
-            north = cell;
-            cell = south;
-            south = south_2;
-            here = below;
-            below = next;
-            slope = slope_south;
-            face_north = face_south;
+            m.north = m.cell;
+            m.cell = m.south;
+            m.south = south_2;
+            m.here = m.below;
+            m.below = next;
+            m.slope = slope_south;
+            m.face_north = face_south;
             ++row;
         } while (row < rows);
     }
-    if (moved) {
-        int column = int(gl_LocalInvocationIndex);
-        uint awake = wet | (moved_high ? wet_north : 0u) | (moved_low ? wet_south : 0u) |
-                     (column < water_reach ? wet_west : 0u) | (column >= tile_samples - water_reach ? wet_east : 0u);
-        if ((water_activity[tile] & awake) != awake) atomicOr(water_activity[tile], awake);
-        stamp_tile(tile, tile_water);
-    }
+    if (moved) mark_awake(tile, moved_high, moved_low);
 #if STAGE == 2
     if (fastest > real(0)) atomicMax(tile_speeds[tile], floatBitsToUint(fastest));
 #endif

@@ -11,8 +11,6 @@ layout(std430) buffer TileBooks { dvec2 tile_books[]; };  // metres of water in,
 
 uniform int2 samples;
 uniform int2 tiles;
-uniform real dab_amount_m;
-uniform int dab_takes;
 
 layout(rgba32f) uniform readonly image2D painted;
 real painted_mask(int2 at) { return imageLoad(painted, at).y; }

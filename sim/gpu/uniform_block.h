@@ -17,30 +17,32 @@ namespace talus::gpu {
 ///     #define NUMBER TALUS_MEMBER
 ///     #include "maths/thermal_numbers.glsl"
 ///     #undef NUMBER
-///         bool operator==(const ThermalNumbers&) const = default;
 ///     };
 template <typename Numbers>
 class UniformBlock {
   public:
     explicit UniformBlock(std::string label) : label_(std::move(label)) { set({}); }
 
-    /// Dispatches before it do not see it, those after it do: other numbers get a buffer of their own, so
-    /// that nothing writes one that a dispatch may still read.
+    /// Only later dispatches see the numbers. Changed numbers get a new buffer, so that no buffer is written
+    /// that an earlier dispatch may still read.
     void set(const Numbers& numbers) {
-        if (now_ == numbers) return;
-        now_ = numbers;
-        // std140 makes blocks whole multiples of 16 bytes.
-        std::array<std::byte, (sizeof(Numbers) + 15) / 16 * 16> bytes{};
+        Bytes bytes{};
         std::memcpy(bytes.data(), &numbers, sizeof(Numbers));
+        // By their bytes: -0 is not 0.
+        if (now_ == bytes) return;
+        now_ = bytes;
         buffer_ = Buffer(label_, bytes);
     }
     /// For Program::bind_uniforms().
     operator const Buffer&() const { return buffer_; }
 
   private:
+    // std140 makes blocks whole multiples of 16 bytes.
+    using Bytes = std::array<std::byte, (sizeof(Numbers) + 15) / 16 * 16>;
+
     std::string label_;
     Buffer buffer_;
-    std::optional<Numbers> now_;
+    std::optional<Bytes> now_;
 };
 
 }  // namespace talus::gpu

@@ -12,46 +12,13 @@ TileBlock tile_block(const Tiles& tiles, const std::vector<int>& touched) {
     return {first, place(touched.back()) - first + 1};
 }
 
-void set_dab(gpu::Program& program, const Terrain& terrain, const Dab& dab) {
-    const DabStep step = dab_step(terrain.grid(), dab);
+void set_dab(gpu::Program& program, const Terrain& terrain, const gpu::UniformBlock<DabNumbers>& numbers) {
     program.set("samples", glm::ivec2(terrain.grid().nx, terrain.grid().ny));
     program.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
-    program.set("cell_m", step.cell_m);
-    program.set("dab_sample", step.sample);
-    program.set("dab_offset", step.offset);
-    program.set("dab_radius_m", step.radius_m);
-    program.set("dab_falloff", step.falloff);
-    program.set("dab_curve", step.curve);
-    program.set("dab_length_m", step.length_m);
-    program.set("dab_masked", dab.masked ? 1 : 0);
+    program.bind_uniforms("DabNumbers", numbers);
     // Where nothing was painted another image stands in for it, unread.
     program.bind_image("painted", terrain.painted ? terrain.painted->front : terrain.solid.front);
 }
-
-namespace {
-
-// A field as the shader knows it, in single precision.
-struct SetUniform {
-    gpu::Program& program;
-    std::string prefix;
-    void operator()(const char* name, double value, double, double) const {
-        program.set(prefix + name, static_cast<float>(value));
-    }
-    void operator()(const char* name, int value, double, double) const { program.set(prefix + name, value); }
-    void operator()(const char* name, std::uint32_t value, double, double) const {
-        program.set(prefix + name, value);
-    }
-    void operator()(const char* name, glm::dvec2 pair, double, double) const {
-        program.set(prefix + name, glm::vec2(pair));
-    }
-    template <typename Choice>
-    void operator()(const char* name, Choice choice, const std::vector<std::string>&) const {
-        program.set(prefix + name, static_cast<int>(choice));
-    }
-    void operator()(const char* name, bool on) const { program.set(prefix + name, on ? 1 : 0); }
-};
-
-}  // namespace
 
 Brush::Brush(const Terrain& terrain)
     : book_("brush books", static_cast<std::size_t>(terrain.tiles.count()) * sizeof(glm::dvec4)) {
@@ -104,22 +71,13 @@ void Brush::run(Terrain& terrain, const Dab& dab, Set&& set) {
 }
 
 void Brush::dab(Terrain& terrain, const Dab& dab, const gpu::Texture* stamp) {
+    if (dab.as<StampDab>() && !stamp) return;
     run(terrain, dab, [&](gpu::Program& program) {
         const glm::ivec2 stamp_samples = stamp ? glm::ivec2(stamp->width(), stamp->height()) : glm::ivec2(2);
-        const DabStep step = dab_step(terrain.grid(), dab, stamp_samples);
-        set_dab(program, terrain, dab);
-        program.set("dab_amount_m", step.amount_m);
-        program.set("dab_blend", step.blend);
-        program.set("dab_target_m", step.target_m);
-        program.set("dab_on_regolith", step.on_regolith);
-        visit_own(dab, SetUniform{program, brush_mode_names()[dab.effect.index()] + "_"});
-        // Where there is no stamp another image stands in for it, unread.
+        numbers_.set(dab_numbers(terrain.grid(), dab, stamp_samples));
+        set_dab(program, terrain, numbers_);
+        // A dab of another kind does not read it: any image will do.
         program.bind_image("stamp", stamp ? *stamp : terrain.ground);
-        if (dab.as<StampDab>() && stamp) {
-            program.set("stamp_samples", stamp_samples);
-            program.set("stamp_columns", step.stamp_columns);
-            program.set("stamp_rows", step.stamp_rows);
-        }
     });
 }
 

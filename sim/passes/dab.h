@@ -31,11 +31,12 @@ const std::vector<std::string>& falloff_curve_names();
 
 const std::vector<std::string>& noise_kind_names();
 
-// What a dab does, a small struct each. `digs`: its amount may be below 0; `exaggerates`: its blend may be;
-// `has_object`: journals write its fields in an object of its own. Its fields stand once: journals, checks
-// and uniforms visit them. `visit` is called with a field's name and value and, for a number or a pair of
-// them, its smallest and largest value, for a choice, the names of its values. Shaders know them by the
-// effect's name and the field's: ramp_rise_m.
+// The effects of a dab, a small struct each. `digs`: its amount may be below 0. `exaggerates`: its blend may
+// be below 0. `has_object`: journals write its fields in an object of its own. visit_fields() lists each
+// field once, for journals, checks and shader uniforms. It calls `visit` with a field's name and value; for a
+// number or a pair of numbers also with the smallest and largest value, for a choice with the names of its
+// values. A shader gets a field by a line of shaders/maths/dab_numbers.glsl named by effect and field:
+// ramp_rise_m.
 
 /// Adds the dab's material, or brings a painted layer nearer to its target.
 struct RaiseDab {

@@ -80,7 +80,8 @@ void ErodeBrush::place(const Terrain& terrain, const Dab& dab, const ErodeDab& h
     program_.bind_image("ground_out", patch.ground);
     program_.bind_image("painted_out", patch.painted->front);
     patch.tiles.bind_for_stamping(program_);
-    set_dab(program_, terrain, dab);
+    numbers_.set(dab_numbers(terrain.grid(), dab));
+    set_dab(program_, terrain, numbers_);
     program_.set("window_corner", corner_);
     program_.set("window_samples", glm::ivec2(grid.nx, grid.ny));
     program_.set("is_painted", terrain.painted ? 1 : 0);

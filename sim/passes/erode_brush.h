@@ -16,10 +16,9 @@ int erode_substeps(const Grid& grid, const ErodeDab& dab);
 /// The longest time of a dab whose sub-steps a frame has room for, s.
 double erode_longest_s(const Grid& grid, const Dab& dab);
 
-/// A brush that erodes: the solvers of water, sediment and slopes run on a copy of the ground around it, with
-/// rain that falls, and rock that gives way, as far as the dab's weight says. Its water is its own: it comes
-/// with a stroke's first dab and goes with the last, and neither sees the map's water nor becomes it. What
-/// it carries beyond the copy is taken.
+/// A brush that erodes: the solvers of water, sediment and slopes run on a copy of the ground around it. The
+/// dab's weight scales the rain and the erosion. The brush's water is separate from the map's: it starts dry
+/// with a stroke's first dab and is dropped after the last. Solid that it carries out of the copy is removed.
 class ErodeBrush {
   public:
     /// Whether a dab can go on with the water of the one before.
@@ -45,6 +44,7 @@ class ErodeBrush {
         gpu::Buffer moved;
     };
     std::unique_ptr<Patch> patch_;
+    gpu::UniformBlock<DabNumbers> numbers_{"dab numbers"};
     gpu::Program program_{"sim/erode_brush.comp"};
     glm::ivec2 corner_{0};
     bool going_ = false;

@@ -9,10 +9,9 @@ void Paint::dab(Terrain& terrain, const Dab& dab) {
     terrain.add(&Terrain::painted);
     program_.bind_image("painted", terrain.painted->front);
     terrain.tiles.bind_for_stamping(program_);
-    set_dab(program_, terrain, dab);
+    numbers_.set(dab_numbers(terrain.grid(), dab));
+    set_dab(program_, terrain, numbers_);
     program_.set("painted_layer", static_cast<int>(painted_layer(dab.material)));
-    program_.set("dab_blend", static_cast<float>(dab.blend));
-    program_.set("dab_target", static_cast<float>(dab.target_m));
     const TileBlock block = tile_block(terrain.tiles, reached);
     program_.set("first_tile", block.first);
     program_.dispatch(block.size.x, block.size.y);

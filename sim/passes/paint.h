@@ -13,6 +13,7 @@ class Paint {
     void dab(Terrain& terrain, const Dab& dab);
 
   private:
+    gpu::UniformBlock<DabNumbers> numbers_{"dab numbers"};
     gpu::Program program_;
 };
 

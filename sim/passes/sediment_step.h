@@ -10,7 +10,6 @@ struct SedimentNumbers {
 #define NUMBER TALUS_MEMBER
 #include "maths/sediment_numbers.glsl"
 #undef NUMBER
-    bool operator==(const SedimentNumbers&) const = default;
 };
 SedimentNumbers sediment_numbers(const WaterSettings& water);
 

@@ -11,7 +11,6 @@ struct ThermalNumbers {
 #define NUMBER TALUS_MEMBER
 #include "maths/thermal_numbers.glsl"
 #undef NUMBER
-    bool operator==(const ThermalNumbers&) const = default;
 };
 
 struct ThermalStep {

@@ -184,8 +184,8 @@ bool Water::advance(Terrain& terrain, int& substeps) {
     while (true) {
         if (!poll_.pending()) {
             if (substeps <= 0) return false;
-            // No more than it takes, as far as is known: what is asked for too much costs a little, and a
-            // question costs a little too.
+            // At most the expected number of sub-steps: surplus ones cost a little, and so does a read-back
+            // of the time left.
             const int batch = std::clamp(expected_, 1, substeps);
             for (int i = 0; i < batch; ++i) substep(terrain);
             sent_ += static_cast<std::uint64_t>(batch);

@@ -25,11 +25,10 @@ void WaterBrush::dab(Terrain& terrain, const Dab& dab) {
     program_.bind_image("water", terrain.water->front);
     terrain.tiles.bind_for_stamping(program_);
     program_.bind_storage("TileBooks", book_);
-    set_dab(program_, terrain, dab);
+    numbers_.set(dab_numbers(terrain.grid(), dab));
+    set_dab(program_, terrain, numbers_);
     const TileBlock block = tile_block(terrain.tiles, tiles);
     program_.set("first_tile", block.first);
-    program_.set("dab_amount_m", static_cast<float>(dab.amount_m));
-    program_.set("dab_takes", dab.as<LowerDab>() ? 1 : 0);
     program_.dispatch(block.size.x, block.size.y);
     gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
                   gpu::Use::buffer_transfer});

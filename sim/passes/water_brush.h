@@ -19,6 +19,7 @@ class WaterBrush {
 
   private:
     gpu::Buffer book_;  // metres of depth in and out, a pair of doubles a tile
+    gpu::UniformBlock<DabNumbers> numbers_{"dab numbers"};
     gpu::Program program_;
 };
 

@@ -10,7 +10,6 @@ struct WaterNumbers {
 #define NUMBER TALUS_MEMBER
 #include "maths/water_numbers.glsl"
 #undef NUMBER
-    bool operator==(const WaterNumbers&) const = default;
 };
 /// `tiles`: of the terrain, across and down.
 WaterNumbers water_numbers(const Grid& grid, glm::ivec2 tiles, const WaterSettings& settings, double tick_s,

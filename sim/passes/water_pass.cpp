@@ -10,7 +10,7 @@
 namespace talus {
 namespace {
 
-// Water flows, with what it carries, comes by dabs, and is noted where it arrived.
+// Runs the water with its suspended load, the dabs of water, and the inundation map.
 class WaterPass : public Pass {
   public:
     explicit WaterPass(const Terrain& terrain) {

@@ -15,10 +15,10 @@ inline bool has_sources(const WaterSettings& settings, int stage) {
     return any && (settings.order == 1 || stage == 2);
 }
 
-/// The parts of a sub-step of the water, once its length is known, for the device (sim/passes/water.h) and
-/// for the twin (sim/passes/water_twin.h): for each of its two stages the samples beyond the edges (before
-/// the first, the springs too), then the stage; last the exchange of solid with the bed. Of order 1 the
-/// stages are Euler steps that follow each other, of order 2 those of one step.
+/// Runs the parts of a sub-step of known length, on the device (sim/passes/water.h) or in the twin
+/// (sim/passes/water_twin.h). Each of the two stages begins with the ghost samples beyond the edges; the
+/// first one also runs the springs. The exchange of solid with the bed comes last. At order 1 the stages are
+/// two successive Euler steps, at order 2 the two stages of one step.
 template <typename FillGhosts, typename RunStage, typename Exchange>
 void run_substep(const WaterSettings& settings, FillGhosts&& fill_ghosts, RunStage&& run_stage,
                  Exchange&& exchange) {

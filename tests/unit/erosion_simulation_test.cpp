@@ -14,6 +14,7 @@
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"
 #include "sim/terrain/state_hash.h"
+#include "tests/scenes/undo_trail.h"
 #include "tests/scenes/wait_until.h"
 
 namespace talus::erosion_simulation_test {
@@ -116,9 +117,7 @@ TEST_P(ErosionOfEitherOrder, UndoesAndRedoesToTheBit) {
     dry.set("water.inflow", 0.0);
     Simulation simulation(coast(), dry, undo_bytes);
     std::mt19937 random(7);
-    std::vector<std::uint64_t> hashes = {hash_of(simulation)};
-    std::vector<LedgerReading> ledgers = {simulation.ledger()};
-    for (int entry = 0; entry < 12; ++entry) {
+    const auto act = [&](int entry) {
         if (entry == 1) {
             simulation.apply(SetParameter{"water.rain", 300.0});
         } else if (entry == 3) {
@@ -138,9 +137,7 @@ TEST_P(ErosionOfEitherOrder, UndoesAndRedoesToTheBit) {
             }
             simulation.end_entry();
         }
-        hashes.push_back(hash_of(simulation));
-        ledgers.push_back(simulation.ledger());
-    }
+    };
     const auto expect_same = [](const LedgerReading& a, const LedgerReading& b) {
         EXPECT_EQ(a.solid_final, b.solid_final);
         EXPECT_EQ(a.solid_in, b.solid_in);
@@ -148,19 +145,7 @@ TEST_P(ErosionOfEitherOrder, UndoesAndRedoesToTheBit) {
         EXPECT_EQ(a.suspended, b.suspended);
         EXPECT_EQ(a.eroded_m3, b.eroded_m3);
     };
-    for (std::size_t back = hashes.size() - 1; back-- > 0;) {
-        ASSERT_TRUE(simulation.can_undo());
-        simulation.undo();
-        EXPECT_EQ(hash_of(simulation), hashes[back]) << back;
-        expect_same(simulation.ledger(), ledgers[back]);
-    }
-    while (simulation.can_redo()) simulation.redo();
-    EXPECT_EQ(hash_of(simulation), hashes.back());
-    expect_same(simulation.ledger(), ledgers.back());
-    Simulation other(simulation.read(), simulation.parameters());
-    simulation.apply(Ticks{5});
-    other.apply(Ticks{5});
-    EXPECT_EQ(hash_of(simulation), hash_of(other));
+    expect_undo_leads_back_and_forth(simulation, 12, act, expect_same);
 }
 
 // Everything at once: brushes, rain, a silty river, open edges, sliding, weathering; and weights that change

@@ -14,6 +14,7 @@
 #include "sim/gpu/program.h"
 #include "sim/gpu/shader_text.h"
 #include "sim/gpu/texture.h"
+#include "sim/passes/dab_numbers.h"
 #include "sim/passes/sediment_step.h"
 #include "sim/passes/thermal_step.h"
 #include "sim/passes/water_numbers.h"
@@ -34,6 +35,11 @@ void touch_later(const fs::path& path) {
     fs::last_write_time(path, fs::file_time_type::clock::now() + std::chrono::seconds(++steps));
 }
 
+// Shaders of a folder are for one test.
+struct BuiltInAfterwards {
+    ~BuiltInAfterwards() { use_built_in_shaders(); }
+};
+
 TEST(Debug, ErrorsAreExceptions) {
     const Context context;
     EXPECT_THROW(Texture("impossible", Format::r32f, -5, 4), Error);
@@ -51,6 +57,13 @@ struct Number {
     std::size_t offset;
 };
 
+std::vector<Number> dab_lines() {
+    std::vector<Number> lines;
+#define NUMBER(type, name) lines.push_back({#type, #name, offsetof(DabNumbers, name)});
+#include "maths/dab_numbers.glsl"
+#undef NUMBER
+    return lines;
+}
 std::vector<Number> thermal_lines() {
     std::vector<Number> lines;
 #define NUMBER(type, name) lines.push_back({#type, #name, offsetof(ThermalNumbers, name)});
@@ -82,7 +95,7 @@ std::string copying_shader(const std::string& file, const std::vector<Number>& l
         for (const char* part : {".x", ".y"}) {
             if (!pair && part[1] == 'y') continue;
             const std::string value = line.name + (pair ? part : "");
-            const bool whole = line.type.starts_with("int");
+            const bool whole = line.type.find("int") != std::string::npos;
             body += "    words[" + std::to_string(words++) + "] = " + (whole ? "uint(" : "floatBitsToUint(") +
                     value + ");\n";
         }
@@ -102,6 +115,7 @@ TEST(Program, ReadsUniformBlocksWhereTheStructsHaveThem) {
     const auto copy = [&](const std::string& name) { write(folder / name, embedded_shaders().at(name)); };
     copy("maths/glsl_types.glsl");
     const std::tuple<std::string, std::vector<Number>, std::size_t> blocks[] = {
+        {"dab_numbers.glsl", dab_lines(), sizeof(DabNumbers)},
         {"thermal_numbers.glsl", thermal_lines(), sizeof(ThermalNumbers)},
         {"sediment_numbers.glsl", sediment_lines(), sizeof(SedimentNumbers)},
         {"water_numbers.glsl", water_lines(), sizeof(WaterNumbers)}};
@@ -110,9 +124,7 @@ TEST(Program, ReadsUniformBlocksWhereTheStructsHaveThem) {
         write(folder / ("copy_" + file + ".comp"), copying_shader(file, lines));
     }
     use_shader_folder(folder);
-    struct BuiltInAfterwards {
-        ~BuiltInAfterwards() { use_built_in_shaders(); }
-    } const afterwards;
+    const BuiltInAfterwards afterwards;
     for (const auto& [file, lines, bytes] : blocks) {
         // Every word is another one, and a float that no device flushes to 0.
         std::vector<std::uint32_t> memory((bytes + 15) / 16 * 4);
@@ -149,9 +161,7 @@ TEST(Program, RefusesToRunWithoutWhatItsShadersUse) {
           "uniform sampler2D besides;\nlayout(std430) buffer Sum { float sum[]; };\n"
           "void main() { sum[0] += imageLoad(from, ivec2(0)).x + texelFetch(besides, ivec2(0), 0).x; }\n");
     use_shader_folder(folder);
-    struct BuiltInAfterwards {
-        ~BuiltInAfterwards() { use_built_in_shaders(); }
-    } const afterwards;
+    const BuiltInAfterwards afterwards;
     Texture two("two", Format::r32f, 1, 1);
     Texture five("five", Format::r32f, 1, 1);
     two.fill(2);
@@ -204,9 +214,7 @@ TEST(Program, FollowsItsFolderAndKeepsTheOldOneWhenTheNewDoesNotCompile) {
     use_shader_folder(folder);
     std::string message;
     on_shader_message([&](const std::string& text) { message = text; });
-    struct BuiltInAfterwards {
-        ~BuiltInAfterwards() { use_built_in_shaders(); }
-    } const afterwards;
+    const BuiltInAfterwards afterwards;
     const Texture target("target", Format::r32f, 1, 1);
     Program program("sim/store.comp");
     const auto run = [&] {

@@ -71,13 +71,13 @@ TEST(Ring, AStampIsShownWhereItWouldBePressed) {
     dab.effect = StampDab{StampMode::add, {90, 40}, 30, false};
     gpu::Texture stamp("stamp", gpu::Format::r32f, 10, 5);
     stamp.fill(1);
-    const DabStep step = dab_step(plane.grid, dab, {10, 5});
+    const DabNumbers numbers = dab_numbers(plane.grid, dab, {10, 5});
     render::Ring ring;
     ring.at_m = {dab.x_m, dab.y_m};
     ring.radius_m = 100;
     ring.stamp = &stamp;
-    ring.stamp_columns = {step.stamp_columns.x, -step.stamp_columns.y};
-    ring.stamp_rows = {step.stamp_rows.x, -step.stamp_rows.y};
+    ring.stamp_columns = {numbers.stamp_columns.x, -numbers.stamp_columns.y};
+    ring.stamp_rows = {numbers.stamp_rows.x, -numbers.stamp_rows.y};
     const std::vector<bool> changed = plane.changed(ring);
     Brush brush(plane.terrain);
     brush.dab(plane.terrain, dab, &stamp);

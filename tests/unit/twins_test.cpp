@@ -64,7 +64,8 @@ TEST(Twins, BrushAndThermalAgreeToTheBitAfter500Ticks) {
 }
 
 // Dabs of several kinds, modes and curves in turn agree with the float twin to the bit. On Mesa 22.3's zink
-// they did not: programs that take turns got each other's variants of inlined uniforms (work_around_drivers).
+// they did not: programs that take turns got each other's variants of inlined uniforms (work_around_drivers,
+// docs/devices.md).
 TEST(Twins, DabsOfAllKindsInTurnAgreeToTheBit) {
     const gpu::Context context;
     if (!claims::arithmetic_of_device().rounds_as_ieee())
@@ -103,7 +104,7 @@ TEST(Twins, DabsOfAllKindsInTurnAgreeToTheBit) {
         dab.target_m = 900 * unit(random);
         dab.material = random() % 2 == 0 ? Material::regolith : Material::bedrock;
         brush.dab(terrain, dab);
-        twin.dab(dab, dab_step(grid, dab));
+        twin.dab(dab.mode(), dab_numbers(grid, dab));
         if (i % 10 == 9) {
             ASSERT_EQ(differing(samples_of(terrain.read()), twin.ground_samples), 0U) << "up to dab " << i;
         }

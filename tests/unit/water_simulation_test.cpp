@@ -21,6 +21,7 @@
 #include "sim/terrain/generate.h"
 #include "sim/terrain/sea.h"
 #include "sim/terrain/state_hash.h"
+#include "tests/scenes/undo_trail.h"
 #include "tests/scenes/wait_until.h"
 
 namespace talus::water_simulation_test {
@@ -86,9 +87,7 @@ TEST_P(EitherOrder, UndoesAndRedoesToTheBit) {
     dry.set("time.tick_s", 0.7);
     Simulation simulation(coast(), dry, undo_bytes);
     std::mt19937 random(7);
-    std::vector<std::uint64_t> hashes = {hash_of(simulation)};
-    std::vector<LedgerReading> ledgers = {simulation.ledger()};
-    for (int entry = 0; entry < 12; ++entry) {
+    const auto act = [&](int entry) {
         if (entry == 0) {
             Dab dab = water_dab(random);
             dab.material = Material::bedrock;
@@ -111,23 +110,8 @@ TEST_P(EitherOrder, UndoesAndRedoesToTheBit) {
             }
             simulation.end_entry();
         }
-        hashes.push_back(hash_of(simulation));
-        ledgers.push_back(simulation.ledger());
-    }
-    for (std::size_t back = hashes.size() - 1; back-- > 0;) {
-        ASSERT_TRUE(simulation.can_undo());
-        simulation.undo();
-        EXPECT_EQ(hash_of(simulation), hashes[back]) << back;
-        expect_same(simulation.ledger(), ledgers[back]);
-    }
-    while (simulation.can_redo()) simulation.redo();
-    EXPECT_EQ(hash_of(simulation), hashes.back());
-    expect_same(simulation.ledger(), ledgers.back());
-    // And it goes on as if nothing had been undone.
-    Simulation other(simulation.read(), simulation.parameters());
-    simulation.apply(Ticks{5});
-    other.apply(Ticks{5});
-    EXPECT_EQ(hash_of(simulation), hash_of(other));
+    };
+    expect_undo_leads_back_and_forth(simulation, 12, act, expect_same);
 }
 
 // A trickle that stays below the threshold of rest, and a puddle that dries up in one tick.
