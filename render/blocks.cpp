@@ -15,8 +15,8 @@ glm::ivec2 large_blocks_of(glm::ivec2 blocks) {
 void draw_blocks(gpu::Program& program, const gpu::Framebuffer& target, glm::ivec2 size,
                  const BlockList& list, gpu::Depth depth) {
     const glm::ivec2 blocks = blocks_of(size.x, size.y);
-    // A point whose middle lies beside the viewport is not drawn, so the blocks that are cut off are in it
-    // whole.
+    // OpenGL drops a point whose centre lies outside the viewport. So the viewport holds whole blocks, and
+    // the clip region cuts them off.
     const glm::ivec2 whole = large_blocks_of(blocks) * (large_block * block_pixels);
     target.bind({0, 0, whole.x, whole.y}, {0, 0, size.x, size.y});
     program.set("blocks", blocks);

@@ -22,7 +22,7 @@ struct Cost {
     double patches = 0;
 };
 
-// Software works in this process, and other programs only take its turns: its time is CPU time.
+// A software renderer works in this process. CPU time counts, because other programs do not lengthen it.
 double now_s(bool software) {
     if (!software)
         return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

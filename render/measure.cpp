@@ -28,7 +28,7 @@ class Neighbourhood {
     Neighbourhood(maths::CastTwin<double>& twin, int width, int height, int x, int y, double shown_m)
         : twin_(twin), width_(width), height_(height), x_(x), y_(y), shown_m_(shown_m) {}
 
-    // Where the ray's ground lies of what is shown: 0 within the agreement, -1 nearer, 1 farther.
+    // The ray's hit compared with the distance shown: 0 within the tolerance, -1 nearer, 1 farther.
     int side(glm::dvec2 offset) const {
         double found =
             twin_.cast_pixel(2 * (x_ + 0.5 + offset.x) / width_ - 1, 2 * (y_ + 0.5 + offset.y) / height_ - 1)

@@ -5,9 +5,9 @@
 
 namespace talus::render {
 
-/// How far a picture is from the reference (law 1). Errors in pixels: the smallest offset of a reference ray
-/// that agrees with what the pixel shows, in coverage and within 1e-4 of its distance. Where no ray within
-/// the limit agrees, the limit counts, and `beyond` tells how often.
+/// How far a picture is from the reference (law 1). A pixel's error is the smallest offset, in pixels, of a
+/// reference ray that agrees with it: both hit or both miss, with distances equal to a relative 1e-4. If no
+/// ray within the limit agrees, the error is the limit; `beyond` counts such pixels.
 struct PictureError {
     int pixels_hit = 0;          ///< by the reference
     int wrong_coverage = 0;      ///< the ground where the reference has sky, or the reverse

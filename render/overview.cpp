@@ -47,9 +47,9 @@ Camera overview(const Grid& grid, double lowest_m, double highest_m, const Frami
     const double face_m = 0.2 * std::max(highest_m - lowest_m, 1e-3 * glm::length(glm::dvec2(middle)));
     const std::vector<glm::dvec3> points = outline(grid, lowest_m - face_m, highest_m, framing.all_around);
 
-    // Along each side of the picture a point p is seen from the eye e where |(p - e) side| <= k (p - e)
-    // forward. Both signs together bound how far forward the eye may be, and say where it is between them.
-    // It stays before all of the terrain, by a tenth of its size at least: a wide view would come too near.
+    // For each of the picture's two axes: eye e sees point p if |dot(p - e, side)| <= k dot(p - e, forward).
+    // The two signs together limit how far forward the eye may be, and give its place along the axis. The eye
+    // stays before all of the terrain, by a tenth of its size at least: a wide view would come too near.
     double nearest = std::numeric_limits<double>::max();
     for (const glm::dvec3& p : points) nearest = std::min(nearest, glm::dot(p - middle, forward));
     double ahead = nearest - 0.1 * glm::distance(points.front(), points.back());

@@ -32,7 +32,7 @@ gpu::Texture bounds_texture(const char* label, glm::ivec2 level_1) {
 
 }  // namespace
 
-// What is painted changes no height, but pictures of it.
+// Paint changes no height, but the picture over it must be redrawn.
 Pyramid::Pyramid(const Terrain& terrain)
     : Pyramid(terrain, nullptr, Tiles::ground | Tiles::eroded | Tiles::painted) {}
 

@@ -14,10 +14,10 @@ class Redraw {
 
     /// Forgets all marks; of a picture of this size.
     void begin(int width, int height);
-    /// Marks what listed tiles cover, with the ground around that shading looks at and the shadows that they
-    /// cast, by the pyramid's present bounds: once before it is rebuilt and once after. Marks everything
-    /// where the terrain's lowest or highest sample changes between the two. sun: unit vector towards it; 0:
-    /// no shadows. reach: samples around a place that its colours look at.
+    /// Marks the blocks that listed tiles cover, by the pyramid's present bounds, with the tiles' shadows and
+    /// the ground around them whose shading reads them. Call it before the pyramid is rebuilt, and again
+    /// after. If the terrain's lowest or highest sample changed in between, marks all blocks. sun: unit
+    /// vector towards it; 0: no shadows. reach: samples around a place that its colours read.
     void mark(bool after, const TileList& tiles, const Terrain& terrain, const Pyramid& pyramid,
               const Camera& camera, glm::dvec3 sun, int reach);
     /// For shaders that find more to draw: shaders/render/redraw_marks.glsl.

@@ -70,7 +70,7 @@ Drawn Renderer::draw(const Terrain& terrain, const Camera& camera, const ViewSet
                      int height, const Ring& ring) {
     resize(width, height);
     const Picture picture{camera, settings, width, height, terrain.tiles.now()};
-    // What throws half way leaves nothing to build on.
+    // If drawing throws half way, the next draw starts from scratch.
     const std::optional<Picture> before = std::exchange(drawn_, std::nullopt);
     const Drawn drawn = redraw(terrain, picture, before);
     drawn_ = picture;

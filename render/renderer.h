@@ -34,9 +34,9 @@ class Renderer {
     /// bit as a fresh one. The ring lies on top: moving it draws nothing else again.
     Drawn draw(const Terrain& terrain, const Camera& camera, const ViewSettings& settings, int width,
                int height, const Ring& ring = {});
-    /// Adds one sample a pixel to the picture drawn last, until it has as many: smoother silhouettes and
-    /// detail. False where the picture stays as it is. The mean is the same bit for bit in whatever steps it
-    /// was made.
+    /// Adds one sample per pixel to the picture drawn last, up to `samples`: smoother silhouettes and detail.
+    /// Returns false if the picture did not change. The bits of the mean do not depend on the steps in which
+    /// it was made.
     bool refine(const Terrain& terrain, int samples);
     /// The next draw() draws everything.
     void forget() { drawn_.reset(); }

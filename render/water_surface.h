@@ -5,9 +5,9 @@
 
 namespace talus::render {
 
-/// The water's surface as the second one that rays are cast onto: ground + depth where it is wet; where it is
-/// dry beside water, the mean level of that water goes on below the ground, so that the shoreline lies where
-/// the level meets the bilinear ground; elsewhere far below it (docs/numerics.md, "Seeing water").
+/// The water's surface, the second surface that rays are cast onto. At wet samples it is ground + depth. At
+/// dry samples beside water the mean level of that water is extended below the ground, so that the shoreline
+/// lies where level and bilinear ground meet. Elsewhere it is far below (docs/numerics.md, "Seeing water").
 class WaterSurface {
   public:
     /// The terrain must have a water layer.

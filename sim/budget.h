@@ -35,8 +35,8 @@ struct WaterBooks {
     double out_m3() const { return edges_out_m3 + losses_m3 + brush_out_m3; }
 };
 
-/// What came into the terrain and went out of it since the ledger was begun: the terms of its budget beside
-/// what is there. Solid in m³ as SolidWeights counts it.
+/// The budget terms of the terrain: its inflows and outflows since the ledger was begun, without the stores.
+/// Solid is in m³, weighted by SolidWeights.
 struct BudgetTerms {
     double solid_in_m3 = 0;  ///< by brushes, and what changed its weight
     double solid_out_m3 = 0;

@@ -9,8 +9,8 @@
 
 namespace talus {
 
-/// What the ledger counts with these parameters, as the shaders count it, so that their roundings are not
-/// taken for solid.
+/// The solid weights under these parameters. They are rounded to float as in the shaders: otherwise the
+/// ledger would count the rounding error as solid.
 SolidWeights solid_weights(const Parameters& parameters);
 
 /// Where rock and water are, in m³, summed in double (law 3).

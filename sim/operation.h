@@ -23,7 +23,7 @@ struct Ticks {
 /// A change of one simulation parameter.
 struct SetParameter {
     std::string name;
-    std::optional<Value> value;  ///< none: as if nobody had ever set it, so that it follows what it follows
+    std::optional<Value> value;  ///< none: unset, so that it is the default or follows another parameter
     bool operator==(const SetParameter&) const = default;
 };
 
@@ -105,8 +105,8 @@ TerrainState made_of(const Blur& blur, const TerrainState& state);
 
 /// Whether it makes another terrain that way, which may take long.
 bool makes_terrain(const Operation& operation);
-/// The operation with what it makes of the terrain, so that a thread can make it ready; a simulation in this
-/// state only takes it over.
+/// The operation with its result already computed by made_of(), so that a background task can do the work. A
+/// simulation in this state only takes the result over.
 Operation made_ready(Operation operation, const TerrainState& state);
 
 /// Lets go of what was made ready, or came from files.

@@ -35,8 +35,8 @@ std::function<void(const Parameters&, Settings&)> put_into(Member Settings::*mem
     };
 }
 
-/// Puts the value into a member: numbers times `unit`, the member's unit in the parameter's; choices by their
-/// place, as an enum or, of two, as a switch.
+/// Puts the value into a member. A number is multiplied by `unit`, the parameter's unit in units of the
+/// member. A choice becomes its index: an enum, or a switch if there are two choices.
 template <typename Settings, typename Member>
 BoundParameter<Settings> bound(Parameter declared, Member Settings::*member, double unit = 1) {
     std::string name = declared.name;

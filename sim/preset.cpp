@@ -81,7 +81,7 @@ std::string to_toml(const Parameters& parameters) {
     std::string text;
     std::string section;
     for (const Parameter& p : parameters.declared()) {
-        // What follows something else goes on following it when it is read again.
+        // An unset parameter is not written, so that it still follows another one when read again.
         if (!parameters.is_given(p.name)) continue;
         const Value& value = parameters.value(p.name);
         const auto dot = p.name.find('.');

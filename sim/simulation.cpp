@@ -117,7 +117,7 @@ void Simulation::act(const SetParameter& wanted) {
         if (sets_off == SetsOff::edge_clock) moment_.edges_since_s = moment_.clock.simulated_s;
         if (fills) fill_sea_now();
     };
-    // A slider that is dragged is one entry; a sea that rises keeps what it covers.
+    // A dragged slider extends its last undo entry. A sea that fills tiles needs an entry of its own.
     if (keeps_undo_ && !undo_.is_open() && !fills && undo_.extends(set.name)) {
         change();
         journal_.record(set);

@@ -111,13 +111,13 @@ class Simulation {
     TerrainState with_moment(TerrainState layers) const;
     std::vector<Book> books();
     Snapshot snapshot() { return {BookCopies(books()), moment_, {}}; }
-    /// Books what a change brings or takes that no pass books. Waits for the device.
+    /// Runs `change` and books the solid (m³) that no pass books. Waits for the device.
     template <typename Change>
     void book(Change&& change);
-    /// A change of what a metre of regolith or load counts brings or takes no solid: it is booked.
+    /// Books the apparent gain or loss of solid when parameters change the solid weights.
     void reweigh(const Parameters& changed);
     void fill_sea_now();
-    /// A sea level that is set again at once takes the place of the one before, and its water with it.
+    /// Undoes the last act if it set this sea level too, so that its water does not stay under the new level.
     void withdraw_sea(const std::string& level);
     void begin_tick();
 

@@ -60,7 +60,7 @@ void put_back(Terrain& terrain, int tile, unsigned layers, const gpu::Buffer& so
     terrain.refresh(terrain.tiles.region(tile));
 }
 
-// What was kept with fewer layers, with the missing ones zero between.
+// Copies a kept tile. Layers that did not exist when it was kept are filled with zeros.
 void copy_kept(Terrain& terrain, int tile, const KeptTile& kept, unsigned layers, gpu::Buffer& target,
                std::size_t at) {
     std::size_t from = 0;

@@ -19,8 +19,8 @@ struct KeptTile {
 /// The tile as it is now, copied on the device.
 KeptTile copy_tile(Terrain& terrain, int tile);
 
-/// What an act changed in tiles: for every word, the bits in which before and after differ. The same bits
-/// lead back and forth. They are read from the device without waiting, and packed on a thread of their own.
+/// The XOR delta of the tiles that an act changed: each 32-bit word before the act XOR the word after it. The
+/// same delta undoes and redoes the act. The read-back does not wait; a background task packs the delta.
 class TileChanges {
   public:
     TileChanges() = default;
@@ -33,7 +33,7 @@ class TileChanges {
     void settle();
     bool is_settled() const;
 
-    /// Leads the terrain from after to before, or from before to after. Waits for the device.
+    /// Undoes the act, or redoes it, by XOR of the delta into the tiles. Waits for the device.
     void apply(Terrain& terrain);
 
     bool empty() const { return chunks_.empty(); }

@@ -97,7 +97,7 @@ void Undo::settle() {
 }
 
 void Undo::trim() {
-    // What is not packed yet says nothing of what it will take.
+    // The newest entry's final size is unknown until it is packed: trimming waits.
     const auto fits = [&] { return bytes() <= capacity_bytes_ || !done_.back().changes.is_settled(); };
     while (!done_.empty() && !open_ && !fits()) done_.pop_front();
     while (!undone_.empty() && bytes() > capacity_bytes_) undone_.erase(undone_.begin());

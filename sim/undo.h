@@ -21,8 +21,8 @@ struct Snapshot {
     std::optional<PackedTerrain> terrain;
 };
 
-/// Undo and redo. An entry keeps what an act changed, tile by tile, packed; or, where another terrain took
-/// the place of the one before, the whole of that one. The newest entries that fit into the cap stay.
+/// Undo and redo. An entry keeps the packed XOR delta of the tiles that an act changed. If the act replaced
+/// the terrain, the entry keeps the whole old terrain, packed. Beyond the cap the oldest entries are dropped.
 class Undo {
   public:
     /// Beyond this many bytes the oldest entries go.
@@ -63,9 +63,9 @@ class Undo {
     /// What undo() or redo() would give back.
     const Snapshot& before() const { return done_.back().snapshot; }
     const Snapshot& after() const { return undone_.back().snapshot; }
-    /// Puts the tiles back that the act changed, cuts or restores the journal, and gives back the rest as it
-    /// was, which is the caller's to put back: the other terrain too, where there is one. `now`: the present
-    /// one, with the terrain where that gives one back.
+    /// Restores the tiles that the act changed, and cuts or restores the journal. Returns the snapshot that
+    /// the caller must restore: all other state, with the terrain if the act replaced it. `now`: the snapshot
+    /// of the present state; it holds the present terrain exactly if the returned one holds a terrain.
     Snapshot undo(Terrain& terrain, Journal& journal, Snapshot now);
     Snapshot redo(Terrain& terrain, Journal& journal, Snapshot now);
 

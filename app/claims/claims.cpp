@@ -76,11 +76,11 @@ const std::vector<Claim>& claims() {
          [] { return picture("exact", 0); }},
         {"hybrid picture", "mesh and rays meet it within the tolerance of half a pixel",
          [] { return picture("hybrid", 0.5); }},
-        {"pyramid", "bounds that follow changes are those made anew",
+        {"pyramid", "bounds updated tile by tile equal bounds built anew",
          [] {
              return count(static_cast<double>(pyramid_texels_differing({130, 257, 4, 6}, 150)), "texels");
          }},
-        {"kept pictures", "pictures that are mended where the ground changed are those drawn anew",
+        {"kept pictures", "pictures redrawn only where the ground changed equal pictures drawn anew",
          [] {
              return count(kept_frames({300, 257, 20, 20}, "hybrid", 40, {320, 180}).differing,
                           "frames of 40");

@@ -16,8 +16,8 @@ struct Balance {
 class Balances {
   public:
     const std::vector<Balance>& all() const { return kept_; }
-    /// Keeps one more. Those of a time that undo went back from go; every other one goes when there are too
-    /// many.
+    /// Adds a reading. Drops those of its time or later, which an undo took back, and every other one when
+    /// there are too many.
     void keep(const Balance& balance);
     /// Takes what the ledger shows, without waiting, and asks anew about twice a second where something
     /// changed. Once a frame, while somebody looks at it.

@@ -83,7 +83,7 @@ void Project::serve(const PanelRequests& asked) {
     if (asked.reset) when_saved([this] { reset(); });
 }
 
-// A dialog that was closed without a name: what should have come after saving does not.
+// If the save dialog was closed without a name, the act that waited for the save is dropped.
 void Project::follow_dialogs(const PanelRequests& asked) {
     if (state_.dialog.purpose == FileDialog::Purpose::none && !asked.save && !asked.answer)
         after_saving_ = nullptr;

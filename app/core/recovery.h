@@ -39,16 +39,16 @@ class Recovery {
     Recovery& operator=(const Recovery&) = delete;
     const std::string& why() const { return why_; }
 
-    /// Once a loop of the window: begins an autosave `interval_s` after the last one where `dirty`, takes
-    /// what was read without waiting, and writes it on a thread. `changes`: another number for everything
-    /// that was done.
+    /// Call once per loop of the window. If `dirty`, begins an autosave `interval_s` after the last one. The
+    /// read-back does not wait, and a background task writes the file. `changes`: a number that differs after
+    /// every change.
     void follow(const Simulation& simulation, const Scene& scene, const std::string& project, bool dirty,
                 std::size_t changes, double interval_s);
     /// The work was saved, or dropped: what was kept of it is of no use any more.
     void forget_work();
     /// An orderly end: nothing is left behind.
     void end();
-    /// What has been told since this was last called: that it saved, or why it could not.
+    /// The error of an autosave that failed since the last call; none: no autosave failed.
     std::optional<std::string> take_message();
     bool busy() const { return readback_.pending() || writing_.valid(); }
 

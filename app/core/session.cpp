@@ -52,7 +52,7 @@ void Session::start(Scene scene) {
     frame_terrain();
 }
 
-// What was said of another terrain's size and place is not of this one.
+// Sizes and edges that were set for another terrain do not hold for this one.
 void Session::forget_rectangle() {
     for (const char* name : {"map.nx", "map.ny", "map.west_m", "map.south_m", "map.east_m", "map.north_m"})
         scene_.view.reset(name);
@@ -129,7 +129,7 @@ void Session::recovered(const std::string& project, const std::string& title) {
     path_ = project;
     scene_.title = title;
     recovered_ = true;
-    // What lies in the recovery folder is no file to come back to.
+    // A reset must not open the autosave in the recovery folder again.
     request_.input = project;
 }
 

@@ -43,9 +43,9 @@ class Session {
     const std::string& wave_note() const { return wave_note_; }
 
     bool playing = false;
-    /// Plays for this much wall time within this much work (seconds), on average: where a sub-step is longer,
-    /// it is saved for. Measures the speed reached. While a stroke waits for the tick's end, no other tick is
-    /// begun.
+    /// Simulates for `wall_s` of wall time with `budget_s` of work (seconds), on average: for a longer
+    /// sub-step the budget is saved up over several calls. Measures the speed reached. While a stroke waits
+    /// for the end of a tick, no other tick begins.
     void play(double wall_s, double budget_s);
     double speed_reached() const { return speed_reached_; }
     double tick_ms() const { return ticks_.tick_ms(); }
@@ -53,9 +53,9 @@ class Session {
     void toggle_play();
     void step();
 
-    /// What another scene asks for besides what this session was started with.
+    /// The request for another scene: `wish` completed by options that this session was started with.
     SceneRequest request_for(const SceneRequest& wish) const;
-    /// Another scene, made as the request says: what was here before stays where that fails.
+    /// Opens a scene that was made from the request. If that fails, the present scene stays.
     void open(const SceneRequest& request, Scene scene);
     /// The scene came from an autosave of this project (empty: none yet): it is unsaved, and saved there.
     void recovered(const std::string& project, const std::string& title);

@@ -16,8 +16,8 @@ ChooseStamp read_stamp(const std::string& path, const io::ImportSettings& import
 /// talus::Error when it is not.
 void read_sources(Operation& operation);
 
-/// An operation of a journal that is replayed with `ratio` times as many samples along each axis: what counts
-/// samples counts as many times more.
+/// Adapts an operation to a replay with `ratio` times as many samples along each axis: multiplies its numbers
+/// of samples by `ratio`, and resamples an imported terrain.
 void rescale(Operation& operation, glm::dvec2 ratio);
 
 }  // namespace talus::app

@@ -29,12 +29,12 @@ class TickPacing {
         bool saved = false;  ///< nothing could run yet: the frame was saved for
     };
 
-    /// Runs what this frame owes and may spend. What does not fit in a frame is saved for; what could not be
-    /// simulated in time is dropped. Under a stroke ticks are whole, one a frame at most: dabs wait for a
-    /// tick's end.
+    /// Runs the ticks that are due, within the budget. For work longer than a frame the budget is saved up;
+    /// time that cannot be simulated fast enough is dropped. During a stroke a frame runs one whole tick at
+    /// most, because dabs wait for the tick's end.
     Ran play(const PacedTicks& ticks, const Frame& frame);
-    /// What play() ran took this long (ms), as the device says: where it runs behind our back, the clock on
-    /// the wall does not know.
+    /// The device time (ms) of what play() ran. The wall clock does not measure the work of an asynchronous
+    /// device.
     void took(double ms, const Ran& ran);
     /// Nothing is owed any more.
     void stop();

@@ -16,8 +16,8 @@ class Work {
 
     /// Waits for jobs that were given up.
     ~Work();
-    /// One at a time: while one goes on, another is refused by doing nothing. What replaces a file cannot be
-    /// given up.
+    /// One job at a time: while one runs, start() does nothing. `can_cancel`: false for a job that replaces a
+    /// file.
     void start(std::string name, Job job, bool can_cancel = true);
     bool can_cancel() const { return can_cancel_; }
     bool busy() const { return job_.has_value(); }

@@ -109,7 +109,7 @@ void draw_import_dialog(PanelContext& context) {
         ended = true;
     }
     ImGui::SameLine();
-    // While it is read again, that is given up, and what was to be done with it.
+    // While the file is read again, Cancel stops only the reading and the chosen act.
     if (button("Cancel import") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
         dialog.then = ImportDialog::Then::stay;
         if (waits)

@@ -35,7 +35,7 @@ void draw_work(const Work& work, bool& cancelled) {
     ImGui::Begin("Work", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize);
     text_line(work.name());
-    // How far it is nobody knows: the bar says that it goes on, and for how long it has.
+    // The progress is unknown: the bar shows that the work goes on, and for how many seconds.
     const auto turn = static_cast<float>(work.seconds() - std::floor(work.seconds()));
     ImGui::ProgressBar(turn, {-1, 0}, fmt::format("{:.0f} s", work.seconds()).c_str());
     cancelled = button("Cancel work", "everything stays as it was", work.can_cancel());

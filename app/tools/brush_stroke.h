@@ -42,8 +42,8 @@ class BrushStroke {
     glm::dvec3 at() const { return at_; }
 
   private:
-    /// The parameters that it goes by: the tool that it began with; erosion, all that it began with, for its
-    /// water has one strength and one size.
+    /// The parameters of the stroke: the present ones with the tool that it began with. Erosion keeps all
+    /// that it began with, because its water has one strength and one size.
     const Parameters& settings(const Parameters& view);
     Dab jittered(const Parameters& view, Dab dab, glm::dvec2 place);
     double unit();

@@ -46,7 +46,7 @@ void Hand::read_cursor(const Grid& grid) {
 }
 
 void Hand::look(Session& session, glm::dvec2 mouse, glm::ivec2 size, glm::ivec2 drawn, bool changed) {
-    // Over a picture at rest the cursor is read where it came to, once.
+    // If neither picture nor mouse has changed, the last read-back holds.
     if (!changed && mouse == cursor_mouse_) return;
     if (cursor_readback_.pending()) {
         // The picture has changed since: again, when it has come.

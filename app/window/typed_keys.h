@@ -25,8 +25,8 @@ class TypedKeys {
     /// Escape must.
     void hear(const Key& key, bool typing, const To& to);
     void hear_letter(unsigned letter) { heard_.push_back({{}, letter, false}); }
-    /// Passes on what was heard since the last frame. A release behind a press waits for the next frame, and
-    /// so does all that comes behind it: panels would never see both keys down. Says whether something waits.
+    /// Passes on the events since the last frame. A release after a press waits for the next frame, with all
+    /// later events: otherwise panels would never see the key down. Returns whether any event waits.
     bool pass(const To& to);
 
   private:

@@ -189,7 +189,7 @@ class Window {
         if (state_.log.size() >= most) state_.log.erase(state_.log.begin());
         state_.log.push_back(message);
     }
-    // For who drives the window by name, and wants to know whether undo leads back to it.
+    // Test scripts that drive the window by widget names check that undo restores this hash.
     void note_start() {
         if (rects_.path.empty()) return;
         note(fmt::format("begun with hash {:016x}", state_hash(session_.simulation().read())));

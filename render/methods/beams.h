@@ -5,8 +5,9 @@
 
 namespace talus::render {
 
-/// Where the rays of a picture may start: beams of 8 x 8 pixels walk first and stop before any of their rays
-/// can meet ground (shaders/maths/beam.glsl). Skipping changes no bit of a hit; ends in flat cells do.
+/// Start depths for a picture's rays: beams of 8 x 8 pixels are cast first and stop before any of their rays
+/// can meet ground (shaders/maths/beam.glsl). Starting there changes no bit of a hit; flat ends do change
+/// bits.
 class Beams {
   public:
     /// With defines for shaders/render/beam.frag.

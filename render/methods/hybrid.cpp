@@ -69,8 +69,8 @@ void make_room(Hybrid& hybrid, const CellRectangle& cells) {
 void draw(Hybrid& hybrid, const Frame& frame) {
     const Grid& grid = frame.terrain.grid();
     const double pixel_m = pixel_at_one_metre(frame.camera, frame.height);
-    // A patch seen straight on covers the pixels that the mesh must have at this distance; on slopes up to
-    // twice as many.
+    // The mesh ends at the distance where a patch seen straight on covers half of patch_pixels: on slopes it
+    // covers up to twice as many.
     const bool meshed = frame.tolerance_px >= mesh_error_px;
     const double patch_pixels = meshed ? frame.patch_pixels : HUGE_VAL;
     const double mesh_end_m = std::sqrt(2 * grid.dx * grid.dy / std::max(patch_pixels, 1e-9)) / pixel_m;

@@ -21,8 +21,8 @@ class RayCasting {
     /// Sends the beams and lists the picture's blocks by what became of them. flatness: as in
     /// shaders/maths/beam.glsl, for flat ends.
     void cast_beams(const Frame& frame, double flatness = 0);
-    /// Draws the rays; pixels of a mesh stay. After marking more (Beams::mark_changes), where the frame asks
-    /// for blocks.
+    /// Draws the rays; pixels of a mesh stay. If the frame has a Redraw, its blocks must be marked
+    /// (Beams::mark_changes) and listed first.
     void draw(const Frame& frame);
 
     Beams& beams() { return beams_; }

@@ -60,9 +60,9 @@ BeamBlock beam_block(int2 origin_cell, real2 fraction, real2 least, real2 most, 
     return block;
 }
 
-// from: a depth up to which the way is known to be free; flatness: the bundle may end in cells whose heights lie within
-// so many times their depth below the origin of their middle (with flat_ends, a constant: where nobody asks, it costs
-// nothing).
+// from: depth up to which it is known that no ray meets ground. flatness: the bundle may end in cells whose heights
+// differ from their middle by at most this share of the middle's depth below the origin. It needs flat_ends, a
+// constant, so that programs without flat ends do not pay for it.
 Beam cast_beam(int2 origin_cell, real2 fraction, real3 middle, real3 spread, real from, real flatness) {
     Beam beam;
     beam.flat_end = false;

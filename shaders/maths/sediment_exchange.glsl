@@ -3,8 +3,8 @@
 //   sediment_dt        real, s: the span of an exchange
 //   the numbers of maths/sediment_numbers.glsl
 
-// What a sub-step may change the bed by, as a share of the water's depth; how dense water can become, by volume; and a
-// load that settles at once, m.
+// Largest change of the bed in a sub-step, as a share of the water's depth; largest concentration, by volume; and the
+// load below which all of it settles at once, m.
 const real sediment_most_change = real(0.1);
 const real sediment_densest = real(0.3);
 const real sediment_least = real(1e-9);

@@ -18,10 +18,10 @@ real slope_excess(real steepness, real repose) {
     return steepness > repose * real(1.000244140625) ? excess : real(0);
 }
 
-// Metres of solid that slide through a face in one sub-step, from its higher to its lower side: > 0 into the
-// sample on the low side. `along` is the rise across the face, the two others the rises beside it, each over two
-// spacings. The higher side gives what is loose down to its angle of repose, a quarter of it at most, and what fails as
-// bedrock.
+// Metres of solid that slide through a face in one sub-step, from its higher to its lower side; > 0: into `here`.
+// `along` is the rise across the face, from `here` to `there`; `beside_0` and `beside_1` are rises along it, each over
+// two spacings. The flux is the larger of two: regolith above its angle of repose, a quarter of the higher side's at
+// most, and bedrock that fails.
 real slide(real along, real spacing, real share, real beside_0, real beside_1, real spacing_beside, real4 here, real4 there, real repose_here, real repose_there) {
     precise real normal = along / spacing;
     precise real tangent = (beside_0 + beside_1) / (real(4) * spacing_beside);

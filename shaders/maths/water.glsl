@@ -143,9 +143,9 @@ WaterSlope water_slope(WaterCell before, WaterCell cell, WaterCell behind) {
     return slope;
 }
 
-// How far the bed rises from a sample to a face, or from a face to a sample: no more than to the sample beyond. The
-// slopes of depth and level are limited each by itself, and where they disagree the face would stand as a dam that is
-// not there, or lie in a pit.
+// Rise of the bed from a sample to a face, or from a face to a sample; at most the rise to the sample beyond. The
+// limiter treats depth and level separately. Where their slopes disagree, the bed at the face would form a dam or a pit
+// that is not there.
 real water_bed_rise(WaterSlope slope, real fall) {
     precise real rise = real(0.5) * (slope.level - slope.depth);
     return min(max(rise, min(fall, real(0))), max(fall, real(0)));
@@ -261,9 +261,9 @@ real2 water_slowed(real depth, real2 discharge) {
     return real2(x, y);
 }
 
-// Discharge after a change, and friction; none where the sample rests, or is dry. No faster than half a spacing in the
-// sub-step, on squares twice what it was made for: as long as slow water allows, it can be too long for what waits above a cliff,
-// which would gain the whole fall at once. The next ones are shorter.
+// Discharge after a change and friction; 0 where the sample rests or is dry. Velocity is limited to half a spacing per
+// sub-step; on squares that is twice what the sub-step was made for. A sub-step as long as slow water allows can be too long
+// for water above a cliff, which would gain the whole fall at once. The next sub-steps are shorter.
 real2 water_discharge(real depth, real2 discharge, WaterChange change) {
     precise real x = discharge.x + change.east;
     precise real y = discharge.y + change.north;

@@ -41,8 +41,8 @@ real edge_celerity(real depth) {
     return celerity;
 }
 
-// What an edge acts as: one of no inflow is a wall; an open one is a wall for water that runs from it down into the map, faster than a quarter of its
-// waves, where no sea stands beyond. A copy of it would be a spring that feeds itself.
+// The kind that an edge acts as. An inflow edge without inflow is a wall. An open edge is a wall where water runs into
+// the map faster than a quarter of √(gh) and no sea stands beyond: a copied ghost would be a spring that feeds itself.
 int edge_acts_as(int kind, EdgeSample inner) {
     real velocity = water_velocity(inner.depth, real2(inner.outward, inner.beside)).x;
     if (kind == edge_inflow_kind && edge_inflow <= real(0)) return edge_wall;
@@ -50,7 +50,7 @@ int edge_acts_as(int kind, EdgeSample inner) {
     return kind == edge_open && runs_in && inner.bed >= edge_level_m ? edge_wall : kind;
 }
 
-// A depth that is held: the wave that leaves brings its own velocity, u + 2c; none enters faster than critical.
+// Ghost of an edge with a held level. The outgoing invariant u + 2c gives its velocity, which is at most critical.
 EdgeSample edge_at_level(EdgeSample inner, real velocity) {
     precise real held = edge_level_m - inner.bed;
     real depth = max(held, real(0));
@@ -98,8 +98,8 @@ EdgeSample edge_with_wave(EdgeSample inner, real velocity) {
     return edge_sample(inner, depth, u);
 }
 
-// How far the bed falls from sample to sample beyond an open edge: as the level does before it, where water cascades
-// out over drops greater than its depth. Elsewhere it goes on level, so that what rests before the edge rests.
+// Fall of the bed from sample to sample beyond an open edge. Where water cascades out over drops greater than its depth,
+// the bed falls as the level does inside. Elsewhere the bed stays level, so that water at rest inside stays at rest.
 real edge_fall(int kind, EdgeSample inner, EdgeSample before) {
     precise real fall = (before.depth - inner.depth) + (before.bed - inner.bed);
     bool cascades = inner.outward > real(0) && before.depth > water_film && fall > inner.depth;

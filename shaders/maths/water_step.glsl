@@ -18,7 +18,7 @@ real2 water_substep(real time_left_s, real speed, real courant) {
     return real2(dt, count > real(1) ? left : real(0));
 }
 
-// What a face may take of its side's depth, m/s: faces share it by the lengths of the cell, less a rounding.
+// Draining limit, m/s: a face takes at most this times the depth on its side. 0.4999 instead of 0.5 allows for rounding.
 real water_draining(real dt) {
     precise real drain = real(0.4999) / (dt * water_inverse_cells());
     return drain;

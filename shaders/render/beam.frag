@@ -1,5 +1,6 @@
-// A bundle of the rays of beam_pixels x beam_pixels pixels: the depth along the view up to which none meets ground, and
-// the level of the pyramid to go on from, 0 where no ray meets ground at all; or the height where all of them end, and minus the level of those cells.
+// A beam of the rays of beam_pixels x beam_pixels pixels. Writes the depth along the view up to which none meets ground,
+// and the level of the pyramid to go on from; level 0: no ray meets ground at all. A flat end instead writes the height
+// at which all rays end, and minus the level of its cells.
 #include "render/surface.glsl"
 #include "render/camera.glsl"
 #include "render/beam_pixels.glsl"

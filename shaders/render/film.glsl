@@ -1,3 +1,3 @@
-// Depths between which water is a film, m: from the first on there is a surface over the ground, from the second on it is
-// drawn as the water's own. Between them everything changes gradually, so that no picture shows where a sample crosses one.
+// Depths, m: below the first, water is a film without a surface; from the second on, it has a surface of its own. Between
+// them the picture changes gradually, so that nothing shows where a sample crosses one of them.
 const vec2 film_m = vec2(0.004, 0.02);

@@ -9,7 +9,7 @@ struct Footprint {
 Footprint footprint_of(vec3 way, vec3 normal, float distance_m) {
     float length_m = length(way);
     vec3 ray = way / length_m;
-    // What a flat angle draws out without end is faded anyway.
+    // Limits the footprint at grazing angles, where detail is faded anyway.
     float facing = min(dot(ray, normal), -0.02);
     vec3 step_right = ray_right * (2.0 / (picture_size.x * length_m));
     vec3 step_up = ray_up * (2.0 / (picture_size.y * length_m));

@@ -1,6 +1,6 @@
-// Chooses the cells around the eye that the mesh draws: how far rays leave it room in every direction, then its list, first
-// the cells that no cell of rays can hide, then those that one may. One group does it all, because a dispatch costs more
-// than this work.
+// Chooses the cells around the eye that the mesh draws. First it finds the mesh's reach in every direction, up to the
+// nearest cell of rays. Then it lists the mesh's cells in two halves: those that no cell of rays can hide, and those that
+// one may. One group does it all, because a dispatch costs more than this work.
 layout(local_size_x = 256) in;
 #define MAKES_MESH_CELLS
 #include "render/surface.glsl"

@@ -52,9 +52,9 @@ Beside joined(Beside a, Beside b) {
     return Beside(a.sum + b.sum, a.weight + b.weight, max(a.highest, b.highest), min(a.lowest, b.lowest));
 }
 
-// The level that goes on below dry ground: the mean of the levels beside it. Where water runs, the highest of them is the one
-// upstream; it may stand above the ground here, and the waterline would go from sample to sample. A sheet on steep ground has no
-// level across it: there the highest counts, and the sheet ends at the dry sample.
+// The level that is extended below dry ground: the mean of the levels beside it. The highest of them would be wrong in
+// running water: it is the one upstream, may stand above the ground here, and would lead the waterline from sample to
+// sample. A sheet on steep ground has no common level: there the highest counts, and the sheet ends at the dry sample.
 real level_beside(Beside water) {
     real mean = water.sum / water.weight;
     real slope = (water.highest - water.lowest) / (real(2) * min(cell_m.x, cell_m.y));

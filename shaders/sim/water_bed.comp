@@ -1,5 +1,5 @@
-// Where the ground or the water was changed by others: the bed follows the ground, both images of the water and of its load agree, the
-// tile's fastest wave is found anew, and its water wakes. A group per listed tile.
+// For tiles whose ground or water others changed: copies the ground to the water's bed and the front images of water and
+// load to the back ones, finds the tile's fastest wave anew, and wakes its water. A group per listed tile.
 layout(local_size_x = 64) in;
 #include "sim/tile_samples.glsl"
 #include "sim/water_images.glsl"

@@ -93,7 +93,7 @@ void main() {
             clock_edge_fastest = 0u;
             total_substeps += 1.0lf;
             total_listed += double(listed);
-            // A product alone is what it is; `precise` here keeps the reference compiler busy for ever (glslang 12.0).
+            // A single product needs no `precise`. Here it would make the reference compiler hang (glslang 12.0).
             real rain = even_rain_m_per_s * next.dt;
             book_rain_m += double(water_eulers) * double(rain);
         }

@@ -54,7 +54,7 @@ void Buffer::write(std::size_t offset, std::span<const std::byte> data) {
 
 void Buffer::read(std::size_t offset, std::span<std::byte> data) const {
     // OpenGL makes glGetNamedBufferSubData wait for all that was asked before. Mesa 22.3's zink does not wait
-    // for glGetTextureSubImage into the buffer (docs/devices.md): a fence does.
+    // for glGetTextureSubImage into the buffer: a fence does, most of the time (docs/devices.md).
     Fence::now().wait();
     read_passed(offset, data);
 }

@@ -158,9 +158,8 @@ void work_around_drivers() {
     // Mesa 22.3's zink compiles programs anew for the values of uniforms that branches hang on, and confuses
     // these variants where programs take turns: a dab faded by the curve of an earlier one.
     static const bool uniforms = setenv("ZINK_INLINE_UNIFORMS", "0", 0) == 0;
-    // Nor does it keep account of a buffer into which texels are packed by a draw, as Mesa does: what is
-    // copied or read from the buffer next may be what was there before. Of packing by a compute shader it
-    // does.
+    // zink does not track a buffer that Mesa packs texels into by a draw either: the next copy or read of the
+    // buffer may get its old content. It does track packing by a compute shader.
     static const bool packing = !is_zink_wanted() || setenv("MESA_COMPUTE_PBO", "1", 0) == 0;
     static_cast<void>(uniforms && packing);
 }

@@ -5,8 +5,8 @@
 
 namespace talus::gpu {
 
-/// What the calls of one program took since they were last told: on the processor, which is what handing them
-/// over costs where a device works behind our back, and on the device.
+/// Time of one program's calls since the last take_pass_times(): on the CPU and on the device. With an
+/// asynchronous device the CPU time is only the cost of submitting the calls.
 struct PassTime {
     std::string name;  ///< path of the shader below shaders/
     int calls = 0;

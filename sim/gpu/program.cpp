@@ -162,7 +162,7 @@ void Program::bind_storage(std::string_view name, const Buffer& buffer) {
 void Program::bind_uniforms(std::string_view name, const Buffer& buffer) {
     Place* const at = place(Use::uniforms, name);
     if (!at) return;
-    // Drivers count what is left of the last 16 bytes in, or do not.
+    // Drivers differ in whether a std140 block's size includes its padding to 16 bytes.
     at->bound = buffer.bytes() >= at->bytes && buffer.bytes() < at->bytes + 16;
     if (!at->bound)
         throw Error(fmt::format(

@@ -54,9 +54,9 @@ bool is_letter(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-// What the declarations of a name say that shaders do there. Where several branches declare it, all of them.
-// Throws talus::Error where none is found: a declaration stands in one line, as "image2D name" or "buffer
-// Name".
+// Finds from the qualifiers (readonly, writeonly) of a name's declarations whether shaders read or write it.
+// All declarations count, in whichever branch. Throws talus::Error if there is none: a declaration must stand
+// in one line, as "image2D name" or "buffer Name".
 void read_qualifiers(const std::string& text, Place& place) {
     const std::string declared = (place.use == Use::storage ? "buffer " : "image2D ") + place.name;
     bool found = false;

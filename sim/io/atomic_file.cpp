@@ -42,7 +42,7 @@ class Descriptor {
     int number_;
 };
 
-// The new file is readable by whom the old one was, or by whom any new file would be.
+// The permissions of the old file or, if there is none, those that the umask gives a new one.
 mode_t mode_for(const fs::path& path) {
     struct stat existing {};
     if (::stat(path.c_str(), &existing) == 0) return existing.st_mode & 0777U;

@@ -47,9 +47,8 @@ bool holds_heights(const std::vector<Word>& words) {
     });
 }
 
-// Of the two byte orders the file has the one in which more samples can be heights; where that decides
-// nothing, the smoother one. Samples that can be none in either order say nothing: a NaN is no evidence that
-// its bytes are swapped.
+// Guesses the byte order: the one in which more samples are plausible heights or, on a tie, the smoother one.
+// A sample that is implausible in both orders does not count: a NaN is no evidence of swapped bytes.
 template <typename Word>
 bool is_big_endian(const std::vector<Word>& words, int nx) {
     std::int64_t more_as_big = 0;

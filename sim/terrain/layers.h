@@ -12,10 +12,10 @@ namespace talus {
 class Terrain;
 struct DeviceLayer;
 
-/// How a number of a layer is found between samples, where the terrain gets another number of them.
+/// How a value of a layer is interpolated between samples when the terrain is resampled.
 enum class Resampling {
     height,  ///< by cubic convolution (Keys 1981)
-    amount,  ///< by the straight kernel: what is nowhere negative stays so
+    amount,  ///< linearly: values that are nowhere negative stay so
     nearest  ///< as at the nearest sample
 };
 

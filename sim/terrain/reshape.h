@@ -3,10 +3,10 @@
 
 namespace talus {
 
-/// The terrain with another number of samples over the same extent. Bedrock by cubic convolution (Keys 1981,
-/// a = -1/2), widened where samples get fewer so that nothing aliases; the other layers by the straight
-/// kernel of the same width, so that none becomes negative. Where the number stays, the bits do. Throws
-/// talus::Error when the grid cannot be used.
+/// The terrain resampled over the same extent. Bedrock is interpolated by cubic convolution (Keys 1981,
+/// a = -1/2), other layers linearly, so that no amount becomes negative, arrival times from the nearest
+/// sample. When samples get fewer, both kernels are widened against aliasing. An unchanged number of samples
+/// keeps all bits. Throws talus::Error when the grid cannot be used.
 TerrainState resampled(const TerrainState& state, int nx, int ny);
 
 /// A rectangle in metres from the south-west sample, moved outwards to whole samples.
