@@ -23,8 +23,8 @@
 #include "app/panels/style.h"
 #include "app/window/glfw.h"
 #include "app/window/hand.h"
+#include "app/window/panel_input.h"
 #include "app/window/shortcuts.h"
-#include "app/window/typed_keys.h"
 #include "sim/error.h"
 #include "sim/gpu/shader_text.h"
 #include "sim/io/atomic_file.h"
@@ -41,6 +41,10 @@ class Window {
           device_(gpu::adopt_current_context("window")),
           session_(options.scene, device_),
           hand_(window_),
+          input_(window_,
+                 [this](const InputEvents::Key& key) {
+                     press_key(key.key, key.mods, session_, state_, requests_);
+                 }),
           project_(session_, state_, options.journal,
                    {[this](const std::string& message) { tell(message); },
                     [this](const std::string& message) { note(message); },
@@ -135,11 +139,11 @@ class Window {
         glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int code, int action, int mods) {
             self(w)->wake();
             const bool typing = is_dialog_open(self(w)->state_) || ImGui::GetIO().WantTextInput;
-            self(w)->typed_.hear({key, code, action, mods}, typing, self(w)->keys_to_);
+            self(w)->input_.hear_key({key, code, action, mods}, typing);
         });
-        glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int mouse_button, int action, int mods) {
+        glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int mouse_button, int action, int) {
             self(w)->wake();
-            ImGui_ImplGlfw_MouseButtonCallback(w, mouse_button, action, mods);
+            self(w)->input_.hear_button(mouse_button, action);
         });
         glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) {
             self(w)->wake();
@@ -151,7 +155,7 @@ class Window {
         });
         glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned letter) {
             self(w)->wake();
-            self(w)->typed_.hear_letter(letter);
+            self(w)->input_.hear_letter(letter);
         });
         glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { self(w)->wake(); });
         glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { self(w)->wake(); });
@@ -339,7 +343,7 @@ class Window {
             {area_.corner.x, size.y - area_.corner.y - area_.size.y, area_.size.x, area_.size.y});
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
-        if (typed_.pass(keys_to_)) wake();
+        if (input_.pass()) wake();
         ImGui::NewFrame();
         draw_marks(session_, area_);
         StatusFigures figures{device_.renderer, glfwGetTime() < message_until_s_ ? message_ : "",
@@ -361,6 +365,7 @@ class Window {
     gpu::Device device_;
     Session session_;
     Hand hand_;
+    PanelInput input_;
     PanelState state_;
     std::string message_;
     double message_until_s_ = 0;
@@ -377,13 +382,6 @@ class Window {
     bool first_picture_shown_ = false;
 
     glm::dvec2 mouse_{0};
-    const TypedKeys::To keys_to_{
-        [this](const TypedKeys::Key& key) { press_key(key.key, key.mods, session_, state_, requests_); },
-        [this](const TypedKeys::Key& key) {
-            ImGui_ImplGlfw_KeyCallback(window_, key.key, key.code, key.action, key.mods);
-        },
-        [this](unsigned letter) { ImGui_ImplGlfw_CharCallback(window_, letter); }};
-    TypedKeys typed_;
     bool refining_ = false;
     double last_s_ = 0;
     double frame_s_ = 1.0 / 30;
