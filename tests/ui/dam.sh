@@ -21,26 +21,31 @@ else
     breach=(634 302)
 fi
 
-shot() { import -window root "$1.png"; }
+shot() {
+    frames 4
+    import -window root "$1.png"
+}
 # A drag of the left button, slowly enough that the cursor is read on the way.
 drag() {
     xdotool mousemove "$1" "$2"
-    sleep 1
+    frames 8
     xdotool mousedown 1
-    sleep 0.8
+    frames 8
     xdotool mousemove $((($1 + $3) / 2)) $((($2 + $4) / 2))
-    sleep 0.6
+    frames 8
     xdotool mousemove "$3" "$4"
-    sleep 1.2
+    frames 8
     xdotool mouseup 1
-    sleep 0.8
+    frames 4
 }
 play() {
     xdotool key space
     sleep "$1"
     xdotool key space
-    sleep 1.5
+    frames 4
 }
+# How deep the water of a document is at most, m.
+depth() { "$talus" convert "$1" depth.tif --layer water && "$talus" info --json depth.tif | sed -n 's/.*"height_max": \([0-9.]*\).*/\1/p'; }
 # The document as it is now.
 save() {
     local said
@@ -55,32 +60,28 @@ save() {
 
 open_window --preset blank --journal window.journal --ui-rects rects --window-size 1280x720
 await_widget Play
-sleep 1.5
+frames 2
 xdotool mousemove 600 400 key ctrl+o
 await_widget "file name"
-sleep 0.5
+frames 2
 # Faster than frames: what was typed must all come before Return.
 xdotool type --delay 1 "$file"
 xdotool key Return
 await_widget "Open it"
-sleep 1
 shot 01_import
 click "Open it"
-sleep 3
+await_word "begun with hash"
 shot 02_opened
 
 click Map
 names=(map.west_m map.south_m map.east_m map.north_m)
 for i in 0 1 2 3; do type_into "${names[$i]}" "${edges[$i]}"; done
 click Crop
-sleep 2.5
 shot 03_valley
 xdotool mousemove 600 600 key ctrl+shift+s
 await_widget "file name"
-sleep 0.5
-xdotool key ctrl+a
-xdotool type --delay 12 "$PWD/saved.exr"
-sleep 0.5
+frames 2
+xdotool key ctrl+a type --delay 1 "$PWD/saved.exr"
 xdotool key Return
 await_word "saved .*saved.exr"
 cp saved.exr valley.exr
@@ -98,33 +99,35 @@ type_into time.speed 60
 click Water
 type_into water.rain_mm_per_h 10000
 xdotool mousemove 600 600
-play 8
+# A machine that does other things as well fills it more slowly.
+for _ in 1 2 3 4; do
+    play 8
+    save lake.exr
+    deepest=$(depth lake.exr)
+    [ "${deepest%.*}" -lt 10 ] || break
+done
 shot 05_lake
-save lake.exr
 
 click lower
 type_into brush.radius_m 60
 type_into brush.rate_m_per_s 60
 xdotool mousemove "${breach[@]}"
-sleep 0.6
+frames 4
 xdotool key space
-sleep 1.5
+sleep 1
 xdotool mousedown 1
 sleep 2.5
 xdotool mouseup 1
-sleep 3
+sleep 2
 shot 06_breach
 # In mid-rain, back to before the dam: there it pauses.
 click History
 click "history 1"
-sleep 2
 shot 07_undone
 save undone.exr
 [ "$(hash_of undone.exr)" = "$(hash_of valley.exr)" ] || fail "undo to before the dam is not the valley to the bit"
-sleep 1
 last=$(sed -n 's/.* history \([0-9]*\)$/\1/p' rects | sort -n | tail -n 1)
 click "history $last"
-sleep 2
 shot 08_redone
 xdotool mousemove 600 600
 play 3
@@ -134,13 +137,9 @@ save played.exr
 
 xdotool mousemove 600 600 key ctrl+e
 click heightmap
-sleep 0.5
 shot 10_export
 click "export path"
-xdotool key ctrl+a
-sleep 0.3
-xdotool type --delay 12 "$PWD/exported.tif"
-sleep 0.5
+xdotool key ctrl+a type --delay 1 "$PWD/exported.tif"
 click Write
 await_word "wrote .*exported.tif"
 close_window
@@ -149,7 +148,6 @@ close_window
 cp window.journal session.journal
 open_window saved.exr --ui-rects rects --window-size 1280x720
 await_widget Play
-sleep 2
 shot 11_reopened
 save reopened.exr
 close_window
@@ -161,7 +159,5 @@ for threads in 1 2; do
 done
 
 # The lake lies where the valley was dry.
-depth() { "$talus" convert "$1" depth.tif --layer water && "$talus" info --json depth.tif | sed -n 's/.*"height_max": \([0-9.]*\).*/\1/p'; }
-deepest=$(depth lake.exr)
 [ "${deepest%.*}" -ge 10 ] || fail "behind the dam the water is only $deepest m deep"
 echo "window: a lake of $deepest m behind a dam, breached, undone, redone, saved, exported, reopened, replayed: $(hash_of played.exr)"

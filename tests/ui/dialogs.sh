@@ -12,14 +12,13 @@ gone() {
 # Types over what a field holds.
 type_over() {
     click "$1"
-    xdotool key ctrl+a
-    xdotool type --delay 30 "$2"
+    xdotool key ctrl+a type --delay 1 "$2"
     xdotool key Return
-    sleep 0.6
+    frames 8
 }
 resize() {
     xdotool search --name 'Talus$' windowsize "$1" "$2"
-    sleep 0.8
+    frames 8
 }
 # Closes a window whose work is not saved.
 drop_and_close() {
@@ -40,13 +39,12 @@ within() {
 "$talus" run --preset slopes --size 97x81 --ticks 0 --out ground.exr --out heights.tif 2>/dev/null
 open_window ground.exr --ui-rects rects --window-size 1280x720 --journal window.journal
 await_widget Play
-sleep 1
+frames 2
 
 # The import dialog reads the file again and shows another picture of it.
 xdotool mousemove 600 400 key ctrl+o
 await_widget "file name"
-xdotool key ctrl+a
-xdotool type --delay 30 "$PWD/heights.tif"
+xdotool key ctrl+a type --delay 1 "$PWD/heights.tif"
 xdotool key Return
 for spacing in 12.5 80 25; do type_over "import spacing" "$spacing"; done
 grep -q "OpenGL reports" window.log && fail "a change of the import's settings broke the picture"
@@ -60,13 +58,12 @@ import -window root 2_small.png
 resize 1280 720
 click "Open it"
 await_word "begun with hash .*"
-sleep 1.5
+frames 4
 
 # A name without an ending is completed.
 xdotool mousemove 600 400 key ctrl+shift+s
 await_widget "file name"
-xdotool key ctrl+a
-xdotool type --delay 30 "$PWD/valley"
+xdotool key ctrl+a type --delay 1 "$PWD/valley"
 xdotool key Return
 await_word "saved .*valley.exr"
 "$talus" info --json valley.exr | grep -q '"dx": 25' || fail "the spacing that was typed is not the terrain's"
@@ -88,15 +85,15 @@ gone "Open a file…"
 type_into thermal.bedrock_deg 60
 set -- $(rect_of thermal.bedrock_deg)
 xdotool mousemove $((($1 + $3) / 2)) $((($2 + $4) / 2))
-sleep 0.3
+frames 2
 xdotool click 3
-sleep 0.6
+frames 8
 
 # An export that fails says why, and the dialog stays.
 xdotool mousemove 600 400 key ctrl+e
 type_over "export path" "$PWD/no/such/folder/a.tif"
 click Write
-sleep 1
+frames 8
 await_widget Write
 import -window root 3_failed_export.png
 type_over "export path" "$PWD/mended"
@@ -120,14 +117,13 @@ grep -q '"name":"thermal.bedrock_deg","op":"set","value":null' window.journal ||
 # Work that an earlier session left is told, and does not cover the file that was named.
 open_window ground.exr --ui-rects rects --window-size 1280x720 --set autosave.interval_s=1 --set water.rain_mm_per_h=50
 await_widget Play
-sleep 1
+frames 2
 xdotool mousemove 600 400
-sleep 0.5
+frames 8
 xdotool mousedown 1 sleep 0.6 mouseup 1
 for _ in $(seq 100); do ls state/talus/sessions/*/autosave.exr >/dev/null 2>&1 && break; sleep 0.1; done
 kill -9 "$pid"
 wait "$pid" 2>/dev/null || true
-sleep 1
 rm -f rects
 open_window ground.exr --ui-rects rects --window-size 1280x720
 await_widget Play
@@ -138,6 +134,6 @@ click File
 click "Start page"
 await_widget Recover
 xdotool key Escape
-sleep 0.5
+frames 4
 close_window
 echo "window: dialogs and menus do what was mended"

@@ -7,24 +7,20 @@ source "$(dirname "${BASH_SOURCE[0]}")/window.sh"
 begin=$SECONDS
 open_window --ui-rects rects --window-size 1280x720
 await_widget "preset rain-erosion"
-sleep 2
+frames 4
 import -window root 1_start.png
 click "preset rain-erosion"
 await_widget Play
-sleep 3
 click Play
-sleep 30
+sleep 10
 click Pause
-sleep 1
+frames 4
 import -window root 2_eroded.png
 xdotool mousemove 600 600 key ctrl+e
 await_widget "export path"
-sleep 0.5
 click "export path"
-xdotool key ctrl+a
-sleep 0.3
-xdotool type --delay 12 "$PWD/eroded.tif"
-sleep 0.5
+xdotool key ctrl+a type --delay 1 "$PWD/eroded.tif"
+frames 4
 import -window root 3_export.png
 click Write
 await_word "wrote .*eroded.tif"

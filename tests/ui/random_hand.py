@@ -21,8 +21,10 @@ import sys
 import time
 from pathlib import Path
 
-from Xlib import X, XK, display, error, protocol
+from Xlib import X, XK, display, error
 from Xlib.ext import xtest
+
+from ping import await_answer
 
 # Nothing waits longer than this for the window to answer, s. A loaded machine needs more than the two seconds of a person.
 PATIENCE_S = float(os.environ.get("TALUS_HAND_PATIENCE_S", "2"))
@@ -126,24 +128,11 @@ class Window:
 
     def answers(self):
         """Waits until the window has taken in what was done: it answers a ping of the window manager's protocol."""
-        d = self.screen.display
-        while d.pending_events():
-            d.next_event()
-        begin = time.time()
-        ping = protocol.event.ClientMessage(window=self.window, client_type=d.intern_atom("WM_PROTOCOLS"),
-                                            data=(32, [d.intern_atom("_NET_WM_PING"), X.CurrentTime, self.window.id, 0, 0]))
-        self.window.send_event(ping)
-        d.flush()
-        while True:
-            while d.pending_events():
-                event = d.next_event()
-                if event.type == X.ClientMessage and event.client_type == d.intern_atom("WM_PROTOCOLS"):
-                    self.slowest_s = max(self.slowest_s, time.time() - begin)
-                    return
-            if time.time() - begin > PATIENCE_S:
-                self.check_alive()
-                raise Failure(f"the window did not answer for {PATIENCE_S} s")
-            time.sleep(0.005)
+        seconds = await_answer(self.screen.display, self.window, PATIENCE_S)
+        if seconds is None:
+            self.check_alive()
+            raise Failure(f"the window did not answer for {PATIENCE_S} s")
+        self.slowest_s = max(self.slowest_s, seconds)
 
     # The hand.
     def code(self, key):

@@ -10,9 +10,9 @@ for kill in $(seq "$kills"); do
     cp start.exr ground.exr
     open_window ground.exr --ui-rects rects --window-size 1280x720 --set autosave.interval_s=1 --set water.rain_mm_per_h=50
     await_widget Play
-    sleep 1
+    frames 2
     xdotool mousemove 600 400
-    sleep 0.8
+    frames 8
     # Strokes and runs until the end comes, 3 to 9 seconds later.
     (
         while kill -0 "$pid" 2>/dev/null; do
@@ -40,10 +40,11 @@ for kill in $(seq "$kills"); do
     rm -f rects
     open_window --ui-rects rects --window-size 1280x720
     await_widget Recover
-    sleep 1
+    frames 4
     [ "$kill" -gt 1 ] || import -window root offered.png
     click Recover
-    sleep 2
+    await_word "begun with hash"
+    frames 4
     # Saved with what is recovered it goes to its own project.
     xdotool mousemove 600 400 key ctrl+s
     await_word "saved .*ground.exr"

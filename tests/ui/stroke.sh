@@ -19,47 +19,46 @@ save() {
 "$talus" run --preset alpine --size 257x257 --spacing 40 --ticks 0 --out ground.exr 2>/dev/null
 cp ground.exr start.exr
 open_window ground.exr --journal window.journal
-sleep 2
+frames 8
 import -window root 1_open.png
 
 # A click that jumps from the ground onto a panel is the panel's.
 for _ in 1 2 3 4 5; do
     xdotool mousemove 620 330
-    sleep 0.6
+    frames 6
     xdotool mousemove 150 585 mousedown 1 sleep 0.2 mouseup 1
-    sleep 0.4
+    frames 4
 done
 save
 [ "$(hash_of ground.exr)" = "$(hash_of start.exr)" ] || fail "a click on the panel was a stroke on the ground"
 
 xdotool mousemove 620 330
-sleep 1
+frames 8
 xdotool mousedown 1
-sleep 1.2
-xdotool mousemove 635 335
-sleep 0.8
-xdotool mouseup 1
 sleep 1
+xdotool mousemove 635 335
+frames 8
+xdotool mouseup 1
+frames 8
 import -window root 2_stroke.png
 save
 cp ground.exr stroke.exr
 [ "$(hash_of stroke.exr)" != "$(hash_of start.exr)" ] || fail "the stroke changed nothing"
 
 xdotool key ctrl+z
-sleep 1
+frames 4
 import -window root 3_undone.png
 save
 [ "$(hash_of ground.exr)" = "$(hash_of start.exr)" ] || fail "undo is not the start to the bit"
 
 xdotool key ctrl+shift+z
-sleep 0.5
 save
 [ "$(hash_of ground.exr)" = "$(hash_of stroke.exr)" ] || fail "redo is not the stroke to the bit"
 
 xdotool key space
-sleep 3
+sleep 2
 xdotool key space
-sleep 1
+frames 4
 import -window root 4_played.png
 save
 [ "$(hash_of ground.exr)" != "$(hash_of stroke.exr)" ] || fail "play changed nothing"

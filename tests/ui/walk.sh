@@ -12,7 +12,7 @@ wait_for() {
 
 open_window --preset alpine --set camera.mode=walk --set camera.walk_m_per_s=100 --set render.samples=3 --set render.view=slope
 xdotool mousemove 900 300
-sleep 3
+frames 8
 xdotool key F12
 wait_for talus-0001.png
 xdotool keydown w

@@ -2,6 +2,7 @@
 # folder for logs and screenshots, which becomes the current one.
 talus=$1
 folder=$2
+ui=$(dirname "$(realpath "${BASH_SOURCE[0]}")")
 if [ -z "${TALUS_UNDER_XVFB:-}" ]; then
     TALUS_UNDER_XVFB=1 exec xvfb-run -a -s "-screen 0 1280x720x24 -noreset" bash "$0" "$@"
 fi
@@ -23,18 +24,35 @@ fail() {
     exit 1
 }
 
-# Opens it with the options given; `pid` is its process.
+# Opens it with the options given; `pid` is its process, `ping` one that knows when it has drawn.
 open_window() {
     local window=
+    [ -z "${ping_PID:-}" ] || kill "$ping_PID" 2>/dev/null || true
+    wait "${ping_PID:-}" 2>/dev/null || true
     "$talus" "$@" >window.log 2>&1 &
     pid=$!
     trap 'kill "$pid" 2>/dev/null || true' EXIT
     for _ in $(seq 100); do
-        window=$(xdotool search --name 'Talus$' 2>/dev/null | head -n 1) && [ -n "$window" ] && return
+        window=$(xdotool search --name 'Talus$' 2>/dev/null | head -n 1) && [ -n "$window" ] && break
         kill -0 "$pid" 2>/dev/null || fail "the window did not open"
         sleep 0.1
     done
-    fail "no window appeared"
+    [ -n "$window" ] || fail "no window appeared"
+    coproc ping { exec /usr/bin/python3 "$ui/ping.py" "$window" 2>&1; }
+}
+
+# Waits until the window has drawn so many frames with what was done, or has nothing left to draw.
+frames() {
+    local said= part= whole=
+    echo "$1" >&"${ping[1]}"
+    for _ in $(seq 600); do
+        # A word may come in two parts.
+        read -r -t 0.1 -u "${ping[0]}" part && whole=yes
+        said+=$part
+        [ -z "$whole" ] || break
+        kill -0 "$pid" 2>/dev/null || return 0
+    done
+    [ "$said" = drawn ] || fail "the window does not answer: $said"
 }
 
 close_window() {
@@ -59,15 +77,15 @@ click() {
         now=$(rect_of "$1")
         [ "$now" = "$before" ] && break
         before=$now
-        sleep 0.15
+        frames 2
     done
     set -- $now
     xdotool mousemove $((($1 + $3) / 2)) $((($2 + $4) / 2))
-    sleep 0.25
+    frames 2
     xdotool mousedown 1
-    sleep 0.15
+    frames 2
     xdotool mouseup 1
-    sleep 0.25
+    frames 2
 }
 # Types an exact number into a parameter.
 type_into() {
@@ -75,17 +93,15 @@ type_into() {
     await_widget "$name"
     set -- "$2" $(rect_of "$name")
     xdotool mousemove $((($2 + $4) / 2)) $((($3 + $5) / 2))
-    sleep 0.25
+    frames 2
     xdotool keydown ctrl mousedown 1
-    sleep 0.2
+    frames 2
     xdotool mouseup 1 keyup ctrl
-    sleep 0.3
-    xdotool key ctrl+a
-    sleep 0.1
-    xdotool type --delay 40 "$1"
-    sleep 0.2
+    frames 2
+    xdotool key ctrl+a type --delay 1 "$1"
+    frames 2
     xdotool key Return
-    sleep 0.3
+    frames 2
 }
 # Waits for a line in the window's own words.
 await_word() {

@@ -229,7 +229,7 @@ double prominence_m(const std::vector<float>& ground, const Grid& grid, int colu
 }
 
 // No erosion by hand makes a sample stick out, whatever the brush, its speed and the terrain.
-TEST(ErodeBrush, MakesNoNeedles) {
+TEST(ErodeBrushNeedles, AreNotMade) {
     const gpu::Context context;
     const Grid coarse{200, 180, 40, 40};
     const Grid fine{190, 150, 5, 7};

@@ -110,21 +110,20 @@ TEST(Shaders, AreGlslForTheReferenceCompiler) {
         gpu::keep_assembled_shaders({});
     }
     std::set<std::string> seen;
-    const char* compiler = std::getenv("TALUS_GLSLANG");
-    int wrong = 0;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
         const std::string name = entry.path().filename().string();
         seen.insert(name.substr(0, name.find('.')) + entry.path().extension().string());
-        if (!compiler) continue;
-        const fs::path said = folder / "said";
-        // A shader that keeps the compiler busy for ever fails like one that is wrong.
-        const std::string command = "timeout 60 " + std::string(compiler) + " '" + entry.path().string() +
-                                    "' > '" + said.string() + "' 2>&1";
-        if (std::system(command.c_str()) == 0) continue;
-        ++wrong;
-        std::system(("head -n 5 '" + said.string() + "'").c_str());
     }
-    EXPECT_EQ(wrong, 0);
+    if (const char* compiler = std::getenv("TALUS_GLSLANG")) {
+        // Many at a time, because its start takes longer than a shader. One that keeps it busy for ever fails
+        // like one that is wrong.
+        const std::string command =
+            "cd '" + folder.string() + "' && ls | xargs -P 2 -n 40 timeout 300 " + compiler + " >../talus_said 2>&1";
+        if (std::system(command.c_str()) != 0) {
+            std::system(("head -n 20 '" + (folder.parent_path() / "talus_said").string() + "'").c_str());
+            ADD_FAILURE() << "the reference compiler refuses what is said above";
+        }
+    }
     // None was forgotten.
     for (const auto& [path, text] : embedded_shaders()) {
         if (path.ends_with(".glsl") || path.ends_with(".h")) continue;

@@ -433,7 +433,7 @@ TEST(WaterSimulation, GaugesFollowWithoutWaitingWhatTheyReadByWaiting) {
 
 // Five seconds of play change the first look at it, as a person sees. The simulated time is what a window on
 // two cores, one of them busy with something else, got to in them.
-TEST(WaterSimulation, PresetsAreSeenToMoveWithinFiveSeconds) {
+TEST(WaterSimulationPresets, AreSeenToMoveWithinFiveSeconds) {
     const gpu::Context context;
     for (const auto& [preset, played_s] : {std::pair("flood", 38.0), std::pair("island", 4.5)}) {
         app::SceneRequest request;
