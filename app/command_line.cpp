@@ -115,6 +115,7 @@ Command compare_command(CLI::App& app, Texts& t) {
     command->add_option("--tolerance", t.tolerances,
                         "a,b,c: pixels that hybrid may err, 0,0.5,2 unless given");
     command->add_option("--size", t.size, "WxH pixels, 480x270 unless given");
+    command->add_option("--set", t.assignments, "section.name=value of a method, may be repeated");
     command->add_option("--keys", options->keys, "fly along the key cameras of this file")
         ->type_name("FILE.toml");
     command->add_option("--frames", options->frames, "how many frames along the keys");

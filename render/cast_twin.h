@@ -43,6 +43,7 @@ struct CastTwin {
             tops.push_back(std::move(cells));
         }
         for (const float top : tops.back()) highest_ = max(highest_, top);
+        for (const float height : heights) lowest_ = min(lowest_, height);
     }
 
     float highest_below(int level, int x, int y) const {
@@ -69,6 +70,7 @@ struct CastTwin {
                origin_height_m;
     }
     real load_highest() const { return real(highest_) - origin_height_m; }
+    real load_lowest() const { return real(lowest_) - origin_height_m; }
     real4 load_corners(int2 at) const {
         const float* row = heights.data() + static_cast<std::size_t>(at.y) * (patches.x + 1) + at.x;
         const float* below = row + patches.x + 1;
@@ -76,6 +78,7 @@ struct CastTwin {
     }
 
 #include "maths/cast.glsl"
+#include "maths/march.glsl"
 #include "maths/pixel_ray.glsl"
 
     /// Sets the camera for a picture; its pixels are then cast by position.
@@ -95,8 +98,14 @@ struct CastTwin {
         return cast_ray(cell_, fraction_, pixel_ray(real2(x, y)), real(0), 5, real(0));
     }
 
+    /// The same by relief mapping.
+    CastHit march_pixel(real x, real y, int samples, int halvings) {
+        return march_box(cell_, fraction_, pixel_ray(real2(x, y)), samples, halvings);
+    }
+
   private:
     float highest_ = -HUGE_VALF;
+    float lowest_ = HUGE_VALF;
     int2 cell_{0};
     real2 fraction_{0};
 };

@@ -26,7 +26,16 @@ bool is_natural(const ViewSettings& settings) {
 
 // Whether the hits of two pictures of the same terrain are the same.
 bool same_hits(const ViewSettings& a, const ViewSettings& b) {
-    return a.method == b.method && a.tolerance_px == b.tolerance_px && detail_of(a) == detail_of(b);
+    if (a.method != b.method || a.tolerance_px != b.tolerance_px || detail_of(a) != detail_of(b))
+        return false;
+    const std::vector<Parameter>& own = method_named(a.method).parameters;
+    return std::all_of(own.begin(), own.end(), [&](const Parameter& parameter) {
+        const auto in_a = a.numbers.find(parameter.name);
+        const auto in_b = b.numbers.find(parameter.name);
+        if (in_a == a.numbers.end() || in_b == b.numbers.end())
+            return (in_a == a.numbers.end()) == (in_b == b.numbers.end());
+        return in_a->second == in_b->second;
+    });
 }
 
 }  // namespace
@@ -53,16 +62,14 @@ void Renderer::resize(int width, int height) {
 }
 
 const Method& Renderer::method_of(const ViewSettings& settings, const char* use, bool& redraws_blocks) {
-    const auto entry = std::find_if(render::methods().begin(), render::methods().end(),
-                                    [&](const MethodEntry& e) { return e.name == settings.method; });
-    if (entry == render::methods().end()) throw Error("there is no method '" + settings.method + "'");
+    const MethodEntry& entry = method_named(settings.method);
     const Detail detail = detail_of(settings);
     // Steps of a walk depend on bounds far from where it ends.
-    redraws_blocks = entry->redraws_blocks && detail != Detail::steps;
+    redraws_blocks = entry.redraws_blocks && detail != Detail::steps;
     const std::string key = settings.method + use + std::to_string(static_cast<int>(detail));
     auto found =
         std::find_if(methods_.begin(), methods_.end(), [&](const auto& m) { return m.first == key; });
-    if (found == methods_.end()) found = methods_.insert(methods_.end(), {key, entry->make(detail)});
+    if (found == methods_.end()) found = methods_.insert(methods_.end(), {key, entry.make(detail)});
     return found->second;
 }
 
@@ -97,9 +104,9 @@ bool Renderer::refine(const Terrain& terrain, int samples) {
         2.0 * shift_px * picture.camera.window_share / glm::dvec2(picture.width, picture.height);
     // A method of its own: what it keeps for the next change belongs to the picture that was not shifted.
     bool redraws_blocks = false;
-    method_of(picture.settings, " refined ",
-              redraws_blocks)({terrain, pyramid_, picture.camera, picture.width, picture.height,
-                               picture.settings.tolerance_px, patch_pixels_, target.framebuffer()});
+    method_of(picture.settings, " refined ", redraws_blocks)(
+        {terrain, pyramid_, picture.camera, picture.width, picture.height, picture.settings.tolerance_px,
+         patch_pixels_, target.framebuffer(), nullptr, &picture.settings.numbers});
     colour(terrain, picture, target.hits(), refinement_.colour_buffer(), nullptr);
     refinement_.add(refinement_.colour(), picture.width, picture.height);
     if (ringed_) draw_ring(terrain.grid());
@@ -144,7 +151,7 @@ Drawn Renderer::redraw(const Terrain& terrain, const Picture& picture, const std
     }
     follow_sky(terrain, picture.settings);
     method({terrain, pyramid_, picture.camera, picture.width, picture.height, picture.settings.tolerance_px,
-            patch_pixels_, target_.framebuffer(), blocks ? &redraw_ : nullptr});
+            patch_pixels_, target_.framebuffer(), blocks ? &redraw_ : nullptr, &picture.settings.numbers});
     shade(terrain, picture, blocks ? &redraw_ : nullptr);
     return blocks ? Drawn::changes : Drawn::everything;
 }

@@ -200,6 +200,8 @@ std::vector<Parameter> render_parameters() {
               "Samples a pixel, as many as a picture at rest gathers: smoother silhouettes and detail."),
         toggle("render.occlusion", preset.occlusion, "Valleys get less of the sky's light than ridges."),
     };
+    for (const MethodEntry& method : methods())
+        declared.insert(declared.end(), method.parameters.begin(), method.parameters.end());
     for (const View& view : views())
         for (const ViewNumber& one : view.numbers) {
             const bool known = one.parameter &&
@@ -222,6 +224,10 @@ ViewSettings view_settings(const Parameters& drawing, const Parameters& simulati
     settings.shadows = drawing.toggle("render.shadows");
     settings.occlusion = drawing.toggle("render.occlusion");
     settings.gravity_m_per_s2 = simulation.number("water.gravity_m_per_s2");
+    for (const MethodEntry& method : methods())
+        for (const Parameter& own : method.parameters)
+            settings.numbers[own.name] =
+                std::holds_alternative<int>(own.preset) ? drawing.whole(own.name) : drawing.number(own.name);
     for (const View& view : views())
         for (const ViewNumber& one : view.numbers) {
             if (!one.parameter) continue;

@@ -18,13 +18,6 @@
 namespace talus::claims {
 namespace {
 
-render::Method method_named(const std::string& name) {
-    const auto found = std::find_if(render::methods().begin(), render::methods().end(),
-                                    [&](const render::MethodEntry& entry) { return entry.name == name; });
-    if (found == render::methods().end()) throw Error("there is no method '" + name + "'");
-    return found->make(render::Detail::kind);
-}
-
 Dab random_dab(const Grid& grid, std::mt19937& random, double reach_m, double amount_m, double height_m) {
     std::uniform_real_distribution<double> unit(0, 1);
     Dab dab;
@@ -56,7 +49,7 @@ SurveyError survey_error(const Grid& grid, const std::vector<float>& heights, co
     pyramid.refresh(terrain);
     render::HitsTarget target(size.x, size.y);
     render::Measure measure(grid, heights);
-    const render::Method draw = method_named(method);
+    const render::Method draw = render::method_named(method).make(render::Detail::kind);
     // Tolerance 0 allows a thousandth of a pixel: a ray that grazes a crest changes its hit by metres in
     // less.
     const double limit_px = std::max(tolerance_px, 1e-3);

@@ -39,6 +39,7 @@ struct Subject {
     glm::ivec2 size;
     double patch_pixels;
     double limit_px;
+    const std::map<std::string, double>& numbers;  // the methods' own parameters
 };
 
 // How many rays took so many steps; the last: that or more.
@@ -100,8 +101,9 @@ nlohmann::ordered_json measure_method(const Subject& subject, const render::Meth
     double cpu_ms = 0;
     Steps steps;
     for (const render::NamedCamera& view : subject.cameras) {
-        const render::Frame frame{subject.terrain, subject.pyramid,      view.camera,         width, height,
-                                  tolerance_px,    subject.patch_pixels, target.framebuffer()};
+        const render::Frame frame{
+            subject.terrain, subject.pyramid,      view.camera,          width,   height,
+            tolerance_px,    subject.patch_pixels, target.framebuffer(), nullptr, &subject.numbers};
         const auto [frame_ms, gpu_ms] = time_frame(plain, frame, target);
         const render::PictureError error = subject.measure.compare(
             view.camera, width, height, target.read_distances(width, height), subject.limit_px);
@@ -160,17 +162,7 @@ nlohmann::ordered_json measure_method(const Subject& subject, const render::Meth
 
 void compare(const CompareOptions& options) {
     std::vector<render::MethodEntry> entries;
-    for (const std::string& name : options.methods) {
-        const auto found = std::find_if(render::methods().begin(), render::methods().end(),
-                                        [&](const render::MethodEntry& e) { return e.name == name; });
-        if (found == render::methods().end()) {
-            std::string names;
-            for (const render::MethodEntry& e : render::methods())
-                names += (names.empty() ? "" : ", ") + e.name;
-            throw Error(fmt::format("--method '{}' is none, it must be one of: {}", name, names));
-        }
-        entries.push_back(*found);
-    }
+    for (const std::string& name : options.methods) entries.push_back(render::method_named(name));
     if (entries.empty()) entries = render::methods();
     if (options.size.x < 1 || options.size.y < 1 || options.size.x > 4096 || options.size.y > 4096)
         throw Error(fmt::format("--size {}x{} cannot be compared, each side must be 1 to 4096 pixels",
@@ -193,8 +185,10 @@ void compare(const CompareOptions& options) {
     render::Pyramid pyramid(terrain);
     pyramid.refresh(terrain);
     render::Measure measure(grid, ground);
-    const Subject subject{
-        terrain, pyramid, measure, cameras, options.size, patch_pixels(context.device()), options.limit_px};
+    const render::ViewSettings settings = render::view_settings(scene.view, scene.simulation);
+    const Subject subject{terrain,          pyramid,         measure,
+                          cameras,          options.size,    patch_pixels(context.device()),
+                          options.limit_px, settings.numbers};
     nlohmann::ordered_json report;
     report["device"] = gpu::describe(context.device());
     report["terrain"] = scene.title;

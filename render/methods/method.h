@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "render/pyramid.h"
 #include "render/redraw.h"
 #include "sim/gpu/texture.h"
+#include "sim/parameters.h"
 
 namespace talus::render {
 
@@ -25,7 +27,12 @@ struct Frame {
     /// Set where the target holds the same picture from before the terrain's last changes: the method may
     /// mark more blocks, calls list(), and draws these blocks alone, bit for bit as in a fresh picture.
     Redraw* redraw = nullptr;
+    /// Values of the methods' own parameters, by name; null, or where one is missing: its default.
+    const std::map<std::string, double>* numbers = nullptr;
 };
+
+/// The value of a method's own parameter.
+double number_in(const Frame& frame, const Parameter& parameter);
 
 /// What the second component of the hits tells besides the distance.
 enum class Detail {
@@ -56,8 +63,12 @@ struct MethodEntry {
     std::function<Method(Detail)> make;
     bool redraws_blocks;   ///< it heeds Frame::redraw
     bool heeds_tolerance;  ///< it heeds Frame::tolerance_px
+    /// Of its own; numbers alone.
+    std::vector<Parameter> parameters = {};
 };
 const std::vector<MethodEntry>& methods();
+/// The one of this name. Throws talus::Error, which names all, where there is none.
+const MethodEntry& method_named(const std::string& name);
 
 /// Lines for shaders that tell the detail.
 std::vector<std::string> detail_defines(Detail detail);
@@ -66,5 +77,7 @@ Method make_exact(Detail detail);
 Method make_boxes(Detail detail);
 Method make_mesh(Detail detail);
 Method make_hybrid(Detail detail);
+Method make_relief(Detail detail);
+std::vector<Parameter> relief_parameters();
 
 }  // namespace talus::render

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include "render/methods/method.h"
+#include "sim/error.h"
 
 namespace talus::render {
 
@@ -8,8 +11,28 @@ const std::vector<MethodEntry>& methods() {
         {"boxes", "the same walk onto a column for each patch (Dick et al. 2009)", make_boxes, true, false},
         {"mesh", "two triangles a patch at full resolution, culled by cells", make_mesh, false, false},
         {"hybrid", "the cheapest of mesh and rays, cell by cell", make_hybrid, true, true},
+        {"relief", "evenly spaced samples along each ray, then halvings (Policarpo et al. 2005)", make_relief,
+         false, false, relief_parameters()},
     };
     return entries;
+}
+
+const MethodEntry& method_named(const std::string& name) {
+    std::string names;
+    for (const MethodEntry& entry : methods()) {
+        if (entry.name == name) return entry;
+        names += (names.empty() ? "" : ", ") + entry.name;
+    }
+    throw Error(fmt::format("method '{}' is none, it must be one of: {}", name, names));
+}
+
+double number_in(const Frame& frame, const Parameter& parameter) {
+    if (frame.numbers) {
+        const auto given = frame.numbers->find(parameter.name);
+        if (given != frame.numbers->end()) return given->second;
+    }
+    if (const int* whole = std::get_if<int>(&parameter.preset)) return *whole;
+    return std::get<double>(parameter.preset);
 }
 
 std::vector<std::string> detail_defines(Detail detail) {

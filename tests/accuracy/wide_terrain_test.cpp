@@ -36,9 +36,7 @@ TEST_P(WideTerrain, IsAsExactAtBothEnds) {
     render::Pyramid pyramid(terrain);
     pyramid.refresh(terrain);
     const render::HitsTarget target(width, height);
-    const auto entry = std::find_if(render::methods().begin(), render::methods().end(),
-                                    [](const render::MethodEntry& e) { return e.name == GetParam(); });
-    const render::Method method = entry->make(render::Detail::kind);
+    const render::Method method = render::method_named(GetParam()).make(render::Detail::kind);
     const auto draw = [&](const render::Camera& camera) {
         method({terrain, pyramid, camera, width, height, 0.5, 8, target.framebuffer()});
         return target.hits().read_all<glm::vec2>();

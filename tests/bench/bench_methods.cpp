@@ -35,10 +35,9 @@ class Stage {
                              int rounds) {
         std::vector<Contestant> contestants;
         for (const std::string& name : names) {
-            const auto entry = std::find_if(render::methods().begin(), render::methods().end(),
-                                            [&](const render::MethodEntry& e) { return e.name == name; });
             auto known = made_.find(name);
-            if (known == made_.end()) known = made_.emplace(name, entry->make(render::Detail::none)).first;
+            if (known == made_.end())
+                known = made_.emplace(name, render::method_named(name).make(render::Detail::none)).first;
             contestants.push_back({name, [&, method = &known->second] {
                                        (*method)({terrain_, pyramid_, camera, width, height, 0.5,
                                                   patch_pixels_, target_.framebuffer()});

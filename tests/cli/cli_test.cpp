@@ -407,7 +407,7 @@ TEST_F(Program, ComparesMethodsWithTheReference) {
     const Outcome outcome = talus("compare a.exr --size 96x54 --tolerance 0.5 --limit 0.5 --report c.json");
     ASSERT_EQ(outcome.code, 0) << outcome.output;
     const json results = report("c.json")["results"];
-    ASSERT_EQ(results.size(), 4U);
+    ASSERT_EQ(results.size(), 5U);
     for (const json& r : results) {
         const bool promises = r["method"] == "exact" || r["method"] == "hybrid";
         if (promises) {
@@ -424,13 +424,24 @@ TEST_F(Program, ComparesMethodsWithTheReference) {
         talus("compare a.exr --size 32x18 --method exact --keys keys.toml --frames 3 --report k.json").code,
         0);
     EXPECT_EQ(report("k.json")["results"][0]["frames"].size(), 3U);
+    // A method's own parameters.
+    std::vector<int> wrong;
+    for (const char* samples : {"8", "800"}) {
+        ASSERT_EQ(talus(std::string("compare a.exr --size 96x54 --method relief --report c.json --set "
+                                    "render.relief_samples=") +
+                        samples)
+                      .code,
+                  0);
+        wrong.push_back(report("c.json")["results"][0]["beyond_limit"]);
+    }
+    EXPECT_GT(wrong[0], 4 * wrong[1]);
     ASSERT_EQ(talus("render a.exr --size 64x36 --keys keys.toml --frames 2 --image fly.png").code, 0);
     ASSERT_EQ(talus("render a.exr --size 64x36 --turntable 2 --image turn.png").code, 0);
     for (const char* file : {"fly-0000.png", "fly-0001.png", "turn-0000.png", "turn-0001.png"})
         EXPECT_GT(fs::file_size(path(file)), 100U) << file;
 
     EXPECT_EQ(refusal("compare a.exr --method x"),
-              "--method 'x' is none, it must be one of: exact, boxes, mesh, hybrid\n");
+              "method 'x' is none, it must be one of: exact, boxes, mesh, hybrid, relief\n");
     EXPECT_EQ(refusal("compare a.exr --tolerance -1"),
               "--tolerance -1 cannot be compared, it must be 0 to 16 pixels\n");
     std::ofstream(path("bad.toml")) << "[[key]]\neye=[0,0]\ntarget=[500,500,0]\n";

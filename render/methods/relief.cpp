@@ -1,0 +1,27 @@
+#include "render/methods/method.h"
+
+namespace talus::render {
+
+std::vector<Parameter> relief_parameters() {
+    return {
+        whole("render.relief_samples", 64, 1, 16384, "",
+              "Samples along the ray of the method relief: what is thinner than their spacing is missed."),
+        whole("render.relief_halvings", 8, 0, 30, "",
+              "How often the method relief halves the interval in which a ray goes under the ground.")};
+}
+
+Method make_relief(Detail detail) {
+    auto program = std::make_shared<gpu::Program>(
+        std::vector<std::string>{"render/fullscreen.vert", "render/relief.frag"}, detail_defines(detail));
+    const auto draw = [program, parameters = relief_parameters()](const Frame& frame) {
+        frame.pyramid.bind(*program, frame.terrain);
+        set_camera(*program, frame.terrain.grid(), frame.camera, frame.width, frame.height);
+        program->set("samples", static_cast<int>(number_in(frame, parameters[0])));
+        program->set("halvings", static_cast<int>(number_in(frame, parameters[1])));
+        frame.hits.bind({0, 0, frame.width, frame.height});
+        program->draw_fullscreen();
+    };
+    return {draw, [] { return MethodFigures{}; }};
+}
+
+}  // namespace talus::render
