@@ -33,7 +33,8 @@ struct ViewSettings {
     bool shadows = true;
     bool occlusion = true;
     double gravity_m_per_s2 = 9.81;  ///< of the water that is shown
-    /// Values of the views' and the methods' own parameters, by name; where one is missing, its default holds.
+    /// Values of the views' and the methods' own parameters, by name; where one is missing, its default
+    /// holds.
     std::map<std::string, double> numbers;
     /// Leaves out what is costly and little missed where frames are late: shadows, and ground that water
     /// mirrors.
