@@ -225,6 +225,10 @@ void Renderer::draw_ring(const Grid& grid) {
              static_cast<float>(pixels * picture.camera.fov_deg * std::numbers::pi / 180 / picture.height));
     ring.set("ring_m",
              glm::vec3(glm::dvec2(ring_on_.at_m) - glm::dvec2(picture.camera.eye), ring_on_.radius_m));
+    const double margin = 0.01 * std::min(grid.dx, grid.dy);
+    const glm::dvec2 eye(picture.camera.eye);
+    ring.set("border_m", glm::vec4(glm::vec2(margin - eye),
+                                   glm::vec2(glm::dvec2(grid.width_m(), grid.height_m()) - margin - eye)));
     if (ring_on_.stamp) {
         ring.bind_sampled("stamp", *ring_on_.stamp);
         ring.set("stamp_columns", glm::vec2(ring_on_.stamp_columns));

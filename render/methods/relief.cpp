@@ -6,7 +6,7 @@ std::vector<Parameter> relief_parameters() {
     return {
         whole("render.relief_samples", 64, 1, 16384, "",
               "Samples along the ray of the method relief: what is thinner than their spacing is missed."),
-        whole("render.relief_halvings", 8, 0, 30, "",
+        whole("render.relief_halvings", 25, 0, 30, "",
               "How often the method relief halves the interval in which a ray goes under the ground.")};
 }
 

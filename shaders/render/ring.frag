@@ -15,6 +15,7 @@ uniform vec2 stamp_rows;
 
 uniform real ring_angle;  // radians that the ring's line covers
 uniform real3 ring_m;     // x, y over the eye's, radius
+uniform vec4 border_m;    // west, south, east and north of the terrain over the eye's: its sides lie there, and no brush reaches them
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -41,6 +42,7 @@ void main() {
 #endif
     float centre = 1.0 - smoothstep(1.5 * line, 2.5 * line, from_middle);
     vec4 colour = texelFetch(picture_colour, pixel, 0);
-    bool ground = !isinf(distance_m);
+    vec2 place = distance_m * way.xy;
+    bool ground = !isinf(distance_m) && all(greaterThan(place, border_m.xy)) && all(lessThan(place, border_m.zw));
     colour_out = ground ? mix(colour, vec4(1.0, 0.78, 0.2, 1.0), max(ring, centre)) : colour;
 }

@@ -1,8 +1,11 @@
 #include "sim/terrain/generate.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <iterator>
 #include <thread>
 
 #include "shaders/maths/twin.h"
@@ -149,24 +152,60 @@ double delta(glm::dvec2 p, std::uint32_t seed) {
            0.006 * fbm(18.0 * p, seed + 51, 5, 0.5);
 }
 
-// A shape by its kind, of points in units of the terrain's larger extent.
-double (*shape_of(const std::string& kind))(glm::dvec2, std::uint32_t) {
-    if (kind == "hills") return hills;
-    if (kind == "coast") return coast;
-    if (kind == "island") return island;
-    if (kind == "valley") return valley;
-    if (kind == "bowl") return bowl;
-    if (kind == "massif") return massif;
-    if (kind == "plateau") return plateau;
-    if (kind == "delta") return delta;
-    return mountains;
+// Many parallel narrow ridges and valleys, as a spectrogram has: lines of constant frequency from west to
+// east, each of a loudness of its own that changes on the way, and hiss between them (the kind of terrain SP
+// of Ammann, Genevaux & Dischler 2010, figure 3).
+double spectrogram(glm::dvec2 p, std::uint32_t seed) {
+    constexpr double lines = 120;
+    const double at = p.y * lines;
+    const double line = std::floor(at);
+    const double aside = std::abs(2 * (at - line) - 1);
+    const double loudness =
+        std::clamp(0.5 + 1.2 * noise(glm::dvec2(7.0 * p.x, 13.7 * line + 0.5), seed), 0.0, 1.0);
+    const double voice =
+        std::clamp(0.55 + 1.1 * fbm(glm::dvec2(3.0 * p.x, 5.0 * p.y), seed + 11, 4, 0.5), 0.0, 1.0);
+    const double ridge = 1 - aside;
+    return voice * (loudness * ridge * ridge + 0.12 * fbm(260.0 * p, seed + 31, 4, 0.8)) +
+           0.08 * fbm(6.0 * p, seed + 61, 4, 0.5);
 }
+
+// Horns and deep valleys between them: silhouettes from every side, also from above (the kind HA of the same
+// figure).
+double high_amplitude(glm::dvec2 p, std::uint32_t seed) {
+    const double n = 1.3 * fbm(5.0 * p, seed, 3, 0.4);
+    const double ridge = std::max(0.0, 1 - std::sqrt(n * n + 0.0001));
+    const double horn = ridge * ridge * ridge * ridge;
+    const double swell = std::clamp(0.5 + 1.2 * noise(3.0 * p + glm::dvec2(2.2, 8.1), seed + 43), 0.0, 1.0);
+    return horn * (0.25 + 0.75 * swell) + 0.04 * fbm(24.0 * p, seed + 71, 6, 0.5);
+}
+
+// A shape of points in units of the terrain's larger extent.
+struct Shape {
+    const char* kind;
+    double (*height)(glm::dvec2, std::uint32_t);  // null: 0 everywhere
+};
+
+constexpr Shape shapes[] = {{"mountains", mountains},
+                            {"hills", hills},
+                            {"flat", nullptr},
+                            {"coast", coast},
+                            {"island", island},
+                            {"valley", valley},
+                            {"bowl", bowl},
+                            {"massif", massif},
+                            {"plateau", plateau},
+                            {"delta", delta},
+                            {"spectrogram", spectrogram},
+                            {"high_amplitude", high_amplitude}};
 
 }  // namespace
 
 const std::vector<std::string>& generator_kinds() {
-    static const std::vector<std::string> kinds = {"mountains", "hills", "flat",   "coast",   "island",
-                                                   "valley",    "bowl",  "massif", "plateau", "delta"};
+    static const std::vector<std::string> kinds = [] {
+        std::vector<std::string> names;
+        for (const Shape& shape : shapes) names.emplace_back(shape.kind);
+        return names;
+    }();
     return kinds;
 }
 
@@ -218,10 +257,14 @@ std::vector<glm::vec4> generate_water(const Grid& grid, const std::vector<float>
 std::vector<float> generate_heights(const Grid& grid, const GeneratorSettings& settings) {
     check_grid(grid);
     std::vector<float> heights(grid.count(), 0.0F);
-    if (settings.kind == "flat") return heights;
+    const auto* const found = std::find_if(std::begin(shapes), std::end(shapes),
+                                           [&](const Shape& s) { return s.kind == settings.kind; });
+    if (found == std::end(shapes))
+        throw Error(fmt::format("terrain.kind '{}' is none, it must be one of: {}", settings.kind,
+                                fmt::join(generator_kinds(), ", ")));
+    if (!found->height) return heights;
     const double extent = std::max(grid.width_m(), grid.height_m());
     std::vector<double> raw(grid.count());
-    const auto shape = shape_of(settings.kind);
     // Rows are independent, so threads change nothing but the time.
     const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     {
@@ -232,7 +275,8 @@ std::vector<float> generate_heights(const Grid& grid, const GeneratorSettings& s
                 for (int row = t; row < grid.ny; row += threads)
                     for (int column = 0; column < grid.nx; ++column) {
                         const glm::dvec2 p(column * grid.dx / extent, (grid.ny - 1 - row) * grid.dy / extent);
-                        raw[static_cast<std::size_t>(row) * grid.nx + column] = shape(p, settings.seed);
+                        raw[static_cast<std::size_t>(row) * grid.nx + column] =
+                            found->height(p, settings.seed);
                     }
             });
     }

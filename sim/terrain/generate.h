@@ -19,11 +19,13 @@ struct GeneratorSettings {
 /// mountains (ridged noise, its detail damped on slopes, domain warped), hills (fBm), flat (all 0), coast (a
 /// shelf in the west, a beach, hills in the east), island (on a shelf), valley (winding, falls eastwards),
 /// bowl (a paraboloid), massif (a smooth upland that no water has cut), plateau (a table with a river's
-/// course and an escarpment), delta (a flood plain, a gorge and a lake basin).
+/// course and an escarpment), delta (a flood plain, a gorge and a lake basin), spectrogram (parallel narrow
+/// ridges), high_amplitude (horns).
 const std::vector<std::string>& generator_kinds();
 
 /// Heights in metres, row 0 north, lowest sample 0, highest relief_m. The same terrain at every grid of the
-/// same extent, and the same bits on every machine: + - * / sqrt floor and whole numbers only.
+/// same extent, and the same bits on every machine: + - * / sqrt floor and whole numbers only. Throws
+/// talus::Error where there is no such kind.
 std::vector<float> generate_heights(const Grid& grid, const GeneratorSettings& settings);
 
 /// What water a generated terrain can start with: none; dam, to a level of 0.6 of the relief in the western

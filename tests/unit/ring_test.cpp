@@ -1,6 +1,7 @@
 // What lies on the ground under the mouse: the brush's ring, and a stamp where it would be pressed.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/renderer.h"
@@ -56,6 +57,17 @@ TEST(Ring, LiesWhereTheBrushReaches) {
             ASSERT_FALSE(changed[i]) << i;
         }
     }
+}
+
+// Below the border there is the terrain's side, which no brush reaches: no stripe runs down it.
+TEST(Ring, LiesNotOnTheTerrainsSides) {
+    Plane plane;
+    plane.camera.eye = {200, -300, -60};
+    plane.camera.target = {200, 0, -60};
+    const std::vector<bool> changed = plane.changed({{200, 5}, 60});
+    EXPECT_TRUE(std::isfinite(plane.renderer.read_depth(side_px, side_px)[side_px * side_px / 2]))
+        << "no side is seen";
+    EXPECT_EQ(std::count(changed.begin(), changed.end(), true), 0);
 }
 
 // The rectangle of a stamp is the samples that its dab changes.
