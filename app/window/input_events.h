@@ -29,14 +29,15 @@ class InputEvents {
         std::function<void(const Button&)> button;
     };
 
-    /// A shortcut acts at once; while somebody types it comes after what was typed before it, as Enter and
-    /// Escape must.
+    /// A shortcut acts at once. While somebody types, and after a click that may be into a field, it comes
+    /// after what was heard before it, as Enter and Escape must.
     void hear(const Key& key, bool typing, const To& to);
     void hear_letter(unsigned letter);
     void hear_button(const Button& button);
     /// Passes on the events since the last frame, as many as panels can tell apart in one: either text of any
-    /// length, or other keys, or one press of a button. What is pressed and let go is let go in the next
-    /// frame: otherwise panels would never see it down. Returns whether any event waits.
+    /// length, or one other key with its modifiers, or one press of a button. What is pressed and let go is
+    /// let go in the next frame, and pressed again in the one after that: otherwise panels would not see it.
+    /// Returns whether any event waits.
     bool pass(const To& to);
 
   private:
@@ -49,6 +50,7 @@ class InputEvents {
         bool waits = false;  // its shortcut was not looked at yet
     };
     std::vector<Heard> heard_;
+    bool clicked_ = false;  // in the frame before
 };
 
 }  // namespace talus::app

@@ -30,10 +30,10 @@ void PanelInput::hear_button(int button, int action) {
 }
 
 bool PanelInput::pass() {
-    const bool waits = events_.pass(to_);
-    // Those that the backend asked GLFW for may be ahead of the keys.
+    waits_ = events_.pass(to_);
+    // The buttons that the backend read from GLFW may be ahead of the keys.
     std::copy(down_.begin(), down_.end(), std::begin(ImGui::GetIO().MouseDown));
-    return waits;
+    return waits_;
 }
 
 }  // namespace talus::app

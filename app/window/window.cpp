@@ -272,8 +272,10 @@ class Window {
 
         const ImGuiIO& io = ImGui::GetIO();
         const bool dialog = is_dialog_open(state_) || project_.work().busy();
-        const HandMay may{!io.WantCaptureMouse && !dialog, !io.WantTextInput && !io.KeyCtrl && !dialog};
         const bool stroked = session_.stroking();
+        // A stroke goes on while keys are heard.
+        const HandMay may{!io.WantCaptureMouse && !dialog && (stroked || !input_.waits()),
+                          !io.WantTextInput && !io.KeyCtrl && !dialog};
         FrameTimes times{now};
         const int dabs_before = session_.sculpting().dabs();
         attempt([&] {

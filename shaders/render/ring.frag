@@ -43,6 +43,7 @@ void main() {
     float centre = 1.0 - smoothstep(1.5 * line, 2.5 * line, from_middle);
     vec4 colour = texelFetch(picture_colour, pixel, 0);
     vec2 place = distance_m * way.xy;
-    bool ground = !isinf(distance_m) && all(greaterThan(place, border_m.xy)) && all(lessThan(place, border_m.zw));
+    float rounding_m = 4e-7 * distance_m;
+    bool ground = !isinf(distance_m) && all(greaterThan(place, border_m.xy + rounding_m)) && all(lessThan(place, border_m.zw - rounding_m));
     colour_out = ground ? mix(colour, vec4(1.0, 0.78, 0.2, 1.0), max(ring, centre)) : colour;
 }

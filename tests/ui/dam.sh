@@ -70,13 +70,14 @@ xdotool key Return
 await_widget "Open it"
 shot 01_import
 click "Open it"
-await_word "begun with hash"
+await_work
 shot 02_opened
 
 click Map
 names=(map.west_m map.south_m map.east_m map.north_m)
 for i in 0 1 2 3; do type_into "${names[$i]}" "${edges[$i]}"; done
 click Crop
+await_work
 shot 03_valley
 xdotool mousemove 600 600 key ctrl+shift+s
 await_widget "file name"

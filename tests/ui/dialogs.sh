@@ -57,8 +57,7 @@ middle=$(rect_of "Cancel import")
 import -window root 2_small.png
 resize 1280 720
 click "Open it"
-await_word "begun with hash .*"
-frames 4
+await_work
 
 # A name without an ending is completed.
 xdotool mousemove 600 400 key ctrl+shift+s

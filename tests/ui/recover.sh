@@ -43,8 +43,7 @@ for kill in $(seq "$kills"); do
     frames 4
     [ "$kill" -gt 1 ] || import -window root offered.png
     click Recover
-    await_word "begun with hash"
-    frames 4
+    await_work
     # Saved with what is recovered it goes to its own project.
     xdotool mousemove 600 400 key ctrl+s
     await_word "saved .*ground.exr"

@@ -38,12 +38,13 @@ open_window() {
         sleep 0.1
     done
     [ -n "$window" ] || fail "no window appeared"
-    coproc ping { exec /usr/bin/python3 "$ui/ping.py" "$window" 2>&1; }
+    coproc ping { exec /usr/bin/python3 "$ui/ping.py" "$window" 2>ping.log; }
 }
 
 # Waits until the window has drawn so many frames with what was done, or has nothing left to draw.
 frames() {
     local said= part= whole=
+    [ -n "${ping_PID:-}" ] || fail "nobody asks the window: $(cat ping.log)"
     echo "$1" >&"${ping[1]}"
     for _ in $(seq 600); do
         # A word may come in two parts.
@@ -52,7 +53,17 @@ frames() {
         [ -z "$whole" ] || break
         kill -0 "$pid" 2>/dev/null || return 0
     done
-    [ "$said" = drawn ] || fail "the window does not answer: $said"
+    [ "$said" = drawn ] || fail "the window does not answer: $said $(cat ping.log)"
+}
+
+# Waits until long work that was asked for is done: it says so from its first frame on.
+await_work() {
+    frames 4
+    for _ in $(seq 600); do
+        [ -z "$(rect_of "Cancel work")" ] && return
+        sleep 0.1
+    done
+    fail "the work does not end"
 }
 
 close_window() {

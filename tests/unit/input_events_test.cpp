@@ -116,6 +116,62 @@ TEST(InputEvents, AModifierIsHeldUntilItsKeyWasSeen) {
     EXPECT_EQ(heard.text, "+" + ctrl + "!A+A-" + ctrl);
 }
 
+// Twice Backspace within a long frame takes two letters away.
+TEST(InputEvents, WhatIsPressedTwiceIsSeenTwice) {
+    Heard heard;
+    app::InputEvents events;
+    const auto backspace = [](int action) { return app::InputEvents::Key{GLFW_KEY_BACKSPACE, 0, action, 0}; };
+    for (int i = 0; i < 2; ++i) {
+        events.hear(backspace(GLFW_PRESS), false, heard.to);
+        events.hear(backspace(GLFW_RELEASE), false, heard.to);
+    }
+    for (int i = 0; i < 2; ++i) {
+        events.hear_button({GLFW_MOUSE_BUTTON_LEFT, true, {}});
+        events.hear_button({GLFW_MOUSE_BUTTON_LEFT, false, {}});
+    }
+    heard.text.clear();
+    std::vector<std::string> frames;
+    for (bool waits = true; waits;) {
+        heard.text.clear();
+        waits = events.pass(heard.to);
+        frames.push_back(heard.text);
+    }
+    const std::string key(1, static_cast<char>(GLFW_KEY_BACKSPACE));
+    EXPECT_EQ(frames,
+              (std::vector<std::string>{"+" + key, "-" + key, "+" + key, "-" + key + "(", ")", "(", ")"}));
+}
+
+// Ctrl+C and V before C is up: panels do one of two in a frame.
+TEST(InputEvents, TwoOtherKeysTakeTwoFrames) {
+    Heard heard;
+    app::InputEvents events;
+    events.hear({'C', 0, GLFW_PRESS, GLFW_MOD_CONTROL}, false, heard.to);
+    events.hear({'V', 0, GLFW_PRESS, GLFW_MOD_CONTROL}, false, heard.to);
+    heard.text.clear();
+    EXPECT_TRUE(events.pass(heard.to));
+    EXPECT_EQ(heard.text, "+C");
+    EXPECT_FALSE(events.pass(heard.to));
+    EXPECT_EQ(heard.text, "+C+V");
+}
+
+// Who clicks into a field and types at once does not press shortcuts: whether it was a field is known a frame
+// later.
+TEST(InputEvents, AShortcutWaitsUntilItIsKnownWhatWasClicked) {
+    Heard heard;
+    app::InputEvents events;
+    events.hear_button({GLFW_MOUSE_BUTTON_LEFT, true, {}});
+    events.hear(press('P'), false, heard.to);
+    EXPECT_EQ(heard.text, "");
+    events.pass(heard.to);
+    events.hear(release('P'), false, heard.to);
+    events.hear(press('Q'), false, heard.to);
+    EXPECT_EQ(heard.text, "(");
+    events.pass(heard.to);
+    EXPECT_EQ(heard.text, "(") << "panels have not yet drawn the field";
+    events.pass(heard.to);
+    EXPECT_EQ(heard.text, "(!P+P!Q+Q");
+}
+
 // Who types a name and clicks on Write gets the whole name.
 TEST(InputEvents, AClickComesBehindWhatWasTypedBefore) {
     Heard heard;
@@ -128,7 +184,7 @@ TEST(InputEvents, AClickComesBehindWhatWasTypedBefore) {
     heard.text.clear();
     const std::string enter(1, static_cast<char>(GLFW_KEY_ENTER));
     for (const std::string& expected :
-         {std::string("a"), "a+" + enter, "a+" + enter + "(", "a+" + enter + "()b"}) {
+         {std::string("a"), "a+" + enter, "a+" + enter + "(", "a+" + enter + "()", "a+" + enter + "()b"}) {
         events.pass(heard.to);
         EXPECT_EQ(heard.text, expected);
     }

@@ -66,7 +66,7 @@ TEST(Twins, BrushAndThermalAgreeToTheBitAfter500Ticks) {
 // Dabs of several kinds, modes and curves in turn agree with the float twin to the bit. On Mesa 22.3's zink
 // they did not: programs that take turns got each other's variants of inlined uniforms (work_around_drivers,
 // docs/devices.md).
-TEST(Twins, DabsOfAllKindsInTurnAgreeToTheBit) {
+TEST(TwinsInTurn, AgreeToTheBit) {
     const gpu::Context context;
     if (!claims::arithmetic_of_device().rounds_as_ieee())
         GTEST_SKIP() << claims::describe(claims::arithmetic_of_device());
