@@ -30,11 +30,7 @@ bool same_hits(const ViewSettings& a, const ViewSettings& b) {
         return false;
     const std::vector<Parameter>& own = method_named(a.method).parameters;
     return std::all_of(own.begin(), own.end(), [&](const Parameter& parameter) {
-        const auto in_a = a.numbers.find(parameter.name);
-        const auto in_b = b.numbers.find(parameter.name);
-        if (in_a == a.numbers.end() || in_b == b.numbers.end())
-            return (in_a == a.numbers.end()) == (in_b == b.numbers.end());
-        return in_a->second == in_b->second;
+        return own_number(a.numbers, parameter) == own_number(b.numbers, parameter);
     });
 }
 
@@ -106,7 +102,7 @@ bool Renderer::refine(const Terrain& terrain, int samples) {
     bool redraws_blocks = false;
     method_of(picture.settings, " refined ", redraws_blocks)(
         {terrain, pyramid_, picture.camera, picture.width, picture.height, picture.settings.tolerance_px,
-         patch_pixels_, target.framebuffer(), nullptr, &picture.settings.numbers});
+         patch_pixels_, target.framebuffer(), nullptr, picture.settings.numbers});
     colour(terrain, picture, target.hits(), refinement_.colour_buffer(), nullptr);
     refinement_.add(refinement_.colour(), picture.width, picture.height);
     if (ringed_) draw_ring(terrain.grid());
@@ -151,7 +147,7 @@ Drawn Renderer::redraw(const Terrain& terrain, const Picture& picture, const std
     }
     follow_sky(terrain, picture.settings);
     method({terrain, pyramid_, picture.camera, picture.width, picture.height, picture.settings.tolerance_px,
-            patch_pixels_, target_.framebuffer(), blocks ? &redraw_ : nullptr, &picture.settings.numbers});
+            patch_pixels_, target_.framebuffer(), blocks ? &redraw_ : nullptr, picture.settings.numbers});
     shade(terrain, picture, blocks ? &redraw_ : nullptr);
     return blocks ? Drawn::changes : Drawn::everything;
 }

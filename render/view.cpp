@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "sim/error.h"
 
@@ -174,12 +175,27 @@ const View& view_named(const std::string& name) {
 }
 
 double ViewNumber::in(const ViewSettings& settings) const {
-    if (!parameter) return fixed;
-    const auto given = settings.numbers.find(parameter->name);
-    if (given != settings.numbers.end()) return given->second;
-    const auto* preset = std::get_if<double>(&parameter->preset);
-    return preset ? *preset : 0;
+    return parameter ? own_number(settings.numbers, *parameter) : fixed;
 }
+
+namespace {
+
+// Those of all methods and views, each once: views may share one.
+std::vector<Parameter> own_parameters() {
+    std::vector<Parameter> all;
+    for (const MethodEntry& method : methods())
+        all.insert(all.end(), method.parameters.begin(), method.parameters.end());
+    for (const View& view : views())
+        for (const ViewNumber& one : view.numbers) {
+            const bool known = one.parameter && std::any_of(all.begin(), all.end(), [&](const Parameter& p) {
+                                   return p.name == one.parameter->name;
+                               });
+            if (one.parameter && !known) all.push_back(*one.parameter);
+        }
+    return all;
+}
+
+}  // namespace
 
 std::vector<Parameter> render_parameters() {
     std::vector<std::string> method_names;
@@ -200,15 +216,7 @@ std::vector<Parameter> render_parameters() {
               "Samples a pixel, as many as a picture at rest gathers: smoother silhouettes and detail."),
         toggle("render.occlusion", preset.occlusion, "Valleys get less of the sky's light than ridges."),
     };
-    for (const MethodEntry& method : methods())
-        declared.insert(declared.end(), method.parameters.begin(), method.parameters.end());
-    for (const View& view : views())
-        for (const ViewNumber& one : view.numbers) {
-            const bool known = one.parameter &&
-                               std::any_of(declared.begin(), declared.end(),
-                                           [&](const Parameter& p) { return p.name == one.parameter->name; });
-            if (one.parameter && !known) declared.push_back(*one.parameter);
-        }
+    for (Parameter& own : own_parameters()) declared.push_back(std::move(own));
     return declared;
 }
 
@@ -224,17 +232,8 @@ ViewSettings view_settings(const Parameters& drawing, const Parameters& simulati
     settings.shadows = drawing.toggle("render.shadows");
     settings.occlusion = drawing.toggle("render.occlusion");
     settings.gravity_m_per_s2 = simulation.number("water.gravity_m_per_s2");
-    for (const MethodEntry& method : methods())
-        for (const Parameter& own : method.parameters)
-            settings.numbers[own.name] =
-                std::holds_alternative<int>(own.preset) ? drawing.whole(own.name) : drawing.number(own.name);
-    for (const View& view : views())
-        for (const ViewNumber& one : view.numbers) {
-            if (!one.parameter) continue;
-            const std::string& name = one.parameter->name;
-            const bool is_choice = std::holds_alternative<std::string>(one.parameter->preset);
-            settings.numbers[name] = is_choice ? drawing.choice_as<int>(name) : drawing.number(name);
-        }
+    for (const Parameter& own : own_parameters())
+        settings.numbers[own.name] = as_number(own, drawing.value(own.name));
     return settings;
 }
 

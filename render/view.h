@@ -1,5 +1,4 @@
 #pragma once
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -7,6 +6,7 @@
 
 #include "render/camera.h"
 #include "render/methods/method.h"
+#include "render/own_numbers.h"
 #include "sim/parameters.h"
 #include "sim/terrain/terrain.h"
 
@@ -33,9 +33,7 @@ struct ViewSettings {
     bool shadows = true;
     bool occlusion = true;
     double gravity_m_per_s2 = 9.81;  ///< of the water that is shown
-    /// Values of the views' and the methods' own parameters, by name; where one is missing, its default
-    /// holds.
-    std::map<std::string, double> numbers;
+    OwnNumbers numbers;              ///< of views and methods
     /// Leaves out what is costly and little missed where frames are late: shadows, and ground that water
     /// mirrors.
     bool quick = false;

@@ -39,7 +39,7 @@ struct Subject {
     glm::ivec2 size;
     double patch_pixels;
     double limit_px;
-    const std::map<std::string, double>& numbers;  // the methods' own parameters
+    const render::OwnNumbers& numbers;
 };
 
 // How many rays took so many steps; the last: that or more.
@@ -103,7 +103,7 @@ nlohmann::ordered_json measure_method(const Subject& subject, const render::Meth
     for (const render::NamedCamera& view : subject.cameras) {
         const render::Frame frame{
             subject.terrain, subject.pyramid,      view.camera,          width,   height,
-            tolerance_px,    subject.patch_pixels, target.framebuffer(), nullptr, &subject.numbers};
+            tolerance_px,    subject.patch_pixels, target.framebuffer(), nullptr, subject.numbers};
         const auto [frame_ms, gpu_ms] = time_frame(plain, frame, target);
         const render::PictureError error = subject.measure.compare(
             view.camera, width, height, target.read_distances(width, height), subject.limit_px);
@@ -162,7 +162,7 @@ nlohmann::ordered_json measure_method(const Subject& subject, const render::Meth
 
 void compare(const CompareOptions& options) {
     std::vector<render::MethodEntry> entries;
-    for (const std::string& name : options.methods) entries.push_back(render::method_named(name));
+    for (const std::string& name : options.methods) entries.push_back(render::method_named(name, "--method"));
     if (entries.empty()) entries = render::methods();
     if (options.size.x < 1 || options.size.y < 1 || options.size.x > 4096 || options.size.y > 4096)
         throw Error(fmt::format("--size {}x{} cannot be compared, each side must be 1 to 4096 pixels",

@@ -1,17 +1,19 @@
 #pragma once
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "render/camera.h"
+#include "render/own_numbers.h"
 #include "render/pyramid.h"
 #include "render/redraw.h"
 #include "sim/gpu/texture.h"
-#include "sim/parameters.h"
 
 namespace talus::render {
+
+/// All defaults.
+inline const OwnNumbers no_numbers;
 
 /// What a method draws from and into.
 struct Frame {
@@ -27,12 +29,8 @@ struct Frame {
     /// Set where the target holds the same picture from before the terrain's last changes: the method may
     /// mark more blocks, calls list(), and draws these blocks alone, bit for bit as in a fresh picture.
     Redraw* redraw = nullptr;
-    /// Values of the methods' own parameters, by name; null, or where one is missing: its default.
-    const std::map<std::string, double>* numbers = nullptr;
+    const OwnNumbers& numbers = no_numbers;
 };
-
-/// The value of a method's own parameter.
-double number_in(const Frame& frame, const Parameter& parameter);
 
 /// What the second component of the hits tells besides the distance.
 enum class Detail {
@@ -61,14 +59,14 @@ struct MethodEntry {
     std::string name;
     std::string help;
     std::function<Method(Detail)> make;
-    bool redraws_blocks;   ///< it heeds Frame::redraw
-    bool heeds_tolerance;  ///< it heeds Frame::tolerance_px
-    /// Of its own; numbers alone.
-    std::vector<Parameter> parameters = {};
+    bool redraws_blocks;                     ///< it heeds Frame::redraw
+    bool heeds_tolerance;                    ///< it heeds Frame::tolerance_px
+    std::vector<Parameter> parameters = {};  ///< of its own: numbers
 };
 const std::vector<MethodEntry>& methods();
-/// The one of this name. Throws talus::Error, which names all, where there is none.
-const MethodEntry& method_named(const std::string& name);
+/// The one of this name. Throws talus::Error, which names all, where there is none; `option`: what gave the
+/// name.
+const MethodEntry& method_named(const std::string& name, const std::string& option = "render.method");
 
 /// Lines for shaders that tell the detail.
 std::vector<std::string> detail_defines(Detail detail);

@@ -17,22 +17,13 @@ const std::vector<MethodEntry>& methods() {
     return entries;
 }
 
-const MethodEntry& method_named(const std::string& name) {
+const MethodEntry& method_named(const std::string& name, const std::string& option) {
     std::string names;
     for (const MethodEntry& entry : methods()) {
         if (entry.name == name) return entry;
         names += (names.empty() ? "" : ", ") + entry.name;
     }
-    throw Error(fmt::format("method '{}' is none, it must be one of: {}", name, names));
-}
-
-double number_in(const Frame& frame, const Parameter& parameter) {
-    if (frame.numbers) {
-        const auto given = frame.numbers->find(parameter.name);
-        if (given != frame.numbers->end()) return given->second;
-    }
-    if (const int* whole = std::get_if<int>(&parameter.preset)) return *whole;
-    return std::get<double>(parameter.preset);
+    throw Error(fmt::format("{} '{}' is none, it must be one of: {}", option, name, names));
 }
 
 std::vector<std::string> detail_defines(Detail detail) {

@@ -8,12 +8,12 @@
 #include <random>
 
 #include "app/claims/picture_agreement.h"
-#include "render/hits_target.h"
 #include "render/measure.h"
 #include "render/methods/method.h"
 #include "render/survey.h"
 #include "sim/gpu/context.h"
 #include "sim/terrain/generate.h"
+#include "tests/scenes/easel.h"
 #include "tests/scenes/scenes.h"
 
 namespace talus::methods_test {
@@ -22,34 +22,7 @@ namespace {
 constexpr int width = 480;
 constexpr int height = 270;
 
-// A terrain on the device and what draws it into memory.
-class Easel {
-  public:
-    explicit Easel(const scenes::Scene& scene)
-        : terrain(bedrock_terrain(scene.grid, scene.heights)), pyramid(terrain) {
-        pyramid.refresh(terrain);
-    }
-
-    std::vector<glm::vec2> draw(const render::Method& method, const render::Camera& camera,
-                                double tolerance_px) {
-        method({terrain, pyramid, camera, width, height, tolerance_px, patch_pixels, target_.framebuffer()});
-        return target_.hits().read_all<glm::vec2>();
-    }
-
-    Terrain terrain;
-    render::Pyramid pyramid;
-    double patch_pixels = 8;  // more mesh than any device would choose
-
-  private:
-    render::HitsTarget target_{width, height};
-};
-
-std::vector<float> distances(const std::vector<glm::vec2>& hits) {
-    std::vector<float> result;
-    result.reserve(hits.size());
-    for (const glm::vec2 hit : hits) result.push_back(hit.x);
-    return result;
-}
+using scenes::distances;
 
 class Methods : public ::testing::TestWithParam<std::string> {};
 
@@ -87,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(Terrains, Methods, ::testing::ValuesIn(scenes::names())
 TEST(Exact, BeamsChangeNoBit) {
     const gpu::Context context;
     const scenes::Scene scene = scenes::make("fbm");
-    Easel easel(scene);
+    scenes::Easel easel(scene, width, height);
     const render::Method exact = render::make_exact(render::Detail::steps);
     gpu::Program plain({"render/fullscreen.vert", "render/exact.frag"}, {"COUNT_STEPS", "NO_BEAMS"});
     const auto draw_without = [&](const render::Frame& frame) {
@@ -112,7 +85,7 @@ TEST(Exact, BeamsChangeNoBit) {
 TEST(Hybrid, EachWayOwnsATenthOfMixedViews) {
     const gpu::Context context;
     const scenes::Scene scene = scenes::shore();
-    Easel easel(scene);
+    scenes::Easel easel(scene, width, height);
     easel.patch_pixels = 64;
     render::Measure measure(scene.grid, scene.heights);
     const render::Method hybrid = render::make_hybrid(render::Detail::kind);
@@ -133,7 +106,7 @@ TEST(Hybrid, IsRightFromJustAboveTheGround) {
     const gpu::Context context;
     const Grid grid{257, 257, 30, 30};
     const scenes::Scene scene{grid, generate_heights(grid, {"mountains", 8, 1500})};
-    Easel easel(scene);
+    scenes::Easel easel(scene, width, height);
     render::Measure measure(scene.grid, scene.heights);
     const render::Method hybrid = render::make_hybrid(render::Detail::kind);
     std::mt19937 random(4);
@@ -165,7 +138,7 @@ TEST(Hybrid, HasNoCracksOverAFlight) {
     const gpu::Context context;
     const Grid grid{513, 513, 10, 10};
     const scenes::Scene scene{grid, generate_heights(grid, {"mountains", 8, 900})};
-    Easel easel(scene);
+    scenes::Easel easel(scene, width, height);
     render::Measure measure(scene.grid, scene.heights);
     const render::Method exact = render::make_exact(render::Detail::none);
     const render::Method hybrid = render::make_hybrid(render::Detail::kind);

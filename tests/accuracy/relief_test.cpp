@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "render/cast_twin.h"
-#include "render/hits_target.h"
 #include "render/measure.h"
 #include "render/methods/method.h"
 #include "render/survey.h"
 #include "sim/gpu/context.h"
+#include "tests/scenes/easel.h"
 #include "tests/scenes/scenes.h"
 
 namespace talus::relief_test {
@@ -19,40 +19,27 @@ constexpr int width = 192;
 constexpr int height = 108;
 constexpr int halvings = 20;
 
-// A terrain and the method's pictures of it.
-class Easel {
-  public:
-    explicit Easel(const scenes::Scene& scene)
-        : terrain_(bedrock_terrain(scene.grid, scene.heights)), pyramid_(terrain_) {
-        pyramid_.refresh(terrain_);
-    }
-    std::vector<float> draw(const render::Camera& camera, int samples) {
-        const std::map<std::string, double> numbers = {{"render.relief_samples", samples},
-                                                       {"render.relief_halvings", halvings}};
-        method_({terrain_, pyramid_, camera, width, height, 0, 8, target_.framebuffer(), nullptr, &numbers});
-        return target_.read_distances(width, height);
-    }
-
-  private:
-    Terrain terrain_;
-    render::Pyramid pyramid_;
-    render::HitsTarget target_{width, height};
-    render::Method method_ = render::make_relief(render::Detail::none);
-};
+// Distances that the method draws.
+std::vector<float> draw(scenes::Easel& easel, const render::Method& relief, const render::Camera& camera,
+                        int samples) {
+    return scenes::distances(easel.draw(
+        relief, camera, 0, {{"render.relief_samples", samples}, {"render.relief_halvings", halvings}}));
+}
 
 // Every pixel against the same search in double: what differs is rounding, where a sample lies on the ground
 // to its last digits.
 TEST(Relief, DrawsWhatItsSearchFinds) {
     const gpu::Context context;
+    const render::Method relief = render::make_relief(render::Detail::none);
     for (const std::string& name : scenes::names()) {
         const scenes::Scene scene = scenes::make(name);
-        Easel easel(scene);
+        scenes::Easel easel(scene, width, height);
         maths::CastTwin<double> twin(scene.grid, scene.heights);
         long otherwise = 0;
         long pixels = 0;
         for (const render::NamedCamera& view : render::survey(scene.grid, scene.heights))
             for (const int samples : {16, 64, 300}) {
-                const std::vector<float> drawn = easel.draw(view.camera, samples);
+                const std::vector<float> drawn = draw(easel, relief, view.camera, samples);
                 twin.look(scene.grid, view.camera, width, height);
                 for (int y = 0; y < height; ++y)
                     for (int x = 0; x < width; ++x) {
@@ -77,15 +64,16 @@ TEST(Relief, DrawsWhatItsSearchFinds) {
 // sample under it is behind it.
 TEST(Relief, ErrsLessWithMoreSamples) {
     const gpu::Context context;
+    const render::Method relief = render::make_relief(render::Detail::none);
     for (const std::string& name : scenes::names()) {
         const scenes::Scene scene = scenes::make(name);
-        Easel easel(scene);
+        scenes::Easel easel(scene, width, height);
         render::Measure measure(scene.grid, scene.heights);
         std::map<int, render::PictureError> errors;
         int nearer = 0;
         for (const render::NamedCamera& view : render::survey(scene.grid, scene.heights))
             for (const int samples : {64, 1024}) {
-                const std::vector<float> drawn = easel.draw(view.camera, samples);
+                const std::vector<float> drawn = draw(easel, relief, view.camera, samples);
                 const std::vector<double> truth = measure.reference(view.camera, width, height);
                 for (std::size_t i = 0; i < drawn.size(); ++i) nearer += drawn[i] < 0.999 * truth[i] ? 1 : 0;
                 const render::PictureError error = measure.compare(view.camera, width, height, drawn, 0.5);
