@@ -29,92 +29,99 @@ bool contains(const std::vector<int>& keys, int key) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
-// What panels have got in this frame.
-struct Passed {
-    bool letters = false;
-    bool button = false;     // was pressed
-    bool other_key = false;  // that makes no letters, nor is a modifier
-    std::vector<int> pressed = {};
-    std::vector<int> released = {};
-    std::vector<int> released_buttons = {};
+enum class Turn {
+    now,
+    later,    // in the next frame, and what is behind it need not wait for that
+    not_yet,  // in the next frame, with all that is behind it
+};
 
-    // Whether a key can be pressed in the same frame.
-    bool leaves_room_for(const InputEvents::Key& key) const {
-        if (button || other_key || contains(released, key.key)) return false;
-        return !letters || makes_letters(key) || is_shift(key.key);
+// What panels have got in a frame, and so whose turn it is.
+class Frame {
+  public:
+    // after_click: panels tell only now whether the click was into a field.
+    explicit Frame(bool after_click) : after_click_(after_click) {}
+
+    bool clicked() const { return clicked_; }
+
+    Turn turn_of(unsigned) {
+        if (after_click_ || clicked_ || other_key_) return Turn::not_yet;
+        letters_ = true;
+        return Turn::now;
     }
-    bool leaves_room_for(const InputEvents::Button& one) const {
-        return !letters && !button && !other_key && !contains(released_buttons, one.button);
+    Turn turn_of(const InputEvents::Button& button) {
+        if (clicked_) return Turn::not_yet;
+        if (!button.down) {
+            released_buttons_.push_back(button.button);
+            return Turn::now;
+        }
+        if (letters_ || other_key_ || contains(released_buttons_, button.button)) return Turn::not_yet;
+        clicked_ = true;
+        return Turn::now;
     }
+    Turn turn_of(const InputEvents::Key& key) {
+        // Panels repeat keys that are held by their own clock.
+        if (key.action == GLFW_REPEAT) return after_click_ ? Turn::not_yet : Turn::now;
+        return key.action == GLFW_RELEASE ? turn_of_release(key) : turn_of_press(key);
+    }
+
+  private:
+    Turn turn_of_release(const InputEvents::Key& key) {
+        // Not Ctrl before panels saw the key that it was held for, either.
+        if (clicked_ || other_key_) return Turn::not_yet;
+        if (contains(pressed_, key.key))
+            return makes_letters(key) || is_shift(key.key) ? Turn::later : Turn::not_yet;
+        released_.push_back(key.key);
+        return Turn::now;
+    }
+    Turn turn_of_press(const InputEvents::Key& key) {
+        const bool text = makes_letters(key) || is_shift(key.key);
+        if (after_click_ || clicked_ || other_key_ || (letters_ && !text) || contains(released_, key.key))
+            return Turn::not_yet;
+        pressed_.push_back(key.key);
+        other_key_ = !text && !is_modifier(key.key);
+        return Turn::now;
+    }
+
+    bool after_click_;
+    bool letters_ = false;
+    bool clicked_ = false;
+    bool other_key_ = false;  // was pressed: one that makes no letters and is no modifier
+    std::vector<int> pressed_;
+    std::vector<int> released_;
+    std::vector<int> released_buttons_;
 };
 
 }  // namespace
 
 void InputEvents::hear(const Key& key, bool typing, const To& to) {
-    typing = typing || clicked_ || std::any_of(heard_.begin(), heard_.end(), [](const Heard& one) {
-                 return one.waits || (one.kind == Kind::button && one.button.down);
-             });
     const bool presses = key.action != GLFW_RELEASE;
-    if (presses && !typing) to.shortcut(key);
-    Heard heard;
-    heard.key = key;
-    heard.waits = presses && typing;
-    heard_.push_back(heard);
-}
-
-void InputEvents::hear_letter(unsigned letter) {
-    Heard heard;
-    heard.kind = Kind::letter;
-    heard.letter = letter;
-    heard_.push_back(heard);
-}
-
-void InputEvents::hear_button(const Button& button) {
-    Heard heard;
-    heard.kind = Kind::button;
-    heard.button = button;
-    heard_.push_back(heard);
+    const bool waits = typing || clicked_ || std::any_of(heard_.begin(), heard_.end(), [](const Heard& one) {
+                           const auto* button = std::get_if<Button>(&one.event);
+                           return one.shortcut_waits || (button && button->down);
+                       });
+    if (presses && !waits) to.shortcut(key);
+    heard_.push_back({key, presses && waits});
 }
 
 bool InputEvents::pass(const To& to) {
-    Passed passed;
-    // Only the frame after a click tells whether the click was into a field.
-    const bool settles = std::exchange(clicked_, false);
-    std::vector<Heard> waiting;  // releases of letters' keys: the text behind them need not wait
+    Frame frame(clicked_);
+    std::vector<Heard> waiting;
     auto next = heard_.begin();
     for (; next != heard_.end(); ++next) {
-        const Key& key = next->key;
-        if (next->kind == Kind::letter) {
-            if (settles || passed.button || passed.other_key) break;
-            passed.letters = true;
-            to.letter(next->letter);
-        } else if (next->kind == Kind::button) {
-            const Button& button = next->button;
-            if (button.down ? !passed.leaves_room_for(button) : passed.button) break;
-            clicked_ = clicked_ || button.down;
-            passed.button = passed.button || button.down;
-            if (!button.down) passed.released_buttons.push_back(button.button);
-            to.button(button);
-        } else if (key.action == GLFW_RELEASE) {
-            // Not Ctrl before panels saw the key that it was held for, either.
-            if (passed.button || passed.other_key) break;
-            if (contains(passed.pressed, key.key)) {
-                if (!makes_letters(key) && !is_shift(key.key)) break;
-                waiting.push_back(*next);
-                continue;
-            }
-            passed.released.push_back(key.key);
-            to.key(key);
+        const Turn turn = std::visit([&](const auto& event) { return frame.turn_of(event); }, next->event);
+        if (turn == Turn::not_yet) break;
+        if (turn == Turn::later) {
+            waiting.push_back(*next);
+        } else if (const auto* key = std::get_if<Key>(&next->event)) {
+            if (next->shortcut_waits) to.shortcut(*key);
+            to.key(*key);
+        } else if (const auto* button = std::get_if<Button>(&next->event)) {
+            to.button(*button);
         } else {
-            // Panels repeat keys that are held by their own clock.
-            const bool repeats = key.action == GLFW_REPEAT;
-            if (settles || (!repeats && !passed.leaves_room_for(key))) break;
-            if (!repeats) passed.pressed.push_back(key.key);
-            passed.other_key = passed.other_key || (!repeats && !makes_letters(key) && !is_modifier(key.key));
-            if (next->waits) to.shortcut(key);
-            to.key(key);
+            to.letter(std::get<unsigned>(next->event));
         }
     }
+    clicked_ = frame.clicked();
     waiting.insert(waiting.end(), next, heard_.end());
     heard_ = std::move(waiting);
     return !heard_.empty();

@@ -2,6 +2,7 @@
 #include <glm/vec2.hpp>
 
 #include <functional>
+#include <variant>
 #include <vector>
 
 namespace talus::app {
@@ -32,8 +33,8 @@ class InputEvents {
     /// A shortcut acts at once. While somebody types, and after a click that may be into a field, it comes
     /// after what was heard before it, as Enter and Escape must.
     void hear(const Key& key, bool typing, const To& to);
-    void hear_letter(unsigned letter);
-    void hear_button(const Button& button);
+    void hear_letter(unsigned letter) { heard_.push_back({letter}); }
+    void hear_button(const Button& button) { heard_.push_back({button}); }
     /// Passes on the events since the last frame, as many as panels can tell apart in one: either text of any
     /// length, or one other key with its modifiers, or one press of a button. What is pressed and let go is
     /// let go in the next frame, and pressed again in the one after that: otherwise panels would not see it.
@@ -41,13 +42,9 @@ class InputEvents {
     bool pass(const To& to);
 
   private:
-    enum class Kind { key, letter, button };
     struct Heard {
-        Kind kind = Kind::key;
-        Key key;
-        unsigned letter = 0;
-        Button button;
-        bool waits = false;  // its shortcut was not looked at yet
+        std::variant<Key, unsigned, Button> event;  // a number: a letter
+        bool shortcut_waits = false;
     };
     std::vector<Heard> heard_;
     bool clicked_ = false;  // in the frame before

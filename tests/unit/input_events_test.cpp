@@ -141,6 +141,38 @@ TEST(InputEvents, WhatIsPressedTwiceIsSeenTwice) {
               (std::vector<std::string>{"+" + key, "-" + key, "+" + key, "-" + key + "(", ")", "(", ")"}));
 }
 
+// The digits beside the arrows are text like any other.
+TEST(InputEvents, DigitsOfTheKeypadPassAsText) {
+    Heard heard;
+    app::InputEvents events;
+    for (const int digit : {1, 2, 3}) {
+        events.hear({GLFW_KEY_KP_0 + digit, 0, GLFW_PRESS, 0}, false, heard.to);
+        events.hear_letter(static_cast<unsigned>('0' + digit));
+        events.hear({GLFW_KEY_KP_0 + digit, 0, GLFW_RELEASE, 0}, false, heard.to);
+    }
+    int letters = 0;
+    heard.to.letter = [&](unsigned) { ++letters; };
+    events.pass(heard.to);
+    EXPECT_EQ(letters, 3);
+}
+
+// Left and then Shift for a capital: not Shift+Left, which would select.
+TEST(InputEvents, AModifierBelongsToTheKeyBehindIt) {
+    Heard heard;
+    app::InputEvents events;
+    const std::string left(1, static_cast<char>(GLFW_KEY_LEFT));
+    const std::string shift(1, static_cast<char>(GLFW_KEY_LEFT_SHIFT));
+    events.hear({GLFW_KEY_LEFT, 0, GLFW_PRESS, 0}, false, heard.to);
+    events.hear({GLFW_KEY_LEFT_SHIFT, 0, GLFW_PRESS, GLFW_MOD_SHIFT}, false, heard.to);
+    events.hear({'A', 0, GLFW_PRESS, GLFW_MOD_SHIFT}, false, heard.to);
+    events.hear_letter('A');
+    heard.text.clear();
+    events.pass(heard.to);
+    EXPECT_EQ(heard.text, "+" + left);
+    events.pass(heard.to);
+    EXPECT_EQ(heard.text, "+" + left + "+" + shift + "+AA");
+}
+
 // Ctrl+C and V before C is up: panels do one of two in a frame.
 TEST(InputEvents, TwoOtherKeysTakeTwoFrames) {
     Heard heard;
