@@ -15,7 +15,7 @@ uniform vec2 stamp_rows;
 
 uniform real ring_angle;  // radians that the ring's line covers
 uniform real3 ring_m;     // x, y over the eye's, radius
-uniform vec4 border_m;    // west, south, east and north of the terrain over the eye's: its sides lie there, and no brush reaches them
+uniform vec4 border_m;    // west, south, east and north border over the eye's; beyond are the terrain's sides, which no brush reaches
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -43,7 +43,7 @@ void main() {
     float centre = 1.0 - smoothstep(1.5 * line, 2.5 * line, from_middle);
     vec4 colour = texelFetch(picture_colour, pixel, 0);
     vec2 place = distance_m * way.xy;
-    float rounding_m = 4e-7 * distance_m;
+    float rounding_m = 4e-7 * distance_m;  // a float has 24 bits: a few units in the last place
     bool ground = !isinf(distance_m) && all(greaterThan(place, border_m.xy + rounding_m)) && all(lessThan(place, border_m.zw - rounding_m));
     colour_out = ground ? mix(colour, vec4(1.0, 0.78, 0.2, 1.0), max(ring, centre)) : colour;
 }
