@@ -29,17 +29,17 @@ bool contains(const std::vector<int>& keys, int key) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
-enum class Turn {
-    now,
-    later,    // in the next frame, and what is behind it need not wait for that
-    not_yet,  // in the next frame, with all that is behind it
-};
-
 // What panels have got in a frame, and so whose turn it is.
-class Frame {
+class InputFrame {
   public:
+    enum class Turn {
+        now,
+        later,    // in the next frame, and what is behind it need not wait for that
+        not_yet,  // in the next frame, with all that is behind it
+    };
+
     // after_click: panels tell only now whether the click was into a field.
-    explicit Frame(bool after_click) : after_click_(after_click) {}
+    explicit InputFrame(bool after_click) : after_click_(after_click) {}
 
     bool clicked() const { return clicked_; }
 
@@ -104,13 +104,14 @@ void InputEvents::hear(const Key& key, bool typing, const To& to) {
 }
 
 bool InputEvents::pass(const To& to) {
-    Frame frame(clicked_);
+    InputFrame frame(clicked_);
     std::vector<Heard> waiting;
     auto next = heard_.begin();
     for (; next != heard_.end(); ++next) {
-        const Turn turn = std::visit([&](const auto& event) { return frame.turn_of(event); }, next->event);
-        if (turn == Turn::not_yet) break;
-        if (turn == Turn::later) {
+        const InputFrame::Turn turn =
+            std::visit([&](const auto& event) { return frame.turn_of(event); }, next->event);
+        if (turn == InputFrame::Turn::not_yet) break;
+        if (turn == InputFrame::Turn::later) {
             waiting.push_back(*next);
         } else if (const auto* key = std::get_if<Key>(&next->event)) {
             if (next->shortcut_waits) to.shortcut(*key);
