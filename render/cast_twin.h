@@ -70,7 +70,6 @@ struct CastTwin {
                origin_height_m;
     }
     real load_highest() const { return real(highest_) - origin_height_m; }
-    real load_lowest() const { return real(lowest_) - origin_height_m; }
     real4 load_corners(int2 at) const {
         const float* row = heights.data() + static_cast<std::size_t>(at.y) * (patches.x + 1) + at.x;
         const float* below = row + patches.x + 1;
@@ -100,7 +99,9 @@ struct CastTwin {
 
     /// The same by relief mapping.
     CastHit march_pixel(real x, real y, int samples, int halvings) {
-        return march_box(cell_, fraction_, pixel_ray(real2(x, y)), samples, halvings);
+        const real2 bounds_m(real(lowest_) - origin_height_m, load_highest());
+        return march_box(int2(0, 0), patches, bounds_m, cell_, fraction_, pixel_ray(real2(x, y)), samples,
+                         halvings);
     }
 
   private:

@@ -40,17 +40,11 @@ Legends level_legend(const View& view, const ViewSettings& settings, glm::dvec2)
     return {{"Level of the water", middle_m - range_m, middle_m + range_m, "m", Scale::difference}};
 }
 
-Legends cells_legend(const View&, const ViewSettings&, glm::dvec2) {
-    return {{"Drawn by",
-             0,
-             0,
-             "method",
-             Scale::none,
-             0,
-             {{1, "mesh"},
-              {2, "rays to the patch"},
-              {4, "rays ended at level 2"},
-              {8, "rays ended at level 6"}}}};
+Legends cells_legend(const View&, const ViewSettings& settings, glm::dvec2) {
+    Legend legend{"Drawn by", 0, 0, "method", Scale::none};
+    for (const PixelKind& one : method_named(settings.method).kinds(settings.numbers))
+        legend.kinds.emplace_back(one.kind, one.words);
+    return {legend};
 }
 
 Parameter band() {
@@ -235,6 +229,18 @@ ViewSettings view_settings(const Parameters& drawing, const Parameters& simulati
     for (const Parameter& own : own_parameters())
         settings.numbers[own.name] = as_number(own, drawing.value(own.name));
     return settings;
+}
+
+bool is_heeded(const std::string& parameter, const Parameters& drawing) {
+    const auto is_it = [&](const Parameter& own) { return own.name == parameter; };
+    const auto is_numbered = [&](const ViewNumber& one) { return one.parameter && is_it(*one.parameter); };
+    const MethodEntry& method = method_named(drawing.choice("render.method"));
+    const View& view = view_named(drawing.choice("render.view"));
+    if (parameter == "render.tolerance_px") return method.heeds_tolerance;
+    const std::vector<Parameter> own = own_parameters();
+    return std::none_of(own.begin(), own.end(), is_it) ||
+           std::any_of(method.parameters.begin(), method.parameters.end(), is_it) ||
+           std::any_of(view.numbers.begin(), view.numbers.end(), is_numbered);
 }
 
 std::vector<Legend> legend_of(const ViewSettings& settings, double lowest_m, double highest_m) {

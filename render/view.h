@@ -77,6 +77,10 @@ const View& view_named(const std::string& name);
 /// The parameters of drawing (law 8): they change the picture, never the terrain.
 std::vector<Parameter> render_parameters();
 
+/// Whether a parameter of drawing can change the picture now. Those that methods and views declare of their
+/// own can while it is theirs that is drawn. `drawing`: as above.
+bool is_heeded(const std::string& parameter, const Parameters& drawing);
+
 /// The legend of the settings' view over a terrain with these lowest and highest heights.
 std::vector<Legend> legend_of(const ViewSettings& settings, double lowest_m, double highest_m);
 

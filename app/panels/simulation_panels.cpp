@@ -1,6 +1,7 @@
 #include <imgui.h>
 
 #include "app/panels/panels.h"
+#include "render/view.h"
 
 namespace talus::app {
 
@@ -26,7 +27,10 @@ void draw_erosion_panel(PanelContext& context) {
 
 void draw_view_panel(PanelContext& context) {
     heading("Picture");
-    draw_section(context.session, context.requests, "render");
+    std::vector<std::string> shown;
+    for (std::string& name : names_in(context.session, "render"))
+        if (render::is_heeded(name, context.session.view())) shown.push_back(std::move(name));
+    draw_parameters(context.session, context.requests, shown);
     heading("Camera");
     draw_section(context.session, context.requests, "camera");
 }

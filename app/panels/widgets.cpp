@@ -136,12 +136,16 @@ void draw_parameters(const Session& session, PanelRequests& requests, const std:
     }
 }
 
-void draw_section(const Session& session, PanelRequests& requests, const std::string& section) {
+std::vector<std::string> names_in(const Session& session, const std::string& section) {
     std::vector<std::string> names;
     for (const Parameters* parameters : {&session.simulation().parameters(), &session.view()})
         for (const Parameter& p : parameters->declared())
             if (p.name.starts_with(section + ".")) names.push_back(p.name);
-    draw_parameters(session, requests, names);
+    return names;
+}
+
+void draw_section(const Session& session, PanelRequests& requests, const std::string& section) {
+    draw_parameters(session, requests, names_in(session, section));
 }
 
 void plot_line(const char* label, const std::vector<float>& values, const char* unit) {

@@ -56,7 +56,9 @@ enum class Edit { none, set, unset };
 Edit draw_parameter(const Parameter& parameter, Value& value);
 /// The session's parameters of these names, set as they change.
 void draw_parameters(const Session& session, PanelRequests& requests, const std::vector<std::string>& names);
-/// All of a section.
+/// The session's parameters of a section.
+std::vector<std::string> names_in(const Session& session, const std::string& section);
+/// All of these.
 void draw_section(const Session& session, PanelRequests& requests, const std::string& section);
 
 /// A line of values with its name, its last value and its range.

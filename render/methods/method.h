@@ -36,14 +36,15 @@ struct Frame {
 enum class Detail {
     none,
     steps,  ///< cells and patches that the pixel's ray visited
-    kind,   ///< 0 nothing, 1 mesh, 2 a ray to the patch, 2 + l a ray that ended at level l of the pyramid
+    kind,   ///< what drew it: 0 nothing, 1 mesh, from 2 on as the method's table says
 };
 
 /// What a method's last frame was made of.
 struct MethodFigures {
-    int mesh_cells = 0;     ///< cells drawn by triangles
-    long triangles = 0;     ///< given to the rasteriser
-    std::size_t bytes = 0;  ///< of the device's memory that the method itself holds
+    int mesh_cells = 0;       ///< cells drawn by triangles
+    long triangles = 0;       ///< given to the rasteriser
+    std::size_t bytes = 0;    ///< of the device's memory that the method itself holds
+    int refreshed_cells = 0;  ///< whose bounds were found again
 };
 
 /// One way of drawing the surface: fills the frame's hits. Shading, depth output and views follow from those.
@@ -54,14 +55,24 @@ struct Method {
     void operator()(const Frame& frame) const { draw(frame); }
 };
 
+/// What a value of Detail::kind says, in words.
+struct PixelKind {
+    double kind;
+    std::string words;
+};
+
+/// Of methods that cast rays through the pyramid.
+std::vector<PixelKind> ray_kinds(const OwnNumbers&);
+
 /// A method by name, and how it is made. Adding one is a file in this folder and a line in methods().
 struct MethodEntry {
     std::string name;
     std::string help;
     std::function<Method(Detail)> make;
-    bool redraws_blocks;                     ///< it heeds Frame::redraw
-    bool heeds_tolerance;                    ///< it heeds Frame::tolerance_px
+    bool redraws_blocks = false;             ///< it heeds Frame::redraw
+    bool heeds_tolerance = false;            ///< it heeds Frame::tolerance_px
     std::vector<Parameter> parameters = {};  ///< of its own: numbers
+    std::vector<PixelKind> (*kinds)(const OwnNumbers&) = ray_kinds;
 };
 const std::vector<MethodEntry>& methods();
 /// The one of this name. Throws talus::Error, which names all, where there is none; `option`: what gave the
@@ -74,8 +85,15 @@ std::vector<std::string> detail_defines(Detail detail);
 Method make_exact(Detail detail);
 Method make_boxes(Detail detail);
 Method make_mesh(Detail detail);
+std::vector<PixelKind> mesh_kinds(const OwnNumbers&);
 Method make_hybrid(Detail detail);
 Method make_relief(Detail detail);
 std::vector<Parameter> relief_parameters();
+std::vector<PixelKind> relief_kinds(const OwnNumbers&);
+Method make_ammann(Detail detail);
+/// The same as its authors made it: the choices come back to the host, which lists the cells. To be measured.
+Method make_ammann_reading_back(Detail detail);
+std::vector<Parameter> ammann_parameters();
+std::vector<PixelKind> ammann_kinds(const OwnNumbers& numbers);
 
 }  // namespace talus::render

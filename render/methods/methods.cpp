@@ -7,14 +7,40 @@ namespace talus::render {
 
 const std::vector<MethodEntry>& methods() {
     static const std::vector<MethodEntry> entries = {
-        {"exact", "a ray per pixel through the pyramid onto the bilinear surface", make_exact, true, false},
-        {"boxes", "the same walk onto a column for each patch (Dick et al. 2009)", make_boxes, true, false},
-        {"mesh", "two triangles a patch at full resolution, culled by cells", make_mesh, false, false},
-        {"hybrid", "the cheapest of mesh and rays, cell by cell", make_hybrid, true, true},
-        {"relief", "evenly spaced samples along each ray, then halvings (Policarpo et al. 2005)", make_relief,
-         false, false, relief_parameters()},
+        {.name = "exact",
+         .help = "a ray per pixel through the pyramid onto the bilinear surface",
+         .make = make_exact,
+         .redraws_blocks = true},
+        {.name = "boxes",
+         .help = "the same walk onto a column for each patch (Dick et al. 2009)",
+         .make = make_boxes,
+         .redraws_blocks = true},
+        {.name = "mesh",
+         .help = "two triangles a patch at full resolution, culled by cells",
+         .make = make_mesh,
+         .kinds = mesh_kinds},
+        {.name = "hybrid",
+         .help = "the cheapest of mesh and rays, cell by cell",
+         .make = make_hybrid,
+         .redraws_blocks = true,
+         .heeds_tolerance = true},
+        {.name = "relief",
+         .help = "evenly spaced samples along each ray, then halvings (Policarpo et al. 2005)",
+         .make = make_relief,
+         .parameters = relief_parameters(),
+         .kinds = relief_kinds},
+        {.name = "ammann",
+         .help = "cells of mesh near by, of sampled rays farther off (Ammann et al. 2010)",
+         .make = make_ammann,
+         .parameters = ammann_parameters(),
+         .kinds = ammann_kinds},
     };
     return entries;
+}
+
+std::vector<PixelKind> ray_kinds(const OwnNumbers&) {
+    return {
+        {1, "mesh"}, {2, "rays to the patch"}, {4, "rays ended at level 2"}, {8, "rays ended at level 6"}};
 }
 
 const MethodEntry& method_named(const std::string& name, const std::string& option) {

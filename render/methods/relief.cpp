@@ -23,6 +23,10 @@ std::vector<Parameter> relief_parameters() {
     return {samples(), halvings()};
 }
 
+std::vector<PixelKind> relief_kinds(const OwnNumbers&) {
+    return {{2, "sampled rays"}};
+}
+
 Method make_relief(Detail detail) {
     auto program = std::make_shared<gpu::Program>(
         std::vector<std::string>{"render/fullscreen.vert", "render/relief.frag"}, detail_defines(detail));

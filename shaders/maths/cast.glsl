@@ -18,15 +18,16 @@ struct CastHit {
 // step of the walk gets on.
 const int cast_step_limit = 131072;
 
-// From where to where a ray is over or under the terrain's rectangle and below its highest sample, m along it; an end
-// before the beginning: nowhere. Parameters as below and in maths/patch.glsl.
-real2 cast_span(int2 origin_cell, real2 fraction, real3 direction, real2 inverse, real inverse_z, int2 side, real height_m) {
-    int2 near_edge = int2(side.x == 1 ? 0 : patches.x, side.y == 1 ? 0 : patches.y);
+// Where a ray is over or under a rectangle, from one plane between columns and rows to another, and below a height over its
+// start: from where to where, m along it; an end before the beginning: nowhere. Parameters as below and in maths/patch.glsl.
+real2 cast_span(int2 first, int2 last, real top_m, int2 origin_cell, real2 fraction, real3 direction, real2 inverse, real inverse_z, int2 side) {
+    int2 near_edge = int2(side.x == 1 ? first.x : last.x, side.y == 1 ? first.y : last.y);
+    int2 far_edge = int2(side.x == 1 ? last.x : first.x, side.y == 1 ? last.y : first.y);
     real2 enter = cast_planes(near_edge - origin_cell, fraction, inverse);
-    real2 leave = cast_planes(patches - near_edge - origin_cell, fraction, inverse);
+    real2 leave = cast_planes(far_edge - origin_cell, fraction, inverse);
     real begin = max(max(enter.x, enter.y), real(0));
     real end = min(leave.x, leave.y);
-    real crossing = (load_highest() - height_m) * inverse_z;
+    real crossing = top_m * inverse_z;
     return direction.z < real(0) ? real2(max(begin, crossing), end) : real2(begin, min(end, crossing));
 }
 
@@ -45,7 +46,7 @@ CastHit cast_ray(int2 origin_cell, real2 fraction, real3 direction, real from_m,
     int2 side = int2(direction.x < real(0) ? 0 : 1, direction.y < real(0) ? 0 : 1);
     int2 forward = int2(2 * side.x - 1, 2 * side.y - 1);
 
-    real2 span = cast_span(origin_cell, fraction, direction, inverse, inverse_z, side, height_m);
+    real2 span = cast_span(int2(0, 0), patches, load_highest() - height_m, origin_cell, fraction, direction, inverse, inverse_z, side);
     real begin = span.x;
     real end = span.y;
 

@@ -1,7 +1,6 @@
 // Relief mapping: samples along a ray, evenly spaced until one lies under the surface, then halvings of the last interval
 // (Policarpo, Oliveira & Comba 2005, section 3). What lies between two samples is missed where it is thinner than their
-// spacing. The including side gives what maths/cast.glsl asks for, has it before this, and
-//   real load_lowest()   lowest sample of all, over the origin height
+// spacing. The including side gives what maths/cast.glsl asks for, and has it before this.
 
 // Height of a point of the ray over the surface; beside the terrain over its nearest border.
 real march_above(int2 origin_cell, real2 fraction, real3 direction, real at_m) {
@@ -44,14 +43,15 @@ CastHit march_ray(int2 origin_cell, real2 fraction, real3 direction, real begin_
     return hit;
 }
 
-// From where the ray enters the terrain's box, or from its start within it, to where it leaves.
-CastHit march_box(int2 origin_cell, real2 fraction, real3 direction, int samples, int halvings) {
+// From where the ray enters a box, or from its start within it, to where it leaves. first, last: the box's planes between
+// columns and rows; bounds_m: the lowest and the highest of its samples, over the origin height.
+CastHit march_box(int2 first, int2 last, real2 bounds_m, int2 origin_cell, real2 fraction, real3 direction, int samples, int halvings) {
     real2 inverse = real2(cast_inverse(direction.x), cast_inverse(direction.y));
     real inverse_z = cast_inverse(direction.z);
     int2 side = int2(direction.x < real(0) ? 0 : 1, direction.y < real(0) ? 0 : 1);
-    real2 span = cast_span(origin_cell, fraction, direction, inverse, inverse_z, side, real(0));
+    real2 span = cast_span(first, last, bounds_m.y, origin_cell, fraction, direction, inverse, inverse_z, side);
     // At the bottom of the box every ray is on the ground or under it, whatever rounding says.
-    real bottom = load_lowest() * inverse_z;
+    real bottom = bounds_m.x * inverse_z;
     bool through_bottom = span.x <= span.y && direction.z < real(0) && bottom < span.y;
     real end = through_bottom ? max(bottom, span.x) : span.y;
     CastHit hit = march_ray(origin_cell, fraction, direction, span.x, end, samples, halvings);

@@ -8,16 +8,20 @@ struct CellBox {
     real3 high;
 };
 
-CellBox cell_box(int2 cell, int level) {
-    int2 first = cell << level;
-    int2 last = min((cell + 1) << level, patches);
-    int2 texel = pyramid_texel(cell, level);
+// Over patches from first to before last, between bounds over the eye.
+CellBox box_over(int2 first, int2 last, real2 bounds_m) {
     real2 west_north = (real2(first - origin_cell) - origin_fraction) * cell_m;
     real2 east_south = (real2(last - origin_cell) - origin_fraction) * cell_m;
     CellBox box;
-    box.low = real3(west_north.x, -east_south.y, (texelFetch(bottoms, texel, 0).r - origin_height_m.x) - origin_height_m.y);
-    box.high = real3(east_south.x, -west_north.y, (texelFetch(tops, texel, 0).r - origin_height_m.x) - origin_height_m.y);
+    box.low = real3(west_north.x, -east_south.y, bounds_m.x);
+    box.high = real3(east_south.x, -west_north.y, bounds_m.y);
     return box;
+}
+
+CellBox cell_box(int2 cell, int level) {
+    int2 texel = pyramid_texel(cell, level);
+    real2 bounds_m = (real2(texelFetch(bottoms, texel, 0).r, texelFetch(tops, texel, 0).r) - origin_height_m.x) - origin_height_m.y;
+    return box_over(cell << level, min((cell + 1) << level, patches), bounds_m);
 }
 
 real3 box_corner(CellBox box, int i) {

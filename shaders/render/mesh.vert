@@ -4,14 +4,14 @@
 
 layout(std430) readonly buffer MeshCells { uint draw_arguments[8]; uint mesh_cells[]; };
 
-uniform int cell_level;
+uniform int cell_patches;
+uniform int cell_columns;
 uniform real near_m;
 
 void main() {
-    int columns = level_1_size.x >> (cell_level - 1);
     int cell = int(mesh_cells[gl_InstanceID]);
-    int side = (1 << cell_level) + 1;
-    int2 at = (int2(cell % columns, cell / columns) << cell_level) + int2(gl_VertexID % side, gl_VertexID / side);
+    int side = cell_patches + 1;
+    int2 at = int2(cell % cell_columns, cell / cell_columns) * cell_patches + int2(gl_VertexID % side, gl_VertexID / side);
     at = min(at, patches);
     real2 place = (real2(at - origin_cell) - origin_fraction) * cell_m;
     real height = (texelFetch(ground, at, 0).r - origin_height_m.x) - origin_height_m.y;

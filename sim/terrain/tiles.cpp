@@ -2,8 +2,18 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 
 namespace talus {
+
+namespace {
+
+std::uint32_t next_round() {
+    static std::atomic<std::uint32_t> rounds = 0;
+    return ++rounds;
+}
+
+}  // namespace
 
 TileList::TileList(int tile_count)
     : buffer("tile list", (4 + static_cast<std::size_t>(tile_count)) * sizeof(std::uint32_t)) {
@@ -17,6 +27,7 @@ Tiles::Tiles(const Grid& grid, std::uint32_t last_number)
       stamps_("tile stamps",
               static_cast<std::size_t>(columns_) * rows_ * tile_changes::tile_kinds * sizeof(std::uint32_t)),
       last_number_(last_number),
+      round_(next_round()),
       list_program_("sim/tile_list.comp") {
     mark_all();
 }
@@ -41,7 +52,7 @@ std::vector<int> Tiles::touched_by(const gpu::Region& samples) const {
 std::uint32_t Tiles::next() {
     if (now_ < last_number_) return ++now_;
     // The stamps of the round before would be later than all that follow.
-    ++round_;
+    round_ = next_round();
     now_ = 1;
     stamps_.fill(now_);
     return ++now_;

@@ -36,10 +36,11 @@ class Tiles {
         inundation = 1U << tile_changes::tile_inundation,
         anything = (1U << tile_changes::tile_kinds) - 1
     };
-    /// How far one reader has read: nothing yet.
+    /// How far one reader has read: nothing yet. Of another terrain's tiles it has read nothing, either.
     struct Reader {
         std::uint32_t round = 0;
         std::uint32_t read = 0;
+        bool operator==(const Reader&) const = default;
     };
 
     /// After `last_number` a new round of numbers begins, and everything counts as changed for every reader.
@@ -83,7 +84,7 @@ class Tiles {
     int rows_;
     gpu::Buffer stamps_;
     std::uint32_t last_number_;
-    std::uint32_t round_ = 0;
+    std::uint32_t round_;  // no two of a program are the same
     std::uint32_t now_ = 0;
     mutable gpu::Program list_program_;
 };

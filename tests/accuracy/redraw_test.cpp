@@ -83,6 +83,52 @@ TEST_P(Redraw, LongShadowsAndPlainsAreRedrawn) {
     }
 }
 
+class FollowsChanges : public ::testing::TestWithParam<std::string> {};
+
+// A dab is in the next frame of every method, and in all of it: what a method keeps between frames is never
+// old.
+TEST_P(FollowsChanges, InTheNextFrame) {
+    const gpu::Context context;
+    const Grid grid{300, 260, 15, 15};
+    Scene kept(grid, generate_heights(grid, {"mountains", 5, 500}));
+    std::mt19937 random(12);
+    std::uniform_real_distribution<double> unit(0, 1);
+    render::ViewSettings settings;
+    settings.method = GetParam();
+    const std::array<render::Camera, 2> cameras = {render::overview(grid, 0, 500),
+                                                   render::Camera{{600, 600, 900}, {2500, 2200, 200}, 55}};
+    std::vector<float> before;
+    int changed = 0;
+    for (int frame = 0; frame < 12; ++frame) {
+        const render::Camera& camera = cameras[static_cast<std::size_t>(frame / 6 % 2)];
+        Dab dab;
+        dab.effect = effect_of(frame % 2 == 0 ? BrushMode::raise : BrushMode::lower);
+        dab.x_m = grid.width_m() * unit(random);
+        dab.y_m = grid.height_m() * unit(random);
+        dab.radius_m = 300;
+        dab.amount_m = 200;
+        kept.simulation.apply(dab);
+        kept.renderer.draw(kept.simulation.terrain(), camera, settings, width, height);
+        render::Renderer fresh(kept.simulation.terrain(), 16);
+        fresh.draw(kept.simulation.terrain(), camera, settings, width, height);
+        const std::vector<float> depth = kept.renderer.read_depth(width, height);
+        ASSERT_EQ(depth, fresh.read_depth(width, height)) << frame;
+        ASSERT_EQ(kept.renderer.read_rgb(width, height), fresh.read_rgb(width, height)) << frame;
+        changed += depth != before ? 1 : 0;
+        before = depth;
+    }
+    EXPECT_GE(changed, 9) << "too many dabs were out of sight";
+}
+
+std::vector<std::string> method_names() {
+    std::vector<std::string> names;
+    for (const render::MethodEntry& method : render::methods()) names.push_back(method.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(OfMethods, FollowsChanges, ::testing::ValuesIn(method_names()),
+                         [](const auto& method) { return method.param; });
+
 // Any number of renderers see a live terrain, ground, water and paint: one that draws every frame, one that
 // draws now and then, and one that comes late. None takes away what another has not seen yet.
 TEST(Renderers, AllSeeEverythingOfOneLiveTerrain) {

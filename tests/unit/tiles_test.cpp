@@ -30,6 +30,17 @@ TEST(Tiles, AreListedOnceForEachReader) {
     EXPECT_EQ(listed(tiles, one), 0);
 }
 
+// A reader may outlive a terrain: of the next one it has read nothing, though that is as old.
+TEST(Tiles, OfAnotherTerrainAreUnreadByAReader) {
+    const gpu::Context context;
+    Tiles tiles({200, 100, 1, 1});
+    Tiles::Reader reader;
+    EXPECT_EQ(listed(tiles, reader), 8);
+    Tiles other({200, 100, 1, 1});
+    EXPECT_EQ(listed(other, reader), 8);
+    EXPECT_EQ(listed(other, reader), 0);
+}
+
 TEST(Tiles, CountAsChangedWhenTheirNumbersBeginAnew) {
     const gpu::Context context;
     constexpr std::uint32_t last_number = 20;
