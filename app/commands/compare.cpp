@@ -127,10 +127,10 @@ nlohmann::ordered_json measure_method(const Subject& subject, const render::Meth
                           {"gpu_ms", gpu_ms},
                           {"mesh_cells", figures.mesh_cells},
                           {"triangles", figures.triangles},
-                          {"mesh_pixels", kinds[1]},
-                          {"ray_pixels", kinds[2]},
-                          {"ended_early_pixels", kinds[3]},
                           {"bytes", figures.bytes + subject.pyramid.bytes() + target.bytes()}});
+        if (entry.kinds == render::ray_kinds)
+            frames.back().update(
+                {{"mesh_pixels", kinds[1]}, {"ray_pixels", kinds[2]}, {"ended_early_pixels", kinds[3]}});
         all.wrong_coverage += error.wrong_coverage;
         all.silhouettes += error.silhouettes;
         all.silhouettes_missed += error.silhouettes_missed;

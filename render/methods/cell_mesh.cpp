@@ -1,7 +1,6 @@
 #include "render/methods/cell_mesh.h"
 
 namespace talus::render {
-namespace {
 
 gpu::Buffer cell_indices(int cell_patches) {
     const auto patches = static_cast<unsigned>(cell_patches);
@@ -17,8 +16,6 @@ gpu::Buffer cell_indices(int cell_patches) {
     buffer.write_all(indices);
     return buffer;
 }
-
-}  // namespace
 
 void CellMesh::resize(int cell_patches) {
     if (cell_patches == cell_patches_) return;

@@ -22,6 +22,10 @@ class CellMesh {
     int cell_patches_ = 0;
 };
 
+/// Indices of two triangles a patch of such a cell, whose vertices are numbered row by row. The diagonal goes
+/// from north-east to south-west.
+gpu::Buffer cell_indices(int cell_patches);
+
 /// Depth along the view where the depth buffer has 1: a thousandth of a sample.
 float near_plane_m(const Grid& grid);
 

@@ -95,5 +95,8 @@ Method make_ammann(Detail detail);
 Method make_ammann_reading_back(Detail detail);
 std::vector<Parameter> ammann_parameters();
 std::vector<PixelKind> ammann_kinds(const OwnNumbers& numbers);
+Method make_clipmap(Detail detail);
+std::vector<Parameter> clipmap_parameters();
+std::vector<PixelKind> clipmap_kinds(const OwnNumbers& numbers);
 
 }  // namespace talus::render

@@ -34,6 +34,11 @@ const std::vector<MethodEntry>& methods() {
          .make = make_ammann,
          .parameters = ammann_parameters(),
          .kinds = ammann_kinds},
+        {.name = "clipmap",
+         .help = "rings of mesh around the eye, each twice as coarse as the inner one (Losasso & Hoppe 2004)",
+         .make = make_clipmap,
+         .parameters = clipmap_parameters(),
+         .kinds = clipmap_kinds},
     };
     return entries;
 }

@@ -9,8 +9,12 @@ class TerrainSides {
   public:
     /// Draws the nearest into the frame's hits.
     void draw(const Frame& frame);
+    /// Without the sides.
+    void draw_below(const Frame& frame);
 
   private:
+    void prepare(gpu::Program& program, const Frame& frame);
+
     gpu::Program walls_{std::vector<std::string>{"render/mesh_walls.vert", "render/mesh.frag"}, {"WALLS"}};
     gpu::Program below_{std::vector<std::string>{"render/mesh_below.vert", "render/mesh_below.frag"}};
     gpu::Buffer arguments_{"arguments of the terrain's sides", 8 * sizeof(std::uint32_t)};

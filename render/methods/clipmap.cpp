@@ -1,0 +1,218 @@
+#include <array>
+#include <cmath>
+
+#include "render/methods/cell_mesh.h"
+#include "render/methods/height_levels.h"
+#include "render/methods/method.h"
+#include "render/methods/terrain_sides.h"
+
+namespace talus::render {
+namespace {
+
+const Parameter& ring_samples() {
+    static const Parameter declared =
+        choice("render.clipmap_samples", "511", {"63", "127", "255", "511"},
+               "Samples in a row and a column of a level of the method clipmap: its authors' n.");
+    return declared;
+}
+
+const Parameter& ring_levels() {
+    static const Parameter declared = whole(
+        "render.clipmap_levels", 11, 2, 13, "",
+        "Levels of the method clipmap, each twice as wide as the finer one. Nothing is drawn beyond the "
+        "widest.");
+    return declared;
+}
+
+// Of the pixels of a level: in turn, so that rings side by side differ.
+constexpr glm::vec3 level_kinds(1, 2, 6);
+
+// In the finest level that is drawn: 16 in a row and a column.
+constexpr int most_tiles = 256;
+
+class Clipmap {
+  public:
+    explicit Clipmap(Detail detail)
+        : program_({"render/clipmap.vert", "render/clipmap.frag"}, detail_defines(detail)) {}
+
+    void draw(const Frame& frame) {
+        const int side = (64 << static_cast<int>(own_number(frame.numbers, ring_samples()))) - 1;
+        const int levels = static_cast<int>(own_number(frame.numbers, ring_levels()));
+        make_room(side, levels, frame.terrain);
+        const std::vector<glm::ivec2> origins = origins_around(frame);
+        ring_origins_.write(0, std::as_bytes(std::span(origins)));
+        follow_changes(frame.terrain);
+        for (int level = 0; level < levels; ++level) follow_eye(frame.terrain, level, origins[level]);
+        if (updated_) gpu::barrier({gpu::Use::sampler});
+        list_tiles(frame);
+        frame.hits.clear(0, {HUGE_VALF, 0, 0, 0});
+        frame.hits.clear_depth();
+        frame.hits.bind({0, 0, frame.width, frame.height});
+        prepare(program_, frame);
+        program_.bind_sampled("rings", rings_);
+        program_.set("kinds", level_kinds);
+        program_.draw_indexed_indirect(indices_, tiles_, 0, gpu::Depth::nearest);
+        sides_.draw_below(frame);
+    }
+
+    MethodFigures figures() const {
+        MethodFigures result;
+        if (tiles_.bytes() == 0) return result;
+        const auto words = tiles_.read_all<std::uint32_t>();
+        result.mesh_cells = static_cast<int>(words[1]);
+        result.triangles = static_cast<long>(words[0] / 3) * result.mesh_cells;
+        result.bytes = heights_.bytes() + 2 * sizeof(float) * rings_.width() * rings_.height() +
+                       ring_origins_.bytes() + tiles_.bytes() + indices_.bytes();
+        return result;
+    }
+
+  private:
+    void make_room(int side, int levels, const Terrain& terrain) {
+        const glm::ivec2 samples(terrain.grid().nx, terrain.grid().ny);
+        if (side == side_ && levels == levels_ && samples == samples_) return;
+        side_ = side;
+        levels_ = levels;
+        samples_ = samples;
+        rings_ = gpu::Texture("rings", gpu::Format::rg32f, side, side * levels);
+        ring_origins_ =
+            gpu::Buffer("first samples of rings", static_cast<std::size_t>(levels) * sizeof(glm::ivec2));
+        tiles_ =
+            gpu::Buffer("tiles of rings", (8 + std::size_t{most_tiles} * levels) * sizeof(std::uint32_t));
+        indices_ = cell_indices((side + 1) / 16);
+        held_.assign(static_cast<std::size_t>(levels), std::nullopt);
+        changed_ = std::make_unique<TileList>(terrain.tiles.count());
+        read_ = {};
+    }
+
+    // The eye in the middle, as nearly as even columns and rows allow: a finer level then ends on samples of
+    // the coarser.
+    std::vector<glm::ivec2> origins_around(const Frame& frame) const {
+        const Grid& grid = frame.terrain.grid();
+        // So far that nothing of the terrain is in any ring.
+        const double far = 1e6;
+        const glm::dvec2 eye =
+            glm::clamp(glm::dvec2(grid.column_of(frame.camera.eye.x), grid.row_of(frame.camera.eye.y)),
+                       glm::dvec2(-far), glm::dvec2(far));
+        std::vector<glm::ivec2> origins;
+        for (int level = 0; level < levels_; ++level) {
+            const glm::dvec2 middle = eye / static_cast<double>(1 << level);
+            origins.emplace_back(2 * glm::ivec2(glm::floor(0.5 * middle - 0.25 * (side_ - 1) + 0.5)));
+        }
+        return origins;
+    }
+
+    void prepare(gpu::Program& program, const Frame& frame) const {
+        const Grid& grid = frame.terrain.grid();
+        frame.pyramid.bind(program, frame.terrain);
+        set_camera(program, grid, frame.camera, frame.width, frame.height);
+        bind_rings(program);
+        program.bind_storage("RingTiles", tiles_);
+        program.set("near_m", near_plane_m(grid));
+    }
+
+    void bind_rings(gpu::Program& program) const {
+        program.bind_storage("RingOrigins", ring_origins_);
+        program.set("side", side_);
+        program.set("levels", levels_);
+    }
+
+    void prepare_update(gpu::Program& program, const Terrain& terrain, int level) {
+        bind_rings(program);
+        program.bind_sampled("ground", terrain.ground);
+        heights_.bind(program, level);
+        program.bind_image("rings", rings_);
+        program.set("level", level);
+    }
+
+    void follow_changes(const Terrain& terrain) {
+        updated_ = false;
+        if (read_ == terrain.tiles.reader_now()) return;
+        const bool anew = !held_.front();
+        terrain.tiles.list(Tiles::ground | Tiles::eroded, read_, 0, 0, 1, *changed_);
+        heights_.refresh(terrain, levels_, *changed_);
+        if (anew) return;  // all rings are filled next
+        for (int level = 0; level < levels_; ++level) {
+            prepare_update(update_tiles_, terrain, level);
+            update_tiles_.bind_storage("TileList", changed_->buffer);
+            update_tiles_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
+            update_tiles_.dispatch_indirect(changed_->buffer);
+        }
+        updated_ = true;
+    }
+
+    // What came into a level's ring as the eye moved: columns at one side, rows at another. The rest stays
+    // where it is (Losasso & Hoppe 2004: toroidal access).
+    void follow_eye(const Terrain& terrain, int level, glm::ivec2 origin) {
+        std::optional<glm::ivec2>& held = held_[static_cast<std::size_t>(level)];
+        const glm::ivec2 moved = held ? origin - *held : glm::ivec2(side_);
+        held = origin;
+        if (moved == glm::ivec2(0)) return;
+        if (std::abs(moved.x) >= side_ || std::abs(moved.y) >= side_) {
+            update(terrain, level, origin, glm::ivec2(side_));
+            return;
+        }
+        const glm::ivec2 wide = glm::abs(moved);
+        const glm::ivec2 first(moved.x > 0 ? origin.x + side_ - wide.x : origin.x,
+                               moved.y > 0 ? origin.y + side_ - wide.y : origin.y);
+        if (wide.x > 0) update(terrain, level, {first.x, origin.y}, {wide.x, side_});
+        if (wide.y > 0) update(terrain, level, {origin.x, first.y}, {side_, wide.y});
+    }
+
+    void update(const Terrain& terrain, int level, glm::ivec2 first, glm::ivec2 size) {
+        prepare_update(update_, terrain, level);
+        update_.set("rectangle_first", first);
+        update_.set("rectangle_size", size);
+        update_.dispatch((size.x * size.y + 255) / 256);
+        updated_ = true;
+    }
+
+    void list_tiles(const Frame& frame) {
+        const auto patches = static_cast<std::uint32_t>((side_ + 1) / 16);
+        const std::array<std::uint32_t, 8> arguments = {6 * patches * patches, 0, 0, 0, 0, 0, 0, 0};
+        tiles_.write(0, std::as_bytes(std::span(arguments)));
+        prepare(list_, frame);
+        list_.dispatch(levels_ * most_tiles / 64);
+        gpu::barrier({gpu::Use::storage, gpu::Use::indirect, gpu::Use::buffer_transfer});
+    }
+
+    gpu::Program program_;
+    gpu::Program list_{"render/clipmap_tiles.comp"};
+    gpu::Program update_{"render/clipmap_update.comp"};
+    gpu::Program update_tiles_{std::vector<std::string>{"render/clipmap_update.comp"}, {"TILES"}};
+    TerrainSides sides_;
+    HeightLevels heights_;
+    int side_ = 0;
+    int levels_ = 0;
+    glm::ivec2 samples_{0};
+    gpu::Texture rings_;
+    gpu::Buffer ring_origins_;
+    gpu::Buffer tiles_;
+    gpu::Buffer indices_;
+    std::vector<std::optional<glm::ivec2>> held_;  // first samples of what rings_ has, by level
+    std::unique_ptr<TileList> changed_;
+    Tiles::Reader read_;
+    bool updated_ = false;  // rings_, in this frame
+};
+
+}  // namespace
+
+std::vector<Parameter> clipmap_parameters() {
+    return {ring_samples(), ring_levels()};
+}
+
+std::vector<PixelKind> clipmap_kinds(const OwnNumbers& numbers) {
+    std::vector<PixelKind> kinds;
+    const int levels = static_cast<int>(own_number(numbers, ring_levels()));
+    for (int level = 0; level < levels; ++level)
+        kinds.push_back({level_kinds[level % 3],
+                         level == 0 ? "every sample" : std::to_string(1 << level) + " samples apart"});
+    return kinds;
+}
+
+Method make_clipmap(Detail detail) {
+    auto clipmap = std::make_shared<Clipmap>(detail);
+    return {[clipmap](const Frame& frame) { clipmap->draw(frame); },
+            [clipmap] { return clipmap->figures(); }};
+}
+
+}  // namespace talus::render
