@@ -78,6 +78,8 @@ struct CastTwin {
 
 #include "maths/cast.glsl"
 #include "maths/march.glsl"
+
+#include "maths/block_samples.glsl"
 #include "maths/pixel_ray.glsl"
 
     /// Sets the camera for a picture; its pixels are then cast by position.
@@ -102,6 +104,30 @@ struct CastTwin {
         const real2 bounds_m(real(lowest_) - origin_height_m, load_highest());
         return march_box(int2(0, 0), patches, bounds_m, cell_, fraction_, pixel_ray(real2(x, y)), samples,
                          halvings);
+    }
+
+    /// The same by samples of blocks of so many patches, one after the other.
+    CastHit sample_pixel(real x, real y, int block_patches) {
+        const real3 ray = pixel_ray(real2(x, y));
+        const real2 inverse(cast_inverse(ray.x), cast_inverse(ray.y));
+        const int2 side(ray.x < 0 ? 0 : 1, ray.y < 0 ? 0 : 1);
+        const real relief_m =
+            max(real(highest_) - real(lowest_), min(real(1) / cells_per_m.x, real(1) / cells_per_m.y));
+        const real2 span = cast_span(int2(0), patches, load_highest(), cell_, fraction_, ray, inverse,
+                                     cast_inverse(ray.z), side);
+        CastHit hit{real(-1), 0};
+        for (real at = span.x; at < span.y && hit.distance_m < 0;) {
+            // A little ahead: on the far side of the plane between two blocks.
+            const real2 place = fraction_ + (at + real(1e-9) * max(at, real(1))) * real2(ray);
+            const int2 patch = glm::clamp(cell_ + int2(glm::floor(place)), int2(0), patches - 1);
+            const int2 first = patch / block_patches * block_patches;
+            const int2 last = glm::min(first + block_patches, patches);
+            hit = sample_block(first, last, load_highest(), relief_m, real(0), cell_, fraction_, ray);
+            const real2 over = cast_span(first, last, load_highest(), cell_, fraction_, ray, inverse,
+                                         cast_inverse(ray.z), side);
+            at = max(over.y, at * real(1 + 1e-9) + real(1e-9));
+        }
+        return hit;
     }
 
   private:

@@ -76,9 +76,7 @@ class Ammann {
             list_on_host();
         else
             list_on_device(frame);
-        frame.hits.clear(0, {HUGE_VALF, 0, 0, 0});
-        frame.hits.clear_depth();
-        frame.hits.bind({0, 0, frame.width, frame.height});
+        begin_nearest(frame);
         mesh_.draw(frame, mesh_cells_, bounds_.count().x);
         for (int level = 0; level < count; ++level) draw_rays(frame, level);
         sides_.draw(frame);

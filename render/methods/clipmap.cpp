@@ -45,9 +45,7 @@ class Clipmap {
         for (int level = 0; level < levels; ++level) follow_eye(frame.terrain, level, origins[level]);
         if (updated_) gpu::barrier({gpu::Use::sampler});
         list_tiles(frame);
-        frame.hits.clear(0, {HUGE_VALF, 0, 0, 0});
-        frame.hits.clear_depth();
-        frame.hits.bind({0, 0, frame.width, frame.height});
+        begin_nearest(frame);
         prepare(program_, frame);
         program_.bind_sampled("rings", rings_);
         program_.set("kinds", level_kinds);

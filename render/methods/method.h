@@ -79,6 +79,9 @@ const std::vector<MethodEntry>& methods();
 /// name.
 const MethodEntry& method_named(const std::string& name, const std::string& option = "render.method");
 
+/// Clears the frame's hits, and lets draws whose nearest wins begin.
+void begin_nearest(const Frame& frame);
+
 /// Lines for shaders that tell the detail.
 std::vector<std::string> detail_defines(Detail detail);
 
@@ -90,6 +93,8 @@ Method make_hybrid(Detail detail);
 Method make_relief(Detail detail);
 std::vector<Parameter> relief_parameters();
 std::vector<PixelKind> relief_kinds(const OwnNumbers&);
+Method make_uniform(Detail detail);
+std::vector<PixelKind> uniform_kinds(const OwnNumbers&);
 Method make_ammann(Detail detail);
 /// The same as its authors made it: the choices come back to the host, which lists the cells. To be measured.
 Method make_ammann_reading_back(Detail detail);

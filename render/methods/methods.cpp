@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "render/methods/method.h"
 #include "sim/error.h"
 
@@ -24,6 +26,10 @@ const std::vector<MethodEntry>& methods() {
          .make = make_hybrid,
          .redraws_blocks = true,
          .heeds_tolerance = true},
+        {.name = "uniform",
+         .help = "samples of 8 x 8 patches along each ray, from an envelope on (Jeong & Han 2006)",
+         .make = make_uniform,
+         .kinds = uniform_kinds},
         {.name = "relief",
          .help = "evenly spaced samples along each ray, then halvings (Policarpo et al. 2005)",
          .make = make_relief,
@@ -55,6 +61,12 @@ const MethodEntry& method_named(const std::string& name, const std::string& opti
         names += (names.empty() ? "" : ", ") + entry.name;
     }
     throw Error(fmt::format("{} '{}' is none, it must be one of: {}", option, name, names));
+}
+
+void begin_nearest(const Frame& frame) {
+    frame.hits.clear(0, {HUGE_VALF, 0, 0, 0});
+    frame.hits.clear_depth();
+    frame.hits.bind({0, 0, frame.width, frame.height});
 }
 
 std::vector<std::string> detail_defines(Detail detail) {

@@ -1,0 +1,24 @@
+#pragma once
+#include "render/methods/method.h"
+
+namespace talus::render {
+
+/// The outer mesh over a terrain, by blocks of 9 x 9 samples: each sample raised to the highest of the 3 x 3
+/// around it, those that blocks share not (Jeong & Han 2006, section 4). With its squares split along their
+/// higher diagonals it lies nowhere under the bilinear surface.
+class Envelope {
+  public:
+    /// Of the terrain as it is now: what changed is made again.
+    void refresh(const Terrain& terrain);
+    /// Heights of the samples, m.
+    const gpu::Texture& heights() const { return heights_; }
+    std::size_t bytes() const { return sizeof(float) * heights_.width() * heights_.height(); }
+
+  private:
+    gpu::Program program_{"render/envelope.comp"};
+    gpu::Texture heights_;
+    std::unique_ptr<TileList> changed_;
+    Tiles::Reader read_;
+};
+
+}  // namespace talus::render
