@@ -17,7 +17,7 @@ const Parameter& cell_samples() {
 
 const Parameter& mesh_from() {
     static const Parameter declared =
-        number("render.ammann_mesh_from_px", 70, 0, 1e6, "px²",
+        number("render.ammann_mesh_from_px2", 70, 0, 1e6, "px²",
                "Cells where a sample covers more than this are drawn as mesh by the method ammann: its "
                "authors' T.");
     return declared;
@@ -65,7 +65,9 @@ constexpr std::size_t words_per_draw = 8;
 
 class Ammann {
   public:
-    Ammann(Detail detail, bool reads_back) : detail_(detail), reads_back_(reads_back) {}
+    // precision: of all levels, if set.
+    Ammann(Detail detail, bool reads_back, std::optional<Precision> precision)
+        : detail_(detail), reads_back_(reads_back), precision_(precision) {}
 
     void draw(const Frame& frame) {
         const int count = static_cast<int>(own_number(frame.numbers, level_count()));
@@ -120,7 +122,7 @@ class Ammann {
         if (rays_.size() == static_cast<std::size_t>(levels)) return;
         rays_.clear();
         for (int level = 0; level < levels; ++level) {
-            const Precision precision = precision_of(level, levels);
+            const Precision precision = precision_.value_or(precision_of(level, levels));
             std::vector<std::string> defines = detail_defines(detail_);
             defines.push_back("SAMPLES " + std::to_string(precision.samples));
             defines.push_back("HALVINGS " + std::to_string(precision.halvings));
@@ -188,6 +190,7 @@ class Ammann {
 
     Detail detail_;
     bool reads_back_;
+    std::optional<Precision> precision_;
     CellBounds bounds_;
     CellMesh mesh_;
     TerrainSides sides_;
@@ -199,8 +202,8 @@ class Ammann {
     gpu::Buffer ray_cells_;
 };
 
-Method make(Detail detail, bool reads_back) {
-    auto ammann = std::make_shared<Ammann>(detail, reads_back);
+Method make(Detail detail, bool reads_back, std::optional<Precision> precision = std::nullopt) {
+    auto ammann = std::make_shared<Ammann>(detail, reads_back, precision);
     return {[ammann](const Frame& frame) { ammann->draw(frame); }, [ammann] { return ammann->figures(); }};
 }
 
@@ -224,6 +227,10 @@ std::vector<PixelKind> ammann_kinds(const OwnNumbers& numbers) {
 
 Method make_ammann(Detail detail) {
     return make(detail, false);
+}
+
+Method make_ammann_of(glm::ivec2 precision) {
+    return make(Detail::none, false, Precision{precision.x, precision.y});
 }
 
 Method make_ammann_reading_back(Detail detail) {

@@ -9,6 +9,9 @@
 namespace talus::render {
 namespace {
 
+// As many as shaders/render/clipmap_tile.glsl has room for.
+constexpr int most_levels = 16;
+
 const Parameter& ring_samples() {
     static const Parameter declared =
         choice("render.clipmap_samples", "511", {"63", "127", "255", "511"},
@@ -37,7 +40,8 @@ class Clipmap {
 
     void draw(const Frame& frame) {
         const int side = (64 << static_cast<int>(own_number(frame.numbers, ring_samples()))) - 1;
-        const int levels = static_cast<int>(own_number(frame.numbers, ring_levels()));
+        const int levels =
+            std::max(static_cast<int>(own_number(frame.numbers, ring_levels())), levels_over(frame, side));
         make_room(side, levels, frame.terrain);
         const std::vector<glm::ivec2> origins = origins_around(frame);
         ring_origins_.write(0, std::as_bytes(std::span(origins)));
@@ -80,6 +84,20 @@ class Clipmap {
         held_.assign(static_cast<std::size_t>(levels), std::nullopt);
         changed_ = std::make_unique<TileList>(terrain.tiles.count());
         read_ = {};
+    }
+
+    // So many that the widest reaches over the terrain from the eye.
+    static int levels_over(const Frame& frame, int side) {
+        const Grid& grid = frame.terrain.grid();
+        const glm::dvec2 eye(grid.column_of(frame.camera.eye.x), grid.row_of(frame.camera.eye.y));
+        const glm::dvec2 farthest =
+            glm::max(glm::abs(eye), glm::abs(eye - glm::dvec2(grid.nx - 1, grid.ny - 1)));
+        int levels = 1;
+        // The eye may stand a sample beside the middle, and the terrain's sides lie a sample beyond its edge.
+        while (levels < most_levels &&
+               (0.5 * (side - 1) - 3) * (1 << (levels - 1)) < std::max(farthest.x, farthest.y))
+            ++levels;
+        return levels;
     }
 
     // The eye in the middle, as nearly as even columns and rows allow: a finer level then ends on samples of
@@ -198,13 +216,10 @@ std::vector<Parameter> clipmap_parameters() {
     return {ring_samples(), ring_levels()};
 }
 
-std::vector<PixelKind> clipmap_kinds(const OwnNumbers& numbers) {
-    std::vector<PixelKind> kinds;
-    const int levels = static_cast<int>(own_number(numbers, ring_levels()));
-    for (int level = 0; level < levels; ++level)
-        kinds.push_back({level_kinds[level % 3],
-                         level == 0 ? "every sample" : std::to_string(1 << level) + " samples apart"});
-    return kinds;
+std::vector<PixelKind> clipmap_kinds(const OwnNumbers&) {
+    return {{level_kinds[0], "every sample; 8, 64 … apart"},
+            {level_kinds[1], "samples 2, 16, 128 … apart"},
+            {level_kinds[2], "samples 4, 32, 256 … apart"}};
 }
 
 Method make_clipmap(Detail detail) {

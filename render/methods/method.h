@@ -98,6 +98,8 @@ std::vector<PixelKind> uniform_kinds(const OwnNumbers&);
 Method make_ammann(Detail detail);
 /// The same as its authors made it: the choices come back to the host, which lists the cells. To be measured.
 Method make_ammann_reading_back(Detail detail);
+/// Of one level of precision, to be measured: samples, halvings.
+Method make_ammann_of(glm::ivec2 precision);
 std::vector<Parameter> ammann_parameters();
 std::vector<PixelKind> ammann_kinds(const OwnNumbers& numbers);
 Method make_clipmap(Detail detail);

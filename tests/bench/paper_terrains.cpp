@@ -1,0 +1,54 @@
+#include "tests/bench/paper_terrains.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/core/flight.h"
+#include "sim/terrain/generate.h"
+
+namespace talus::bench {
+namespace {
+
+double ground_at(const PaperTerrain& terrain, glm::dvec2 place) {
+    const auto column = static_cast<std::size_t>(std::lround(terrain.grid.column_of(place.x)));
+    const auto row = static_cast<std::size_t>(std::lround(terrain.grid.row_of(place.y)));
+    return terrain.heights[row * terrain.grid.nx + column];
+}
+
+double relief_of(const PaperTerrain& terrain) {
+    const auto [low, high] = std::minmax_element(terrain.heights.begin(), terrain.heights.end());
+    return *high - *low;
+}
+
+}  // namespace
+
+std::vector<std::string> paper_terrain_names() {
+    return {"high_amplitude", "mountains", "spectrogram"};
+}
+
+PaperTerrain paper_terrain(const std::string& name) {
+    const int side = name == "high_amplitude" ? 2048 : 4096;
+    const Grid grid{side, side, 10, 10};
+    return {name, grid, generate_heights(grid, {name, 4, 2500})};
+}
+
+std::vector<render::Camera> paper_flight(const PaperTerrain& terrain, int frames) {
+    const glm::dvec2 size(terrain.grid.width_m(), terrain.grid.height_m());
+    const glm::dvec2 middle = 0.5 * size;
+    std::vector<render::Camera> keys;
+    for (const glm::dvec2 at : {glm::dvec2(0.15, 0.1), {0.4, 0.35}, {0.7, 0.4}, {0.8, 0.75}, {0.5, 0.85}}) {
+        const glm::dvec2 place = at * size;
+        keys.push_back({glm::dvec3(place, ground_at(terrain, place) + relief_of(terrain) / 6),
+                        glm::dvec3(middle, ground_at(terrain, middle)), 55});
+    }
+    return app::fly_along(keys, frames);
+}
+
+render::Camera grazing_view(const PaperTerrain& terrain) {
+    const glm::dvec2 size(terrain.grid.width_m(), terrain.grid.height_m());
+    const glm::dvec2 place = 0.1 * size;
+    const glm::dvec3 eye(place, ground_at(terrain, place) + 0.1 * relief_of(terrain));
+    return {eye, glm::dvec3(0.9 * size, eye.z - 0.1 * relief_of(terrain)), 50};
+}
+
+}  // namespace talus::bench

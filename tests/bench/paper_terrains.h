@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "render/camera.h"
+#include "sim/terrain/grid.h"
+
+namespace talus::bench {
+
+/// A generated terrain of the kinds that Ammann, Génevaux & Dischler 2010 measure on, at their sizes.
+struct PaperTerrain {
+    std::string name;
+    Grid grid;
+    std::vector<float> heights;
+};
+
+/// high_amplitude at 2048², mountains (in the place of their Mont Blanc) and spectrogram at 4096².
+std::vector<std::string> paper_terrain_names();
+PaperTerrain paper_terrain(const std::string& name);
+
+/// A flight over a terrain, `frames` cameras: a sixth of its relief above the ground at five places, looking
+/// at its middle.
+std::vector<render::Camera> paper_flight(const PaperTerrain& terrain, int frames);
+
+/// Along the ground: their "grazing view angle".
+render::Camera grazing_view(const PaperTerrain& terrain);
+
+}  // namespace talus::bench
