@@ -62,11 +62,14 @@ const Method& Renderer::method_of(const ViewSettings& settings, const char* use,
     const Detail detail = detail_of(settings);
     // Steps of a walk depend on bounds far from where it ends.
     redraws_blocks = entry.redraws_blocks && detail != Detail::steps;
-    const std::string key = settings.method + use + std::to_string(static_cast<int>(detail));
-    auto found =
-        std::find_if(methods_.begin(), methods_.end(), [&](const auto& m) { return m.first == key; });
-    if (found == methods_.end()) found = methods_.insert(methods_.end(), {key, entry.make(detail)});
-    return found->second;
+    // A method may hold images of the terrain's size: those that are not chosen any more are let go.
+    std::erase_if(methods_, [&](const MadeMethod& made) { return made.name != settings.method; });
+    auto found = std::find_if(methods_.begin(), methods_.end(), [&](const MadeMethod& made) {
+        return made.use == use && made.detail == detail;
+    });
+    if (found == methods_.end())
+        found = methods_.insert(methods_.end(), {settings.method, use, detail, entry.make(detail)});
+    return found->method;
 }
 
 Drawn Renderer::draw(const Terrain& terrain, const Camera& camera, const ViewSettings& settings, int width,

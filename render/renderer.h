@@ -88,7 +88,13 @@ class Renderer {
     std::optional<Picture> drawn_;
     std::optional<std::uint64_t> refreshed_changes_;  // of the terrain that the pyramid knows
     std::optional<std::uint64_t> sky_changes_;        // of the terrain that the view of the sky knows
-    std::vector<std::pair<std::string, Method>> methods_;
+    struct MadeMethod {
+        std::string name;
+        std::string use;
+        Detail detail;
+        Method method;
+    };
+    std::vector<MadeMethod> methods_;
     Shading shading_;
     std::unique_ptr<WaterSurface> water_;  // none: no water was ever here
     WaterShading water_shading_;

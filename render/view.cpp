@@ -175,7 +175,7 @@ double ViewNumber::in(const ViewSettings& settings) const {
 namespace {
 
 // Those of all methods and views, each once: views may share one.
-std::vector<Parameter> own_parameters() {
+std::vector<Parameter> find_own_parameters() {
     std::vector<Parameter> all;
     for (const MethodEntry& method : methods())
         all.insert(all.end(), method.parameters.begin(), method.parameters.end());
@@ -186,6 +186,11 @@ std::vector<Parameter> own_parameters() {
                                });
             if (one.parameter && !known) all.push_back(*one.parameter);
         }
+    return all;
+}
+
+const std::vector<Parameter>& own_parameters() {
+    static const std::vector<Parameter> all = find_own_parameters();
     return all;
 }
 
@@ -210,7 +215,7 @@ std::vector<Parameter> render_parameters() {
               "Samples a pixel, as many as a picture at rest gathers: smoother silhouettes and detail."),
         toggle("render.occlusion", preset.occlusion, "Valleys get less of the sky's light than ridges."),
     };
-    for (Parameter& own : own_parameters()) declared.push_back(std::move(own));
+    for (const Parameter& own : own_parameters()) declared.push_back(own);
     return declared;
 }
 
@@ -237,7 +242,7 @@ bool is_heeded(const std::string& parameter, const Parameters& drawing) {
     const MethodEntry& method = method_named(drawing.choice("render.method"));
     const View& view = view_named(drawing.choice("render.view"));
     if (parameter == "render.tolerance_px") return method.heeds_tolerance;
-    const std::vector<Parameter> own = own_parameters();
+    const std::vector<Parameter>& own = own_parameters();
     return std::none_of(own.begin(), own.end(), is_it) ||
            std::any_of(method.parameters.begin(), method.parameters.end(), is_it) ||
            std::any_of(view.numbers.begin(), view.numbers.end(), is_numbered);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -111,9 +112,10 @@ nlohmann::ordered_json measure_method(const Subject& subject, const render::Meth
         counting(frame);
         for (const float walked : target.read_details(width, height)) steps.add(walked);
         telling(frame);
-        std::array<int, 4> kinds{};  // nothing, mesh, rays, ended early
-        for (const float kind : target.read_details(width, height))
-            ++kinds[static_cast<std::size_t>(std::clamp(kind, 0.0F, 3.0F))];
+        std::map<float, int> kinds;
+        for (const float kind : target.read_details(width, height)) ++kinds[kind];
+        nlohmann::ordered_json pixels;
+        for (const auto& [kind, count] : kinds) pixels[fmt::format("{:g}", kind)] = count;
         frames.push_back({{"camera", view.name},
                           {"psnr_db", error.psnr_db},
                           {"mean_px", error.mean_px},
@@ -127,10 +129,8 @@ nlohmann::ordered_json measure_method(const Subject& subject, const render::Meth
                           {"gpu_ms", gpu_ms},
                           {"mesh_cells", figures.mesh_cells},
                           {"triangles", figures.triangles},
+                          {"pixels_by_kind", pixels},
                           {"bytes", figures.bytes + subject.pyramid.bytes() + target.bytes()}});
-        if (entry.kinds == render::ray_kinds)
-            frames.back().update(
-                {{"mesh_pixels", kinds[1]}, {"ray_pixels", kinds[2]}, {"ended_early_pixels", kinds[3]}});
         all.wrong_coverage += error.wrong_coverage;
         all.silhouettes += error.silhouettes;
         all.silhouettes_missed += error.silhouettes_missed;

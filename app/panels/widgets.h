@@ -58,7 +58,7 @@ Edit draw_parameter(const Parameter& parameter, Value& value);
 void draw_parameters(const Session& session, PanelRequests& requests, const std::vector<std::string>& names);
 /// The session's parameters of a section.
 std::vector<std::string> names_in(const Session& session, const std::string& section);
-/// All of these.
+/// All parameters of a section, set as they change.
 void draw_section(const Session& session, PanelRequests& requests, const std::string& section);
 
 /// A line of values with its name, its last value and its range.

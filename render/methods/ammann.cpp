@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "render/methods/cell_bounds.h"
 #include "render/methods/cell_mesh.h"
@@ -10,8 +11,9 @@ namespace talus::render {
 namespace {
 
 const Parameter& cell_samples() {
-    static const Parameter declared = whole("render.ammann_cell_samples", 128, 16, 512, "",
-                                            "Samples in a row of a cell of the method ammann.");
+    static const Parameter declared = whole(
+        "render.ammann_cell_samples", 128, 16, 512, "",
+        "Samples in a row of a cell of the method ammann, without the one that it shares with the next.");
     return declared;
 }
 
@@ -56,7 +58,7 @@ Precision precision_of(int level, int levels) {
 
 // Of a pixel that a level drew: from the colour of rays to that of those that end earliest.
 double kind_of(int level, int levels) {
-    return 2 + 6.0 * level / (levels - 1);
+    return level == 0 ? 2 : levels == 2 ? 8 : 3 + 5.0 * (level - 1) / (levels - 2);
 }
 
 // Vertices of five faces.
@@ -65,12 +67,13 @@ constexpr std::size_t words_per_draw = 8;
 
 class Ammann {
   public:
-    // precision: of all levels, if set.
-    Ammann(Detail detail, bool reads_back, std::optional<Precision> precision)
-        : detail_(detail), reads_back_(reads_back), precision_(precision) {}
+    // precisions: of the levels, in the place of the parameter's, if set.
+    Ammann(Detail detail, bool reads_back, std::vector<Precision> precisions)
+        : detail_(detail), reads_back_(reads_back), precisions_(std::move(precisions)) {}
 
     void draw(const Frame& frame) {
-        const int count = static_cast<int>(own_number(frame.numbers, level_count()));
+        const int count = precisions_.empty() ? static_cast<int>(own_number(frame.numbers, level_count()))
+                                              : static_cast<int>(precisions_.size());
         bounds_.refresh(frame.terrain, static_cast<int>(own_number(frame.numbers, cell_samples())));
         make_room(count);
         choose(frame);
@@ -122,7 +125,8 @@ class Ammann {
         if (rays_.size() == static_cast<std::size_t>(levels)) return;
         rays_.clear();
         for (int level = 0; level < levels; ++level) {
-            const Precision precision = precision_.value_or(precision_of(level, levels));
+            const Precision precision = precisions_.empty() ? precision_of(level, levels)
+                                                            : precisions_[static_cast<std::size_t>(level)];
             std::vector<std::string> defines = detail_defines(detail_);
             defines.push_back("SAMPLES " + std::to_string(precision.samples));
             defines.push_back("HALVINGS " + std::to_string(precision.halvings));
@@ -190,7 +194,7 @@ class Ammann {
 
     Detail detail_;
     bool reads_back_;
-    std::optional<Precision> precision_;
+    std::vector<Precision> precisions_;
     CellBounds bounds_;
     CellMesh mesh_;
     TerrainSides sides_;
@@ -202,8 +206,8 @@ class Ammann {
     gpu::Buffer ray_cells_;
 };
 
-Method make(Detail detail, bool reads_back, std::optional<Precision> precision = std::nullopt) {
-    auto ammann = std::make_shared<Ammann>(detail, reads_back, precision);
+Method make(Detail detail, bool reads_back, std::vector<Precision> precisions = {}) {
+    auto ammann = std::make_shared<Ammann>(detail, reads_back, std::move(precisions));
     return {[ammann](const Frame& frame) { ammann->draw(frame); }, [ammann] { return ammann->figures(); }};
 }
 
@@ -229,12 +233,10 @@ Method make_ammann(Detail detail) {
     return make(detail, false);
 }
 
-Method make_ammann_of(glm::ivec2 precision) {
-    return make(Detail::none, false, Precision{precision.x, precision.y});
-}
-
-Method make_ammann_reading_back(Detail detail) {
-    return make(detail, true);
+Method make_ammann_of(const std::vector<glm::ivec2>& steps, bool reads_back) {
+    std::vector<Precision> precisions;
+    for (const glm::ivec2 one : steps) precisions.push_back({one.x, one.y});
+    return make(Detail::none, reads_back, std::move(precisions));
 }
 
 }  // namespace talus::render

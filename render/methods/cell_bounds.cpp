@@ -14,7 +14,9 @@ void CellBounds::make_room(const Terrain& terrain, int cell_patches) {
     const Grid& grid = terrain.grid();
     const glm::ivec2 count((grid.nx - 2 + cell_patches) / cell_patches,
                            (grid.ny - 2 + cell_patches) / cell_patches);
-    if (cell_patches == cell_patches_ && count == this->count()) return;
+    const glm::ivec2 samples(grid.nx, grid.ny);
+    if (cell_patches == cell_patches_ && samples == samples_) return;
+    samples_ = samples;
     const std::size_t cells = static_cast<std::size_t>(count.x) * count.y;
     cell_patches_ = cell_patches;
     bounds_ = gpu::Texture("cell bounds", gpu::Format::rg32f, count.x, count.y);
@@ -48,7 +50,7 @@ void CellBounds::refresh(const Terrain& terrain, int cell_patches) {
     program_.bind_sampled("ground", terrain.ground);
     program_.bind_image("cell_bounds", bounds_);
     program_.dispatch(std::min(count().x * count().y, most_groups));
-    gpu::barrier({gpu::Use::storage, gpu::Use::sampler, gpu::Use::buffer_transfer});
+    gpu::barrier({gpu::Use::storage, gpu::Use::image, gpu::Use::sampler, gpu::Use::buffer_transfer});
 }
 
 void CellBounds::bind(gpu::Program& program) const {

@@ -26,6 +26,7 @@ class CellBounds {
     gpu::Program changes_{"render/cell_changes.comp"};
     gpu::Program program_{"render/cell_bounds.comp"};
     int cell_patches_ = 0;
+    glm::ivec2 samples_{0};
     gpu::Texture bounds_;
     gpu::Buffer listed_;
     gpu::Buffer marks_;

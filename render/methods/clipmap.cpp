@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "render/methods/cell_mesh.h"
 #include "render/methods/height_levels.h"
@@ -9,8 +10,11 @@
 namespace talus::render {
 namespace {
 
-// As many as shaders/render/clipmap_tile.glsl has room for.
+// As many as shaders/render/clipmap_tile.glsl has room for. All have heights, however many are drawn, so that
+// the eye may move away.
 constexpr int most_levels = 16;
+// Samples of the terrain; no ring reaches it from farther off.
+constexpr double farthest_eye = 1e7;
 
 const Parameter& ring_samples() {
     static const Parameter declared =
@@ -42,12 +46,13 @@ class Clipmap {
         const int side = (64 << static_cast<int>(own_number(frame.numbers, ring_samples()))) - 1;
         const int levels =
             std::max(static_cast<int>(own_number(frame.numbers, ring_levels())), levels_over(frame, side));
-        make_room(side, levels, frame.terrain);
+        make_room(side, frame.terrain);
+        levels_ = levels;
         const std::vector<glm::ivec2> origins = origins_around(frame);
         ring_origins_.write(0, std::as_bytes(std::span(origins)));
         follow_changes(frame.terrain);
-        for (int level = 0; level < levels; ++level) follow_eye(frame.terrain, level, origins[level]);
-        if (updated_) gpu::barrier({gpu::Use::sampler});
+        for (int level = 0; level < most_levels; ++level)
+            follow_eye(frame.terrain, level, origins[static_cast<std::size_t>(level)]);
         list_tiles(frame);
         begin_nearest(frame);
         prepare(program_, frame);
@@ -69,27 +74,30 @@ class Clipmap {
     }
 
   private:
-    void make_room(int side, int levels, const Terrain& terrain) {
+    void make_room(int side, const Terrain& terrain) {
         const glm::ivec2 samples(terrain.grid().nx, terrain.grid().ny);
-        if (side == side_ && levels == levels_ && samples == samples_) return;
+        if (side == side_ && samples == samples_) return;
         side_ = side;
-        levels_ = levels;
         samples_ = samples;
-        rings_ = gpu::Texture("rings", gpu::Format::rg32f, side, side * levels);
-        ring_origins_ =
-            gpu::Buffer("first samples of rings", static_cast<std::size_t>(levels) * sizeof(glm::ivec2));
-        tiles_ =
-            gpu::Buffer("tiles of rings", (8 + std::size_t{most_tiles} * levels) * sizeof(std::uint32_t));
+        rings_ = gpu::Texture("rings", gpu::Format::rg32f, side, side * most_levels);
+        tiles_ = gpu::Buffer("tiles of rings",
+                             (8 + std::size_t{most_tiles} * most_levels) * sizeof(std::uint32_t));
         indices_ = cell_indices((side + 1) / 16);
-        held_.assign(static_cast<std::size_t>(levels), std::nullopt);
+        held_.fill(std::nullopt);
         changed_ = std::make_unique<TileList>(terrain.tiles.count());
         read_ = {};
+    }
+
+    static glm::dvec2 eye_of(const Frame& frame) {
+        const Grid& grid = frame.terrain.grid();
+        return glm::clamp(glm::dvec2(grid.column_of(frame.camera.eye.x), grid.row_of(frame.camera.eye.y)),
+                          glm::dvec2(-farthest_eye), glm::dvec2(farthest_eye));
     }
 
     // So many that the widest reaches over the terrain from the eye.
     static int levels_over(const Frame& frame, int side) {
         const Grid& grid = frame.terrain.grid();
-        const glm::dvec2 eye(grid.column_of(frame.camera.eye.x), grid.row_of(frame.camera.eye.y));
+        const glm::dvec2 eye = eye_of(frame);
         const glm::dvec2 farthest =
             glm::max(glm::abs(eye), glm::abs(eye - glm::dvec2(grid.nx - 1, grid.ny - 1)));
         int levels = 1;
@@ -103,14 +111,9 @@ class Clipmap {
     // The eye in the middle, as nearly as even columns and rows allow: a finer level then ends on samples of
     // the coarser.
     std::vector<glm::ivec2> origins_around(const Frame& frame) const {
-        const Grid& grid = frame.terrain.grid();
-        // So far that nothing of the terrain is in any ring.
-        const double far = 1e6;
-        const glm::dvec2 eye =
-            glm::clamp(glm::dvec2(grid.column_of(frame.camera.eye.x), grid.row_of(frame.camera.eye.y)),
-                       glm::dvec2(-far), glm::dvec2(far));
+        const glm::dvec2 eye = eye_of(frame);
         std::vector<glm::ivec2> origins;
-        for (int level = 0; level < levels_; ++level) {
+        for (int level = 0; level < most_levels; ++level) {
             const glm::dvec2 middle = eye / static_cast<double>(1 << level);
             origins.emplace_back(2 * glm::ivec2(glm::floor(0.5 * middle - 0.25 * (side_ - 1) + 0.5)));
         }
@@ -134,6 +137,7 @@ class Clipmap {
 
     void prepare_update(gpu::Program& program, const Terrain& terrain, int level) {
         bind_rings(program);
+        program.set("levels", most_levels);
         program.bind_sampled("ground", terrain.ground);
         heights_.bind(program, level);
         program.bind_image("rings", rings_);
@@ -141,19 +145,18 @@ class Clipmap {
     }
 
     void follow_changes(const Terrain& terrain) {
-        updated_ = false;
         if (read_ == terrain.tiles.reader_now()) return;
         const bool anew = !held_.front();
         terrain.tiles.list(Tiles::ground | Tiles::eroded, read_, 0, 0, 1, *changed_);
-        heights_.refresh(terrain, levels_, *changed_);
+        heights_.refresh(terrain, most_levels, *changed_);
         if (anew) return;  // all rings are filled next
-        for (int level = 0; level < levels_; ++level) {
+        for (int level = 0; level < most_levels; ++level) {
             prepare_update(update_tiles_, terrain, level);
             update_tiles_.bind_storage("TileList", changed_->buffer);
             update_tiles_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
             update_tiles_.dispatch_indirect(changed_->buffer);
+            gpu::barrier({gpu::Use::image, gpu::Use::sampler});
         }
-        updated_ = true;
     }
 
     // What came into a level's ring as the eye moved: columns at one side, rows at another. The rest stays
@@ -179,7 +182,7 @@ class Clipmap {
         update_.set("rectangle_first", first);
         update_.set("rectangle_size", size);
         update_.dispatch((size.x * size.y + 255) / 256);
-        updated_ = true;
+        gpu::barrier({gpu::Use::image, gpu::Use::sampler});
     }
 
     void list_tiles(const Frame& frame) {
@@ -187,7 +190,7 @@ class Clipmap {
         const std::array<std::uint32_t, 8> arguments = {6 * patches * patches, 0, 0, 0, 0, 0, 0, 0};
         tiles_.write(0, std::as_bytes(std::span(arguments)));
         prepare(list_, frame);
-        list_.dispatch(levels_ * most_tiles / 64);
+        list_.dispatch(levels_ * (most_tiles / 64));
         gpu::barrier({gpu::Use::storage, gpu::Use::indirect, gpu::Use::buffer_transfer});
     }
 
@@ -198,16 +201,15 @@ class Clipmap {
     TerrainSides sides_;
     HeightLevels heights_;
     int side_ = 0;
-    int levels_ = 0;
+    int levels_ = 0;  // that are drawn
     glm::ivec2 samples_{0};
     gpu::Texture rings_;
-    gpu::Buffer ring_origins_;
+    gpu::Buffer ring_origins_{"first samples of rings", most_levels * sizeof(glm::ivec2)};
     gpu::Buffer tiles_;
     gpu::Buffer indices_;
-    std::vector<std::optional<glm::ivec2>> held_;  // first samples of what rings_ has, by level
+    std::array<std::optional<glm::ivec2>, most_levels> held_;  // first samples of what rings_ has, by level
     std::unique_ptr<TileList> changed_;
     Tiles::Reader read_;
-    bool updated_ = false;  // rings_, in this frame
 };
 
 }  // namespace

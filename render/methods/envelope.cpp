@@ -18,7 +18,7 @@ void Envelope::refresh(const Terrain& terrain) {
     program_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
     program_.set("patches", glm::ivec2(grid.nx - 1, grid.ny - 1));
     program_.dispatch_indirect(changed_->buffer);
-    gpu::barrier({gpu::Use::sampler, gpu::Use::texture_transfer});
+    gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::texture_transfer});
 }
 
 }  // namespace talus::render

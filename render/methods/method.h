@@ -35,7 +35,8 @@ struct Frame {
 /// What the second component of the hits tells besides the distance.
 enum class Detail {
     none,
-    steps,  ///< cells and patches that the pixel's ray visited
+    steps,  ///< cells, patches or samples that the pixel's ray visited; of methods with boxes, in the box of
+            ///< the hit
     kind,   ///< what drew it: 0 nothing, 1 mesh, from 2 on as the method's table says
 };
 
@@ -69,17 +70,17 @@ struct MethodEntry {
     std::string name;
     std::string help;
     std::function<Method(Detail)> make;
-    bool redraws_blocks = false;             ///< it heeds Frame::redraw
-    bool heeds_tolerance = false;            ///< it heeds Frame::tolerance_px
-    std::vector<Parameter> parameters = {};  ///< of its own: numbers
-    std::vector<PixelKind> (*kinds)(const OwnNumbers&) = ray_kinds;
+    bool redraws_blocks = false;                                     ///< it heeds Frame::redraw
+    bool heeds_tolerance = false;                                    ///< it heeds Frame::tolerance_px
+    std::vector<Parameter> parameters = {};                          ///< of its own: numbers
+    std::vector<PixelKind> (*kinds)(const OwnNumbers&) = ray_kinds;  ///< what Detail::kind may say
 };
 const std::vector<MethodEntry>& methods();
 /// The one of this name. Throws talus::Error, which names all, where there is none; `option`: what gave the
 /// name.
 const MethodEntry& method_named(const std::string& name, const std::string& option = "render.method");
 
-/// Clears the frame's hits, and lets draws whose nearest wins begin.
+/// Clears the frame's hits and their depth, for draws of which the nearest wins.
 void begin_nearest(const Frame& frame);
 
 /// Lines for shaders that tell the detail.
@@ -96,10 +97,9 @@ std::vector<PixelKind> relief_kinds(const OwnNumbers&);
 Method make_uniform(Detail detail);
 std::vector<PixelKind> uniform_kinds(const OwnNumbers&);
 Method make_ammann(Detail detail);
-/// The same as its authors made it: the choices come back to the host, which lists the cells. To be measured.
-Method make_ammann_reading_back(Detail detail);
-/// Of one level of precision, to be measured: samples, halvings.
-Method make_ammann_of(glm::ivec2 precision);
+/// To be measured: with levels of precision of so many samples and halvings, in the place of the parameter's.
+/// reads_back: as its authors made it, the choices come back to the host, which lists the cells.
+Method make_ammann_of(const std::vector<glm::ivec2>& steps, bool reads_back);
 std::vector<Parameter> ammann_parameters();
 std::vector<PixelKind> ammann_kinds(const OwnNumbers& numbers);
 Method make_clipmap(Detail detail);

@@ -31,6 +31,8 @@ CastHit sample_block(int2 first, int2 last, real top_m, real relief_m, real from
         hit.distance_m = at;
         return hit;
     }
+    // Across the block there are nine at most, and of rays that hardly get further two down to the lowest ground. The number stops a
+    // loop that rounding might make endless.
     while (at < span.y && hit.steps < 64) {
         number += 1;
         real next = min(span.x + real(number) * spacing, span.y);

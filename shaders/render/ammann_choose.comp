@@ -5,6 +5,7 @@ layout(local_size_x = 64) in;
 #include "render/cell_grid.glsl"
 #include "render/cell_box.glsl"
 #include "render/ammann_box.glsl"
+#include "render/ammann_choices.glsl"
 #include "maths/cell_precision.glsl"
 
 layout(std430) writeonly buffer Choices { uint choices[]; };

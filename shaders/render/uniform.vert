@@ -11,6 +11,10 @@ uniform real near_m;
 
 flat out ivec2 drawn_patch;
 
+// Corners as bits, column 1, row 2; counter-clockwise from above. The diagonal from north-west to south-east, or the other.
+const int falling_corners[6] = int[](0, 2, 3, 0, 3, 1);
+const int rising_corners[6] = int[](0, 2, 1, 1, 2, 3);
+
 void main() {
     int columns = level_1_size.x >> (cell_level - 1);
     int cell = int(mesh_cells[gl_InstanceID]);
@@ -20,10 +24,9 @@ void main() {
     at = min(at, patches - 1);
     drawn_patch = at;
     real4 corners = (textureGather(envelope, vec2(at + 1) / vec2(patches + 1)).wzxy - origin_height_m.x) - origin_height_m.y;
-    // Corners as bits, column first; counter-clockwise from above.
-    int k = gl_VertexID % 6;
     bool falling = corners.x + corners.w >= corners.y + corners.z;
-    int corner = outside ? 0 : ((falling ? 0x738 : 0xe58) >> (2 * k)) & 3;
+    int k = gl_VertexID % 6;
+    int corner = outside ? 0 : falling ? falling_corners[k] : rising_corners[k];
     real2 place = (real2(at - origin_cell + int2(corner & 1, corner >> 1)) - origin_fraction) * cell_m;
     real3 clip = clip_of(real3(place.x, -place.y, corners[corner]));
     gl_Position = vec4(clip.xy, near_m, clip.z);

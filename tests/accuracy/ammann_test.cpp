@@ -56,12 +56,14 @@ TEST(Ammann, OfMeshAloneIsTheMesh) {
     }
 }
 
-// The cells of a terrain, their boxes, and what marching through all of them shows, in double.
-class CellsTwin {
-  public:
+struct PrecisionTwin {
     TALUS_TWIN_NAMES(double)
 #include "maths/cell_precision.glsl"
+};
 
+// The cells of a terrain, their boxes, and what marching through all of them shows, in double.
+class CellsTwin : PrecisionTwin {
+  public:
     CellsTwin(const scenes::Scene& scene, int cell_patches, double range)
         : twin_(scene.grid, scene.heights), grid_(scene.grid), range_(range) {
         const int2 patches = twin_.patches;
@@ -141,6 +143,7 @@ TEST(Ammann, DrawsWhatItsSearchFindsInTheBoxes) {
     const render::Method ammann = render::make_ammann(render::Detail::kind);
     constexpr double range = 0.7;
     const std::vector<glm::ivec2> four = {{55, 25}, {32, 15}, {16, 10}, {8, 5}};
+    const std::vector<render::PixelKind> kinds = render::ammann_kinds({});
     for (const std::string& name : scenes::names()) {
         const scenes::Scene scene = scenes::make(name);
         scenes::Easel easel(scene, width, height);
@@ -166,7 +169,9 @@ TEST(Ammann, DrawsWhatItsSearchFindsInTheBoxes) {
                                             : std::abs(shown.x - distance_m) <= 1e-3 * distance_m;
                     otherwise += agrees ? 0 : 1;
                     if (!agrees || std::isinf(distance_m)) continue;
-                    other_level += shown.y == static_cast<float>(2 + 2 * level) ? 0 : 1;
+                    other_level +=
+                        shown.y == static_cast<float>(kinds[1 + static_cast<std::size_t>(level)].kind) ? 0
+                                                                                                       : 1;
                     ++by_level[static_cast<std::size_t>(level)];
                 }
         }
@@ -217,16 +222,89 @@ TEST(Ammann, DrawsTheSameByListsOfTheHost) {
     const gpu::Context context;
     const scenes::Scene scene = scenes::make("fbm");
     scenes::Easel easel(scene, width, height);
-    const render::Method on_device = render::make_ammann(render::Detail::kind);
-    const render::Method on_host = render::make_ammann_reading_back(render::Detail::kind);
-    for (const render::NamedCamera& view : render::survey(scene.grid, scene.heights))
-        for (const int levels : {2, 4, 10}) {
-            const render::OwnNumbers numbers = {{"render.ammann_levels", levels},
-                                                {"render.ammann_cell_samples", 32}};
+    const std::vector<std::vector<glm::ivec2>> ladders = {{{64, 25}}, {{55, 25}, {16, 10}, {8, 5}}};
+    for (const auto& steps : ladders) {
+        const render::Method on_device = render::make_ammann_of(steps, false);
+        const render::Method on_host = render::make_ammann_of(steps, true);
+        for (const render::NamedCamera& view : render::survey(scene.grid, scene.heights)) {
+            const render::OwnNumbers numbers = {{"render.ammann_cell_samples", 32}};
             EXPECT_EQ(easel.draw(on_device, view.camera, 0, numbers),
                       easel.draw(on_host, view.camera, 0, numbers))
-                << view.name << ", " << levels << " levels";
+                << view.name << ", " << steps.size() << " levels";
         }
+    }
+}
+
+// Values of L by hand, from the authors' formula: 0 most exact, 1 least.
+TEST(Ammann, TakesLessPrecisionFarOffAndForFlatCells) {
+    const PrecisionTwin::real3 ahead(3000, 0, 0);
+    EXPECT_DOUBLE_EQ(PrecisionTwin().cell_precision(ahead, 0.5, 4000), 0.75);
+    EXPECT_DOUBLE_EQ(PrecisionTwin().cell_precision(2.0 * ahead, 0.5, 4000), 1);
+    EXPECT_DOUBLE_EQ(PrecisionTwin().cell_precision({0, 0, -3000}, 0.5, 4000), 0.25);
+    EXPECT_DOUBLE_EQ(PrecisionTwin().cell_precision({0, 0, -3000}, 1, 4000), 0);
+    EXPECT_DOUBLE_EQ(PrecisionTwin().cell_precision({0, 2400, -1800}, 0.5, 4000), 0.75 - 0.5 * 0.6);
+    EXPECT_EQ(PrecisionTwin().precision_level(0, 4), 0);
+    EXPECT_EQ(PrecisionTwin().precision_level(0.74, 4), 2);
+    EXPECT_EQ(PrecisionTwin().precision_level(0.76, 4), 3);
+    EXPECT_EQ(PrecisionTwin().precision_level(1, 4), 3);
+}
+
+// Cells where a sample covers more than T pixels are mesh: A is the rectangle around the box's corners, also
+// where it reaches beyond the picture, over the samples of the cell.
+TEST(Ammann, IsMeshWhereSamplesCoverMorePixelsThanT) {
+    const gpu::Context context;
+    const Grid grid{513, 513, 10, 10};
+    // Flat, so that a cell's box is its square.
+    const scenes::Scene scene{grid, std::vector<float>(grid.count(), 0.0F)};
+    scenes::Easel easel(scene, width, height);
+    const render::Method ammann = render::make_ammann(render::Detail::kind);
+    constexpr int cell = 64;
+    render::Camera camera;
+    camera.eye = {2560, 2560, 900};
+    camera.target = {2560, 3560, 100};
+    const render::CameraRays rays = render::camera_rays(camera, width, height);
+    const auto place_px = [&](glm::dvec3 point) {
+        const glm::dvec3 from_eye = point - camera.eye;
+        const double depth = glm::dot(from_eye, rays.forward);
+        return glm::dvec2(glm::dot(from_eye, rays.right) / glm::dot(rays.right, rays.right) * width,
+                          glm::dot(from_eye, rays.up) / glm::dot(rays.up, rays.up) * height) *
+               (0.5 / depth);
+    };
+    int by_mesh = 0;
+    int by_rays = 0;
+    for (const double t : {0.1, 0.3, 0.6, 1.2}) {
+        const std::vector<glm::vec2> drawn = easel.draw(
+            ammann, camera, 0, {{"render.ammann_cell_samples", cell}, {"render.ammann_mesh_from_px2", t}});
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const glm::vec2 shown = drawn[static_cast<std::size_t>(y) * width + x];
+                if (std::isinf(shown.x)) continue;
+                const glm::dvec3 ray = glm::normalize(rays.middle + (2 * (x + 0.5) / width - 1) * rays.right +
+                                                      (2 * (y + 0.5) / height - 1) * rays.up);
+                const glm::dvec3 hit = camera.eye + double(shown.x) * ray;
+                const glm::dvec2 in_cells =
+                    glm::dvec2(grid.column_of(hit.x), grid.row_of(hit.y)) / static_cast<double>(cell);
+                const glm::dvec2 within = glm::fract(in_cells);
+                if (std::min({within.x, within.y, 1 - within.x, 1 - within.y}) < 0.02) continue;
+                glm::dvec2 low(HUGE_VAL);
+                glm::dvec2 high(-HUGE_VAL);
+                bool behind = false;
+                for (int corner = 0; corner < 4; ++corner) {
+                    const glm::dvec2 at =
+                        (glm::floor(in_cells) + glm::dvec2(corner & 1, corner >> 1)) * double(cell);
+                    const glm::dvec3 point(at.x * grid.dx, grid.height_m() - at.y * grid.dy, 0);
+                    behind = behind || glm::dot(point - camera.eye, rays.forward) <= 0;
+                    low = glm::min(low, place_px(point));
+                    high = glm::max(high, place_px(point));
+                }
+                const double area = (high.x - low.x) * (high.y - low.y) / (cell * cell);
+                if (!behind && std::abs(area / t - 1) < 1e-3) continue;
+                ASSERT_EQ(shown.y == 1, behind || area > t) << t << ", " << x << ", " << y << ": " << area;
+                ++(shown.y == 1 ? by_mesh : by_rays);
+            }
+    }
+    EXPECT_GT(by_mesh, 5000);
+    EXPECT_GT(by_rays, 5000);
 }
 
 // The bounds of the cells that share samples with changed tiles are found again, and of no others.
@@ -258,7 +336,6 @@ TEST(Ammann, AChangeCostsTheCellsThatItTouches) {
         dab.radius_m = 32 * grid.dx;
         dab.amount_m = 300;
         simulation.apply(dab);
-        const int tile_samples = 64;
         const std::vector<int> tiles =
             terrain.tiles.touched_by({static_cast<int>(at.x) - 31, static_cast<int>(at.y) - 31, 63, 63});
         int expected = 0;
@@ -266,8 +343,8 @@ TEST(Ammann, AChangeCostsTheCellsThatItTouches) {
             for (int column = 0; column < columns; ++column)
                 expected += std::any_of(tiles.begin(), tiles.end(), [&](int tile) {
                     const gpu::Region samples = terrain.tiles.region(tile);
-                    return samples.x <= 48 * (column + 1) && samples.x + tile_samples > 48 * column &&
-                           samples.y <= 48 * (row + 1) && samples.y + tile_samples > 48 * row;
+                    return samples.x <= 48 * (column + 1) && samples.x + samples.width > 48 * column &&
+                           samples.y <= 48 * (row + 1) && samples.y + samples.height > 48 * row;
                 });
         EXPECT_EQ(refreshed(), expected) << at.x << ", " << at.y;
         EXPECT_LT(expected, columns * rows / 4);

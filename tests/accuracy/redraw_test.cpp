@@ -11,6 +11,7 @@
 #include "render/overview.h"
 #include "render/renderer.h"
 #include "sim/gpu/context.h"
+#include "sim/gpu/hazards.h"
 #include "sim/simulation.h"
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"
@@ -83,7 +84,12 @@ TEST_P(Redraw, LongShadowsAndPlainsAreRedrawn) {
     }
 }
 
-class FollowsChanges : public ::testing::TestWithParam<std::string> {};
+// Every barrier is looked for, too.
+class FollowsChanges : public ::testing::TestWithParam<std::string> {
+  protected:
+    void SetUp() override { gpu::hazards::keep(true); }
+    void TearDown() override { gpu::hazards::keep(false); }
+};
 
 // A dab is in the next frame of every method, and in all of it: what a method keeps between frames is never
 // old.

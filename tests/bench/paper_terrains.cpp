@@ -41,7 +41,12 @@ std::vector<render::Camera> paper_flight(const PaperTerrain& terrain, int frames
         keys.push_back({glm::dvec3(place, ground_at(terrain, place) + relief_of(terrain) / 6),
                         glm::dvec3(middle, ground_at(terrain, middle)), 55});
     }
-    return app::fly_along(keys, frames);
+    std::vector<render::Camera> cameras = app::fly_along(keys, frames);
+    // Between the keys hills may be higher.
+    for (render::Camera& camera : cameras)
+        camera.eye.z =
+            std::max(camera.eye.z, ground_at(terrain, glm::dvec2(camera.eye)) + relief_of(terrain) / 30);
+    return cameras;
 }
 
 render::Camera grazing_view(const PaperTerrain& terrain) {

@@ -94,6 +94,26 @@ TEST(Parameters, OfOldPresetsAreRead) {
     EXPECT_EQ(p.number("brush.rain_mm_per_h"), 20);
 }
 
+// What panels show: parameters of the method and of the view that are chosen, and of no others.
+TEST(ViewSettings, HeedWhatTheChosenMethodAndViewDeclare) {
+    Parameters drawing(render::render_parameters());
+    for (const render::MethodEntry& chosen : render::methods()) {
+        drawing.set("render.method", chosen.name);
+        for (const render::MethodEntry& method : render::methods())
+            for (const Parameter& own : method.parameters)
+                EXPECT_EQ(render::is_heeded(own.name, drawing), method.name == chosen.name)
+                    << own.name << ", " << chosen.name;
+        EXPECT_EQ(render::is_heeded("render.tolerance_px", drawing), chosen.heeds_tolerance) << chosen.name;
+        EXPECT_TRUE(render::is_heeded("render.method", drawing));
+    }
+    drawing.set("render.view", std::string("depth"));
+    EXPECT_TRUE(render::is_heeded("render.depth_m", drawing));
+    EXPECT_FALSE(render::is_heeded("render.band_m", drawing));
+    // Two views share one.
+    drawing.set("render.view", std::string("largest_depth"));
+    EXPECT_TRUE(render::is_heeded("render.depth_m", drawing));
+}
+
 // What a view shows hangs on the simulation's gravity, and on its own scale.
 TEST(ViewSettings, TakeGravityAndTheScalesOfAllViews) {
     Parameters p(app::all_parameters());
