@@ -235,6 +235,7 @@ Method make_ammann(Detail detail) {
 
 Method make_ammann_of(const std::vector<glm::ivec2>& steps, bool reads_back) {
     std::vector<Precision> precisions;
+    precisions.reserve(steps.size());
     for (const glm::ivec2 one : steps) precisions.push_back({one.x, one.y});
     return make(Detail::none, reads_back, std::move(precisions));
 }

@@ -81,6 +81,7 @@ class Easel {
     // Median milliseconds of each, turn by turn.
     std::vector<double> time_ms(const std::vector<Entry>& entries, const render::Camera& camera, int rounds) {
         std::vector<Contestant> contestants;
+        contestants.reserve(entries.size());
         for (const Entry& one : entries)
             contestants.push_back({one.name, [this, &one, &camera] { draw(one, camera); }});
         std::vector<double> times = interleave(contestants, rounds);
