@@ -448,7 +448,8 @@ TEST_F(Program, ComparesMethodsWithTheReference) {
         EXPECT_GT(fs::file_size(path(file)), 100U) << file;
 
     EXPECT_EQ(refusal("compare a.exr --method x"),
-              "--method 'x' is none, it must be one of: exact, boxes, mesh, hybrid, relief\n");
+              "--method 'x' is none, it must be one of: exact, boxes, mesh, hybrid, uniform, relief, ammann, "
+              "clipmap\n");
     EXPECT_EQ(refusal("compare a.exr --tolerance -1"),
               "--tolerance -1 cannot be compared, it must be 0 to 16 pixels\n");
     std::ofstream(path("bad.toml")) << "[[key]]\neye=[0,0]\ntarget=[500,500,0]\n";
