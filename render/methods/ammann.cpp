@@ -49,9 +49,9 @@ struct Precision {
 Precision precision_of(int level, int levels) {
     constexpr std::array<Precision, 4> four = {{{55, 25}, {32, 15}, {16, 10}, {8, 5}}};
     if (levels == 4) return four[static_cast<std::size_t>(level)];
-    const double share = static_cast<double>(level) / (levels - 1);
+    const double way_down = static_cast<double>(level) / (levels - 1);
     const auto between = [&](double most, double least) {
-        return static_cast<int>(std::lround(most * std::pow(least / most, share)));
+        return static_cast<int>(std::lround(most * std::pow(least / most, way_down)));
     };
     return {between(64, 6), between(50, 5)};
 }

@@ -62,7 +62,7 @@ PLOT
 has ammann_figure_5 && gnuplot <<PLOT
 $head
 set output "$pictures/angle.png"
-set title "Rays of ammann: error by the angle of the view (Ammann et al. 2010, figure 5), 480 x 270, llvmpipe"
+set title "Rays of ammann by the angle of the view (figure 5), 480 x 270"
 set xlabel "degrees over the horizon"
 set ylabel "PSNR, dB, against the full mesh"
 plot $(series ammann_figure_5 2 4 '&& $3 == 1' ', 5 samples, 2 halvings'), $(series ammann_figure_5 2 5 '&& $3 == 1' ', 64 samples, 25 halvings')
