@@ -25,9 +25,9 @@ const Parameter& ring_samples() {
 
 const Parameter& ring_levels() {
     static const Parameter declared = whole(
-        "render.clipmap_levels", 11, 2, 13, "",
-        "Levels of the method clipmap, each twice as wide as the finer one. Nothing is drawn beyond the "
-        "widest.");
+        "render.clipmap_levels", 11, 2, most_levels, "",
+        "Levels of the method clipmap, each twice as wide as the finer one; more where the terrain reaches "
+        "beyond the widest.");
     return declared;
 }
 
