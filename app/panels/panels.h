@@ -73,7 +73,5 @@ void draw_work(const Work& work, bool& cancelled);
 void draw_status_line(const Session& session, const StatusFigures& figures, int width, int height);
 /// A sentence over the picture.
 void draw_notice(const std::string& message, const PictureArea& area);
-/// Where gauges stand in the picture, and the line of a ramp that is being drawn.
-void draw_marks(const Session& session, const PictureArea& area);
 
 }  // namespace talus::app

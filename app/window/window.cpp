@@ -18,6 +18,7 @@
 #include "app/core/session.h"
 #include "app/core/window_layout.h"
 #include "app/panels/legend.h"
+#include "app/panels/marks.h"
 #include "app/panels/panels.h"
 #include "app/panels/rects_file.h"
 #include "app/panels/style.h"
@@ -27,6 +28,7 @@
 #include "app/window/shortcuts.h"
 #include "sim/error.h"
 #include "sim/gpu/shader_text.h"
+#include "sim/gpu/window.h"
 #include "sim/io/atomic_file.h"
 #include "sim/terrain/state_hash.h"
 
@@ -338,7 +340,7 @@ class Window {
     }
 
     void draw_window(glm::ivec2 size, glm::ivec2 drawn_size, double used) {
-        gpu::bind_window(size.x, size.y);
+        gpu::bind_window({0, 0, size.x, size.y});
         // The window counts rows from below.
         session_.renderer().framebuffer().blit_to_window(
             {0, 0, drawn_size.x, drawn_size.y},
@@ -347,7 +349,7 @@ class Window {
         ImGui_ImplGlfw_NewFrame();
         if (input_.pass()) wake();
         ImGui::NewFrame();
-        draw_marks(session_, area_);
+        marks_.draw(session_, area_, drawn_size, size);
         StatusFigures figures{device_.renderer, glfwGetTime() < message_until_s_ ? message_ : "",
                               std::nullopt, frame_s_ * 1000, used};
         if (hand_.cursor()) figures.cursor_height_m = hand_.cursor()->z;
@@ -380,6 +382,7 @@ class Window {
     bool closing_ = false;
     render::ViewSettings settings_;
     PictureArea area_;  // what the panels leave to the picture
+    Marks marks_;
     PassTimes pass_times_;
     bool first_picture_shown_ = false;
 

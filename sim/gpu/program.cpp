@@ -297,11 +297,11 @@ void with_depth(Depth depth, Draw&& draw) {
 
 }  // namespace
 
-void Program::draw_fullscreen() {
+void Program::draw_fullscreen(Depth depth) {
     const PassSpan timed(paths_.back());
     use();
     hazards::draws(paths_.back());
-    with_vertex_array(0, [] { glDrawArrays(GL_TRIANGLES, 0, 3); });
+    with_vertex_array(0, [&] { with_depth(depth, [] { glDrawArrays(GL_TRIANGLES, 0, 3); }); });
     raise_errors();
 }
 

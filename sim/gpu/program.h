@@ -22,7 +22,7 @@ enum class Depth {
     none,     ///< neither looks at it nor changes it
     nearest,  ///< the nearest wins; triangles that wind clockwise in the picture are not drawn
     behind,   ///< draws at depth 0, only where no triangle was drawn
-    reset,    ///< draws at depth 0 everywhere
+    reset,    ///< draws everywhere, and its depth takes the place of what was there
 };
 
 /// A linked program of GLSL files below shaders/. `#include "maths/patch.glsl"` is resolved below shaders/,
@@ -63,7 +63,7 @@ class Program {
     /// The same with the three group counts read on the device from the buffer at the offset (bytes).
     void dispatch_indirect(const Buffer& arguments, std::size_t offset = 0);
     /// Draws one triangle that covers the viewport.
-    void draw_fullscreen();
+    void draw_fullscreen(Depth depth = Depth::none);
     /// Draws triangles, as many and as often as the four words at the offset (bytes) say: vertices,
     /// instances, first vertex, base instance.
     void draw_indirect(const Buffer& arguments, std::size_t offset, Depth depth);

@@ -205,12 +205,4 @@ void Framebuffer::blit_to_window(const Region& source, const Region& target) con
     raise_errors();
 }
 
-void bind_window(int width, int height) {
-    hazards::bound_targets({});
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    // A clip of the last target would cut copies onto the window too.
-    glDisable(GL_SCISSOR_TEST);
-    glViewport(0, 0, width, height);
-}
-
 }  // namespace talus::gpu

@@ -100,7 +100,4 @@ class Framebuffer {
     std::vector<unsigned> targets_;  // names of its colours
 };
 
-/// Draws go to the window of the current context.
-void bind_window(int width, int height);
-
 }  // namespace talus::gpu
