@@ -40,8 +40,9 @@ void bench_waves();
 void bench_erosion(double patch_pixels);
 /// patch_pixels: the hybrid's choice on this device.
 void bench_sculpt(double patch_pixels);
-/// Writes out/papers: all tables, or the one of this name. patch_pixels: the hybrid's choice on this device.
-void bench_papers(double patch_pixels, const std::string& only);
+/// Writes out/papers: all tables, or the one of this name; on all terrains, or that of this name.
+/// patch_pixels: the hybrid's choice on this device.
+void bench_papers(double patch_pixels, const std::string& only, const std::string& terrain);
 /// patch_pixels: the hybrid's choice on this device.
 void bench_frame(double patch_pixels);
 

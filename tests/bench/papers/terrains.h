@@ -18,9 +18,15 @@ struct PaperTerrain {
 std::vector<std::string> paper_terrain_names();
 PaperTerrain paper_terrain(const std::string& name);
 
+/// `mountains` of this many samples a side on 20,480 m, with 2,500 m of relief.
+PaperTerrain paper_terrain_of(int side);
+
 /// A flight over a terrain, `frames` cameras: a sixth of its relief above the ground at five places, looking
 /// at its middle.
 std::vector<render::Camera> paper_flight(const PaperTerrain& terrain, int frames);
+
+/// A walk: 1/500 of the relief above the ground at as many places, looking at its middle along the horizon.
+std::vector<render::Camera> paper_walk(const PaperTerrain& terrain, int frames);
 
 /// Along the ground: their "grazing view angle".
 render::Camera grazing_view(const PaperTerrain& terrain);

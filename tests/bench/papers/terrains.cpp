@@ -1,4 +1,4 @@
-#include "tests/bench/paper_terrains.h"
+#include "tests/bench/papers/terrains.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +30,20 @@ PaperTerrain paper_terrain(const std::string& name) {
     const int side = name == "high_amplitude" ? 2048 : 4096;
     const Grid grid{side, side, 10, 10};
     return {name, grid, generate_heights(grid, {name, 4, 2500})};
+}
+
+PaperTerrain paper_terrain_of(int side) {
+    const Grid grid{side, side, 20480.0 / side, 20480.0 / side};
+    return {"mountains", grid, generate_heights(grid, {"mountains", 4, 2500})};
+}
+
+std::vector<render::Camera> paper_walk(const PaperTerrain& terrain, int frames) {
+    std::vector<render::Camera> cameras = paper_flight(terrain, frames);
+    for (render::Camera& camera : cameras) {
+        camera.eye.z = ground_at(terrain, glm::dvec2(camera.eye)) + relief_of(terrain) / 500;
+        camera.target.z = camera.eye.z;
+    }
+    return cameras;
 }
 
 std::vector<render::Camera> paper_flight(const PaperTerrain& terrain, int frames) {

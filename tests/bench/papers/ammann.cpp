@@ -1,0 +1,101 @@
+// Tables and figures of Ammann, Génevaux & Dischler 2010.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "tests/bench/papers/easel.h"
+#include "tests/bench/papers/psnr.h"
+#include "tests/bench/papers/table.h"
+#include "tests/bench/papers/tables.h"
+
+namespace talus::bench {
+namespace {
+
+constexpr double never_px = 1e9;
+
+}  // namespace
+
+// Ammann 2010, table 1: rays alone, of their lowest and highest precision, and the full mesh.
+void ammann_table_1(const PaperRun& run) {
+    Table table("ammann_table_1", "terrain,low_precision_ms,high_precision_ms,full_mesh_ms");
+    for (const std::string& name : run.terrains) {
+        const PaperTerrain terrain = paper_terrain(name);
+        PaperEasel easel(terrain, {1024, 768}, run.patch_pixels);
+        const std::vector<Entry> entries = {
+            {"low", render::make_ammann_of({{5, 2}}, false), {{"render.ammann_mesh_from_px2", never_px}}},
+            {"high", render::make_ammann_of({{64, 25}}, false), {{"render.ammann_mesh_from_px2", never_px}}},
+            entry("mesh")};
+        const std::vector<double> ms = easel.time_ms(entries, grazing_view(terrain), 5);
+        table.row(fmt::format("{},{:.1f},{:.1f},{:.1f}", name, ms[0], ms[1], ms[2]));
+    }
+}
+
+// Ammann 2010, table 2: numbers of levels of precision, cells of 75 samples; and what it costs to read the
+// choices back.
+void ammann_table_2(const PaperRun& run) {
+    Table table("ammann_table_2", "terrain,levels,ms,with_read_back_ms");
+    const PaperTerrain terrain = paper_terrain("mountains");
+    PaperEasel easel(terrain, {1024, 768}, run.patch_pixels);
+    std::vector<Entry> entries;
+    const std::vector<int> numbers = {2, 4, 6, 8, 10};
+    for (const int levels : numbers) {
+        // From 64 samples to 6 and from 50 halvings to 5, by equal ratios.
+        std::vector<glm::ivec2> steps;
+        for (int level = 0; level < levels; ++level) {
+            const double share = static_cast<double>(level) / (levels - 1);
+            steps.emplace_back(std::lround(64 * std::pow(6.0 / 64, share)),
+                               std::lround(50 * std::pow(5.0 / 50, share)));
+        }
+        for (const bool reads_back : {false, true})
+            entries.push_back({fmt::format("{} levels", levels),
+                               render::make_ammann_of(steps, reads_back),
+                               {{"render.ammann_cell_samples", 75}}});
+    }
+    const std::vector<double> ms = easel.time_ms(entries, paper_flight(terrain, 5)[1], 9);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        table.row(fmt::format("{},{},{:.2f},{:.2f}", terrain.name, numbers[i], ms[2 * i], ms[2 * i + 1]));
+}
+
+// Ammann 2010, figure 6: sizes of cells.
+void ammann_figure_6(const PaperRun& run) {
+    Table table("ammann_figure_6", "terrain,cell_samples,ms");
+    for (const std::string& name : run.terrains) {
+        const PaperTerrain terrain = paper_terrain(name);
+        PaperEasel easel(terrain, {1024, 768}, run.patch_pixels);
+        const std::vector<int> sizes = {16, 24, 32, 50, 64, 96, 128, 192, 256, 512};
+        const std::vector<render::Camera> cameras = paper_flight(terrain, 4);
+        for (const int size : sizes) {
+            const std::vector<Entry> entries = {entry("ammann", {{"render.ammann_cell_samples", size}})};
+            double ms = 0;
+            for (const render::Camera& camera : cameras) ms += easel.time_ms(entries, camera, 3).front();
+            table.row(fmt::format("{},{},{:.2f}", name, size, ms / static_cast<double>(cameras.size())));
+        }
+    }
+}
+
+// Ammann 2010, figure 5: error of both precisions by the angle and the distance of the view.
+void ammann_figure_5(const PaperRun& run) {
+    Table table("ammann_figure_5", "terrain,angle_deg,distance,low_precision_db,high_precision_db");
+    for (const std::string& name : run.terrains) {
+        const PaperTerrain terrain = paper_terrain(name);
+        PaperEasel easel(terrain, small_picture, run.patch_pixels);
+        const Entry mesh = entry("mesh");
+        const std::vector<Entry> entries = {
+            {"low", render::make_ammann_of({{5, 2}}, false), {{"render.ammann_mesh_from_px2", never_px}}},
+            {"high", render::make_ammann_of({{64, 25}}, false), {{"render.ammann_mesh_from_px2", never_px}}}};
+        const glm::dvec3 middle(0.5 * terrain.grid.width_m(), 0.5 * terrain.grid.height_m(), 1250);
+        for (const double distance : {0.6, 1.0, 1.5})
+            for (const double angle_deg : {10, 20, 30, 45, 60, 75, 89}) {
+                const double angle = angle_deg * 3.14159265358979 / 180;
+                const glm::dvec3 way(0.6 * std::cos(angle), 0.8 * std::cos(angle), std::sin(angle));
+                const render::Camera camera{middle + distance * terrain.grid.width_m() * way, middle, 45};
+                std::vector<Psnr> psnr(2, Psnr(terrain));
+                const std::vector<float> by_mesh = easel.distances(mesh, camera);
+                for (std::size_t i = 0; i < 2; ++i) psnr[i].add(easel.distances(entries[i], camera), by_mesh);
+                table.row(fmt::format("{},{},{},{:.1f},{:.1f}", name, angle_deg, distance, psnr[0].db(),
+                                      psnr[1].db()));
+            }
+    }
+}
+
+}  // namespace talus::bench

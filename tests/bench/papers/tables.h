@@ -1,0 +1,35 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace talus::bench {
+
+/// What tables are made with.
+struct PaperRun {
+    double patch_pixels;                ///< the hybrid's choice on this device
+    std::vector<std::string> terrains;  ///< of papers/terrains.h; some tables have a terrain of their own
+};
+
+constexpr glm::ivec2 small_picture(480, 270);
+
+// Every method over the same pictures.
+void flight(const PaperRun& run);
+void survey(const PaperRun& run);
+void changes(const PaperRun& run);
+
+// Ammann, Génevaux & Dischler 2010.
+void ammann_table_1(const PaperRun& run);
+void ammann_table_2(const PaperRun& run);
+void ammann_figure_5(const PaperRun& run);
+void ammann_figure_6(const PaperRun& run);
+
+// Park & Oh 2009.
+void park_oh_table_1(const PaperRun& run);
+void park_oh_figure_11(const PaperRun& run);
+void park_oh_figure_13(const PaperRun& run);
+
+// Dick, Krüger & Westermann 2009.
+void dick_figure_6(const PaperRun& run);
+
+}  // namespace talus::bench
