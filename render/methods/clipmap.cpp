@@ -150,11 +150,25 @@ class Clipmap {
         terrain.tiles.list(Tiles::ground | Tiles::eroded, read_, 0, 0, 1, *changed_);
         heights_.refresh(terrain, most_levels, *changed_);
         if (anew) return;  // all rings are filled next
+        const glm::ivec2 tiles(terrain.tiles.columns(), terrain.tiles.rows());
+        bind_rings(choose_);
+        choose_.bind_storage("TileList", changed_->buffer);
+        choose_.bind_storage("RingUpdates", ring_updates_);
+        choose_.set("tiles", tiles);
+        choose_.set("patches", glm::ivec2(terrain.grid().nx - 1, terrain.grid().ny - 1));
+        choose_.dispatch(most_levels);
+        gpu::barrier({gpu::Use::indirect});
         for (int level = 0; level < most_levels; ++level) {
+            const std::size_t at = static_cast<std::size_t>(level) * 8 * sizeof(std::uint32_t);
             prepare_update(update_tiles_, terrain, level);
             update_tiles_.bind_storage("TileList", changed_->buffer);
-            update_tiles_.set("tiles", glm::ivec2(terrain.tiles.columns(), terrain.tiles.rows()));
-            update_tiles_.dispatch_indirect(changed_->buffer);
+            update_tiles_.set("tiles", tiles);
+            update_tiles_.dispatch_indirect(ring_updates_, at);
+            gpu::barrier({gpu::Use::image});
+            prepare_update(update_, terrain, level);
+            update_.set("rectangle_first", *held_[static_cast<std::size_t>(level)]);
+            update_.set("rectangle_size", glm::ivec2(side_));
+            update_.dispatch_indirect(ring_updates_, at + 4 * sizeof(std::uint32_t));
             gpu::barrier({gpu::Use::image, gpu::Use::sampler});
         }
     }
@@ -196,6 +210,7 @@ class Clipmap {
 
     gpu::Program program_;
     gpu::Program list_{"render/clipmap_tiles.comp"};
+    gpu::Program choose_{"render/clipmap_changes.comp"};
     gpu::Program update_{"render/clipmap_update.comp"};
     gpu::Program update_tiles_{std::vector<std::string>{"render/clipmap_update.comp"}, {"TILES"}};
     TerrainSides sides_;
@@ -205,6 +220,7 @@ class Clipmap {
     glm::ivec2 samples_{0};
     gpu::Texture rings_;
     gpu::Buffer ring_origins_{"first samples of rings", most_levels * sizeof(glm::ivec2)};
+    gpu::Buffer ring_updates_{"updates of rings", std::size_t{most_levels} * 8 * sizeof(std::uint32_t)};
     gpu::Buffer tiles_;
     gpu::Buffer indices_;
     std::array<std::optional<glm::ivec2>, most_levels> held_;  // first samples of what rings_ has, by level

@@ -3,6 +3,10 @@
 
 namespace talus::render {
 
+namespace glsl {
+#include "render/envelope.glsl"
+}  // namespace glsl
+
 /// The outer mesh over a terrain, by blocks of 9 x 9 samples: each sample raised to the highest of the 3 x 3
 /// around it, those that blocks share not (Jeong & Han 2006, section 4). With its squares split along their
 /// higher diagonals it lies nowhere under the bilinear surface.
@@ -12,11 +16,16 @@ class Envelope {
     void refresh(const Terrain& terrain);
     /// Heights of the samples, m.
     const gpu::Texture& heights() const { return heights_; }
-    std::size_t bytes() const { return sizeof(float) * heights_.width() * heights_.height(); }
+    /// A float a tile that rises whenever the tile was made again.
+    const gpu::Buffer& versions() const { return versions_; }
+    std::size_t bytes() const {
+        return sizeof(float) * heights_.width() * heights_.height() + versions_.bytes();
+    }
 
   private:
     gpu::Program program_{"render/envelope.comp"};
     gpu::Texture heights_;
+    gpu::Buffer versions_;
     std::unique_ptr<TileList> changed_;
     Tiles::Reader read_;
 };

@@ -53,6 +53,9 @@ struct Method {
     std::function<void(const Frame&)> draw;
     /// Waits for the device.
     std::function<MethodFigures()> figures;
+    /// Waits until what a thread makes of the terrain is there. None: no thread makes anything. Pictures are
+    /// the same before.
+    std::function<void(const Terrain&)> finish = {};
     void operator()(const Frame& frame) const { draw(frame); }
 };
 

@@ -1,9 +1,7 @@
 // Writes heights into a ring: each sample's own, and the one that the coarser level's triangles have there. Of a rectangle that came
 // into the ring as the eye moved, or with TILES of what changed in the listed tiles, one group a tile.
 layout(local_size_x = 64) in;
-#include "render/height_levels.glsl"
-#include "render/clipmap_rings.glsl"
-#include "sim/tile_samples.glsl"
+#include "render/clipmap_changed.glsl"
 
 uniform sampler2D ground;
 uniform sampler2D height_levels;
@@ -15,7 +13,6 @@ uniform int2 coarser_offset;  // of the next
 
 #ifdef TILES
 layout(std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
-uniform int2 tiles;
 #else
 uniform int2 rectangle_first;
 uniform int2 rectangle_size;
@@ -60,18 +57,9 @@ void update_rectangle(int2 first, int2 size, int me, int all) {
 void main() {
 #ifdef TILES
     int tile = int(listed_tiles[gl_WorkGroupID.y]);
-    int2 first = int2(tile % tiles.x, tile / tiles.x) * tile_samples;
-    int2 last = first + tile_samples - 1;
-    int reach = 4 << level;  // of the coarser level's filter, and of the triangle that it is a corner of
-    int2 ring_first = ring_origins[level];
-    int2 ring_last = ring_first + side - 1;
-    // Beyond the terrain's edge the edge goes on.
-    int2 low = int2(first.x == 0 ? ring_first.x : (first.x - reach) >> level, first.y == 0 ? ring_first.y : (first.y - reach) >> level);
-    int2 high = int2(last.x + reach >= patches.x ? ring_last.x : (last.x + reach) >> level,
-                     last.y + reach >= patches.y ? ring_last.y : (last.y + reach) >> level);
-    low = max(low, ring_first);
-    high = min(high, ring_last);
-    if (low.x <= high.x && low.y <= high.y) update_rectangle(low, high - low + 1, int(gl_LocalInvocationIndex), 64);
+    RingPart part = part_of_tile(tile, level);
+    if (part.first.x <= part.last.x && part.first.y <= part.last.y)
+        update_rectangle(part.first, part.last - part.first + 1, int(gl_LocalInvocationIndex), 64);
 #else
     update_rectangle(rectangle_first, rectangle_size, int(gl_GlobalInvocationID.x), int(gl_NumWorkGroups.x) * 64);
 #endif

@@ -6,6 +6,7 @@ layout(local_size_x = 64) in;
 #include "sim/tile_samples.glsl"
 
 layout(std430) readonly buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
+layout(std430) buffer EnvelopeVersions { float versions[]; };
 uniform sampler2D ground;
 layout(r32f) uniform writeonly image2D envelope;
 
@@ -23,6 +24,7 @@ real raised(int2 at) {
 
 void main() {
     int tile = int(listed_tiles[gl_WorkGroupID.y]);
+    if (gl_LocalInvocationIndex == 0u) versions[tile] += 1.0;
     int2 first = int2(tile % tiles.x, tile / tiles.x) * tile_samples;
     int2 size = min(patches + 1 - first, int2(tile_samples));
     for (int i = int(gl_LocalInvocationIndex); i < size.x * size.y; i += 64) {

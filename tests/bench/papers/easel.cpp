@@ -53,6 +53,8 @@ std::vector<double> PaperEasel::time_ms(const std::vector<Entry>& entries, const
     std::vector<Contestant> contestants;
     contestants.reserve(entries.size());
     for (const Entry& one : entries)
+        if (one.method.finish) one.method.finish(terrain_);
+    for (const Entry& one : entries)
         contestants.push_back({one.name, [this, &one, &camera] { draw(one, camera); }});
     std::vector<double> times = interleave(contestants, rounds);
     for (double& time : times) time *= 1e3;

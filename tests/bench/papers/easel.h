@@ -32,7 +32,7 @@ class PaperEasel {
     void draw(const Entry& entry, const render::Camera& camera);
     std::vector<float> distances(const Entry& entry, const render::Camera& camera);
     std::vector<float> details(const Entry& entry, const render::Camera& camera);
-    /// Median milliseconds of each, turn by turn.
+    /// Median milliseconds of each, turn by turn. What threads make is made before.
     std::vector<double> time_ms(const std::vector<Entry>& entries, const render::Camera& camera, int rounds);
 
     Terrain& terrain() { return terrain_; }
