@@ -187,6 +187,45 @@ TEST(Ammann, DrawsWhatItsSearchFindsInTheBoxes) {
     }
 }
 
+// Cracks: pixels that show what lies behind, where the full mesh shows ground and the search in double finds it
+// in the boxes too. They come where cells of mesh, whose vertices the rasteriser snaps, meet cells of rays.
+TEST(Ammann, HasFewCracks) {
+    const gpu::Context context;
+    const std::vector<glm::ivec2> most_precise = {{64, 25}};
+    const render::Method ammann = render::make_ammann_of(most_precise, false);
+    for (const std::string& name : scenes::names()) {
+        const scenes::Scene scene = scenes::make(name);
+        scenes::Easel easel(scene, width, height);
+        const render::Method mesh = render::make_mesh(render::Detail::none);
+        CellsTwin twin(scene, 32, 1);
+        const double spacing_m = std::hypot(scene.grid.dx, scene.grid.dy);
+        long cracks = 0;
+        long pixels = 0;
+        long mesh_cells = 0;
+        for (const render::NamedCamera& view : render::survey(scene.grid, scene.heights)) {
+            const std::vector<float> shown = scenes::distances(
+                easel.draw(ammann, view.camera, 0,
+                           {{"render.ammann_cell_samples", 32}, {"render.ammann_mesh_from_px2", 0.3}}));
+            mesh_cells += ammann.figures().mesh_cells;
+            const std::vector<float> by_mesh = scenes::distances(easel.draw(mesh, view.camera, 0));
+            twin.look(view.camera, 1);
+            for (int y = 0; y < height; ++y)
+                for (int x = 0; x < width; ++x) {
+                    const std::size_t i = static_cast<std::size_t>(y) * width + x;
+                    if (std::isinf(by_mesh[i])) continue;
+                    ++pixels;
+                    // The search is slow: only where something is wrong.
+                    if (shown[i] > by_mesh[i] + 4 * spacing_m)
+                        cracks += shown[i] > twin.nearest(x, y, most_precise).first + 4 * spacing_m ? 1 : 0;
+                }
+        }
+        std::printf("%s: %ld cracks in %ld pixels of ground, %ld cells of mesh\n", name.c_str(), cracks,
+                    pixels, mesh_cells);
+        EXPECT_GT(mesh_cells, 100) << name << ": nothing to crack";
+        EXPECT_LE(10000 * cracks, pixels) << name;
+    }
+}
+
 // Its rays' defects, and how they shrink: a larger k takes more samples, and so misses less (figure 7). A
 // pixel is missed that shows what lies behind the ground, or the sky. Needles as thin as a sample are missed
 // by most samples that there are.

@@ -135,8 +135,19 @@ class RingsTwin {
     std::vector<std::vector<double>> heights_;
 };
 
+double ground_at(const scenes::Scene& scene, glm::dvec2 place) {
+    const glm::ivec2 at(glm::floor(place));
+    const glm::dvec2 in = place - glm::dvec2(at);
+    const auto sample = [&](int x, int y) {
+        return double(scene.heights[static_cast<std::size_t>(at.y + y) * scene.grid.nx + at.x + x]);
+    };
+    return (1 - in.y) * ((1 - in.x) * sample(0, 0) + in.x * sample(1, 0)) +
+           in.y * ((1 - in.x) * sample(0, 1) + in.x * sample(1, 1));
+}
+
 // The place that a pixel shows lies on triangles of one of the rings, which the method names by three kinds
-// in turn. What differs: the outlines, where odd samples lie on even ones.
+// in turn. What differs: the outlines, where odd samples lie on even ones. The wider the ring, the larger its
+// error.
 TEST(Clipmap, ShowsTheTrianglesOfItsRings) {
     const gpu::Context context;
     const render::Method clipmap = render::make_clipmap(render::Detail::kind);
@@ -147,6 +158,7 @@ TEST(Clipmap, ShowsTheTrianglesOfItsRings) {
         const double relief = *std::max_element(scene.heights.begin(), scene.heights.end()) -
                               *std::min_element(scene.heights.begin(), scene.heights.end());
         std::array<long, levels> by_level{};
+        std::array<double, levels> squares_m2{};  // of heights over the bilinear surface
         long compared = 0;
         long otherwise = 0;
         for (const render::NamedCamera& view : render::survey(scene.grid, scene.heights)) {
@@ -177,7 +189,10 @@ TEST(Clipmap, ShowsTheTrianglesOfItsRings) {
                         const glm::dvec2 heights = twin.heights_near(level, place, reach);
                         const double room = 1e-5 * (shown.x + relief);
                         found = hit.z >= heights.x - room && hit.z <= heights.y + room;
-                        if (found) ++by_level[static_cast<std::size_t>(level)];
+                        if (!found) continue;
+                        ++by_level[static_cast<std::size_t>(level)];
+                        const double off_m = hit.z - ground_at(scene, place);
+                        squares_m2[static_cast<std::size_t>(level)] += off_m * off_m;
                     }
                     otherwise += found ? 0 : 1;
                 }
@@ -185,7 +200,16 @@ TEST(Clipmap, ShowsTheTrianglesOfItsRings) {
         std::printf("%s: %ld pixels compared, %ld lie on no triangle of their level; by level", name.c_str(),
                     compared, otherwise);
         for (const long pixels : by_level) std::printf(" %ld", pixels);
+        std::printf("; metres off, root of the mean square");
+        std::vector<double> off_m;
+        for (std::size_t level = 0; level < levels; ++level) {
+            const auto pixels = static_cast<double>(by_level[level]);
+            std::printf(" %.2f", pixels > 0 ? std::sqrt(squares_m2[level] / pixels) : 0.0);
+            if (pixels > 1000) off_m.push_back(std::sqrt(squares_m2[level] / pixels));
+        }
         std::printf("\n");
+        // Flat ground with needles has no error that grows.
+        EXPECT_TRUE(name == "spikes" || std::is_sorted(off_m.begin(), off_m.end())) << name;
         EXPECT_GT(compared, 11 * width * height / 3) << name;
         EXPECT_LE(100 * otherwise, compared) << name;
         for (int level = 0; level < 4; ++level)

@@ -35,14 +35,15 @@ const std::vector<NamedTable>& paper_tables() {
 
 }  // namespace
 
-void bench_papers(double patch_pixels, const std::string& only, const std::string& terrain) {
+void bench_papers(double patch_pixels, const std::string& only, const std::string& terrain,
+                  const std::string& method) {
     std::string names;
     for (const NamedTable& table : paper_tables()) names += (names.empty() ? "" : ", ") + table.name;
     const auto& tables = paper_tables();
     if (!only.empty() && std::none_of(tables.begin(), tables.end(),
                                       [&](const NamedTable& table) { return table.name == only; }))
         throw Error(fmt::format("there is no table '{}', it must be one of: {}", only, names));
-    PaperRun run{patch_pixels, paper_terrain_names()};
+    PaperRun run{patch_pixels, paper_terrain_names(), method};
     const auto& known = run.terrains;
     if (!terrain.empty()) {
         if (std::find(known.begin(), known.end(), terrain) == known.end())

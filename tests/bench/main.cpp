@@ -1,6 +1,6 @@
 // Benchmarks: talus_bench render | methods | update | frame | waves | erosion | sculpt [SHADER_DIR], or
-// papers [TABLE [TERRAIN]]. Figures are process CPU time, or wall time where a GPU draws; interleaved,
-// medians (docs/benchmarks.md).
+// papers [TABLE [TERRAIN [METHOD]]]. Figures are process CPU time, or wall time where a GPU draws;
+// interleaved, medians (docs/benchmarks.md).
 #include <fmt/format.h>
 
 #include <exception>
@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
         which != "waves" && which != "erosion" && which != "sculpt" && which != "papers") {
         fmt::print(stderr,
                    "usage: talus_bench render|methods|update|frame|waves|erosion|sculpt [SHADER_DIR], or "
-                   "talus_bench papers [TABLE [TERRAIN]]\n");
+                   "talus_bench papers [TABLE [TERRAIN [METHOD]]]\n");
         return 2;
     }
     try {
@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
             talus::bench::bench_sculpt(talus::app::patch_pixels(context.device()));
         else if (which == "papers")
             talus::bench::bench_papers(talus::app::patch_pixels(context.device()), argc > 2 ? argv[2] : "",
-                                       argc > 3 ? argv[3] : "");
+                                       argc > 3 ? argv[3] : "", argc > 4 ? argv[4] : "");
         else if (which == "erosion")
             talus::bench::bench_erosion(talus::app::patch_pixels(context.device()));
         else

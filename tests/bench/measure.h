@@ -40,9 +40,11 @@ void bench_waves();
 void bench_erosion(double patch_pixels);
 /// patch_pixels: the hybrid's choice on this device.
 void bench_sculpt(double patch_pixels);
-/// Writes out/papers: all tables, or the one of this name; on all terrains, or that of this name.
+/// Writes out/papers: all tables, or the one of this name; on all terrains, or that of this name;
+/// of flight and survey the rows alone that begin with a method's name.
 /// patch_pixels: the hybrid's choice on this device.
-void bench_papers(double patch_pixels, const std::string& only, const std::string& terrain);
+void bench_papers(double patch_pixels, const std::string& only, const std::string& terrain,
+                  const std::string& method);
 /// patch_pixels: the hybrid's choice on this device.
 void bench_frame(double patch_pixels);
 

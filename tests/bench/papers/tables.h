@@ -9,6 +9,7 @@ namespace talus::bench {
 struct PaperRun {
     double patch_pixels;                ///< the hybrid's choice on this device
     std::vector<std::string> terrains;  ///< of papers/terrains.h; some tables have a terrain of their own
+    std::string method;                 ///< of flight and survey: rows whose name begins so alone
 };
 
 constexpr glm::ivec2 small_picture(480, 270);
