@@ -77,7 +77,7 @@ WaveError small_wave_error(int waves_x, int waves_y) {
     return {-behind / travelled, glm::length(found) / glm::length(exact)};
 }
 
-ConeError collapsed_column(int n, double column_radius_m, double height_m) {
+ConeError collapsed_column(int n, double column_radius_m, double height_m, ThermalScheme scheme) {
     const int middle = n / 2;
     const Grid grid{n, n, 1, 1};
     const double slope = std::tan(33 * std::numbers::pi / 180);
@@ -98,7 +98,9 @@ ConeError collapsed_column(int n, double column_radius_m, double height_m) {
     Thermal thermal(terrain);
     Ledger ledger(terrain);
     const LedgerStart begin = ledger.begin(terrain, {});
-    const ThermalStep step = thermal_step(grid, {33, 0.25}, 1, 1);
+    ThermalSettings settings{33, 0.25};
+    settings.scheme = scheme;
+    const ThermalStep step = thermal_step(grid, settings, 1, 1);
     cone.ticks = static_cast<int>(2 * radius * radius);
     for (int i = 0; i < cone.ticks; ++i) thermal.substep(terrain, step);
 

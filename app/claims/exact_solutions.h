@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "app/claims/water_scenes.h"
+#include "sim/passes/thermal_settings.h"
 
 namespace talus::claims {
 
@@ -40,7 +41,8 @@ struct ConeError {
     double exact_peak_m = 0;
     double ledger_of_moved = 0;  ///< what the ledger misses, relative to what moved
 };
-ConeError collapsed_column(int n, double radius_m, double height_m);
+ConeError collapsed_column(int n, double radius_m, double height_m,
+                           ThermalScheme scheme = ThermalScheme::gradient);
 
 /// The largest speed of the water, m/s.
 double fastest_of(const TerrainState& state);

@@ -150,7 +150,7 @@ void run_with_twins(WaterRun& run, maths::WaterTwin<float>& twin, maths::WaterTw
 
 }  // namespace
 
-TwinAgreement brush_and_slopes_against_twin(int substeps) {
+TwinAgreement brush_and_slopes_against_twin(int substeps, ThermalScheme scheme) {
     const Grid grid{150, 97, 20, 17};
     TerrainState state = bedrock_terrain(grid, generate_heights(grid, {"mountains", 7, 1500}));
     for (std::size_t i = 0; i < grid.count(); ++i)
@@ -160,6 +160,7 @@ TwinAgreement brush_and_slopes_against_twin(int substeps) {
     settings.porosity = 0.3;
     settings.weathering_m_per_s = 1e-4;
     settings.masked = true;
+    settings.scheme = scheme;
     const ThermalStep step = thermal_step(grid, settings, 1, 1);
     SolidTwin<float> twin(state, step);
     SolidTwin<double> exact(state, step);

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 
+#include "sim/passes/thermal_settings.h"
 #include "sim/passes/water.h"
 
 namespace talus::claims {
@@ -14,7 +15,7 @@ struct TwinAgreement {
 };
 
 /// Dabs of all modes and slides, in turn, over so many sub-steps on a terrain of two layers with a mask.
-TwinAgreement brush_and_slopes_against_twin(int substeps);
+TwinAgreement brush_and_slopes_against_twin(int substeps, ThermalScheme scheme = ThermalScheme::gradient);
 
 /// Water that sloshes in a basin of 131 x 97 samples for ten ticks.
 struct WaterCase {

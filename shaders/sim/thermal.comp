@@ -23,6 +23,11 @@ real load_mask(int2 at) { return imageLoad(painted, clamp(at, int2(0), samples -
 real load_mask(int2 at) { return real(1); }
 #endif
 #include "maths/thermal.glsl"
+#ifdef OLSEN
+bool is_sample(int2 at) { return at.x >= 0 && at.y >= 0 && at.x < samples.x && at.y < samples.y; }
+const bool only_lowest = OLSEN == 2;
+#include "maths/olsen.glsl"
+#endif
 
 void main() {
     int tile = int(listed_tiles[gl_WorkGroupID.y]);
@@ -31,7 +36,11 @@ void main() {
     int2 at = int2(tile % tiles.x, tile / tiles.x) * tile_samples + int2(block % blocks_across, block / blocks_across) * block_samples + int2(gl_LocalInvocationID.xy);
     if (at.x >= samples.x || at.y >= samples.y) return;
     real4 before = load_solid(at);
+#ifdef OLSEN
+    real4 after = olsen_sample(at);
+#else
     real4 after = thermal_sample(at);
+#endif
     imageStore(solid_out, at, after);
     if (floatBitsToUint(after.x) != floatBitsToUint(before.x) || floatBitsToUint(after.y) != floatBitsToUint(before.y) ||
         floatBitsToUint(after.z) != floatBitsToUint(before.z) || floatBitsToUint(after.w) != floatBitsToUint(before.w)) {

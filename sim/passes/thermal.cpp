@@ -4,13 +4,15 @@ namespace talus {
 
 Thermal::Thermal(const Terrain& terrain) : numbers_("thermal numbers"), active_(terrain.tiles.count()) {}
 
-gpu::Program& Thermal::program_of(bool wet, bool masked) {
-    const int key = (wet ? 1 : 0) + (masked ? 2 : 0);
+gpu::Program& Thermal::program_of(ThermalScheme scheme, bool wet, bool masked) {
+    const int key = (wet ? 1 : 0) + (masked ? 2 : 0) + 4 * static_cast<int>(scheme);
     auto found = programs_.find(key);
     if (found == programs_.end()) {
         std::vector<std::string> defines;
         if (wet) defines.emplace_back("WET 1");
         if (masked) defines.emplace_back("MASKED 1");
+        if (scheme == ThermalScheme::olsen) defines.emplace_back("OLSEN 1");
+        if (scheme == ThermalScheme::olsen_fast) defines.emplace_back("OLSEN 2");
         found = programs_.emplace(key, gpu::Program({"sim/thermal.comp"}, defines)).first;
     }
     return found->second;
@@ -24,7 +26,7 @@ void Thermal::substep(Terrain& terrain, const ThermalStep& step) {
     const std::uint32_t changes =
         Tiles::ground | Tiles::eroded | Tiles::placed | Tiles::painted | (wet ? Tiles::water : 0U);
     terrain.tiles.list(changes, read_, -1, 1, glsl::tile_blocks, active_);
-    gpu::Program& program = program_of(wet, step.masked);
+    gpu::Program& program = program_of(step.scheme, wet, step.masked);
     if (wet) program.bind_image("water", terrain.water->front);
     if (step.masked) program.bind_image("painted", terrain.painted->front);
     terrain.bind(program);

@@ -20,6 +20,7 @@ double inverse_squares(const Grid& grid) {
 }  // namespace
 
 int thermal_substeps(const Grid& grid, const ThermalSettings& settings, double span_s) {
+    if (settings.scheme != ThermalScheme::gradient) return 1;
     const double needed =
         std::ceil(settings.rate_m2_per_s * span_s * inverse_squares(grid) / (0.5 * (1 - settings.porosity)));
     if (needed > max_substeps)
@@ -46,6 +47,7 @@ ThermalStep thermal_step(const Grid& grid, const ThermalSettings& settings, doub
     numbers.face_share =
         glm::vec2(settings.rate_m2_per_s * dt / grid.dx, settings.rate_m2_per_s * dt / grid.dy);
     step.masked = settings.masked;
+    step.scheme = settings.scheme;
     return step;
 }
 

@@ -15,11 +15,13 @@ struct ThermalNumbers {
 
 struct ThermalStep {
     bool masked = false;  ///< slopes slide as far as the mask says
+    ThermalScheme scheme = ThermalScheme::gradient;
     ThermalNumbers numbers;
 };
 
 /// Sub-steps that a span of time needs: rate * dt * (1/dx² + 1/dy²) <= (1 - porosity)/2 in each
-/// (docs/numerics.md). Throws talus::Error when there would be more than 10,000.
+/// (docs/numerics.md); Olsen's steps have no rate, and are one a span. Throws talus::Error when there would
+/// be more than 10,000.
 int thermal_substeps(const Grid& grid, const ThermalSettings& settings, double span_s);
 
 /// One of `substeps` equal parts of the span.

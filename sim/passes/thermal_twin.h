@@ -22,7 +22,14 @@ struct ThermalTwin {
     std::vector<bool> wet;    ///< samples under water; empty: none
     std::vector<Real> masks;  ///< 0 to 1; empty: 1 throughout
 
-    ThermalTwin(const Grid& grid, const ThermalStep& step) : nx(grid.nx), ny(grid.ny) {
+    ThermalScheme scheme;
+    bool only_lowest;
+
+    ThermalTwin(const Grid& grid, const ThermalStep& step)
+        : nx(grid.nx),
+          ny(grid.ny),
+          scheme(step.scheme),
+          only_lowest(step.scheme == ThermalScheme::olsen_fast) {
         take(step.numbers);
     }
 
@@ -44,13 +51,20 @@ struct ThermalTwin {
         return samples[static_cast<std::size_t>(y) * nx + x];
     }
 
+    bool is_sample(int2 at) const {
+        return at.x >= 0 && at.y >= 0 && at.x < nx && at.y < ny;
+    }
+
 #include "maths/thermal.glsl"
+
+#include "maths/olsen.glsl"
 
     void step() {
         std::vector<real4> next(samples.size());
         for (int y = 0; y < ny; ++y)
             for (int x = 0; x < nx; ++x)
-                next[static_cast<std::size_t>(y) * nx + x] = thermal_sample(int2(x, y));
+                next[static_cast<std::size_t>(y) * nx + x] =
+                    scheme == ThermalScheme::gradient ? thermal_sample(int2(x, y)) : olsen_sample(int2(x, y));
         samples.swap(next);
     }
 

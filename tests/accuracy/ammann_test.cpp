@@ -187,8 +187,9 @@ TEST(Ammann, DrawsWhatItsSearchFindsInTheBoxes) {
     }
 }
 
-// Cracks: pixels that show what lies behind, where the full mesh shows ground and the search in double finds it
-// in the boxes too. They come where cells of mesh, whose vertices the rasteriser snaps, meet cells of rays.
+// Cracks: pixels that show what lies behind, where the full mesh shows ground and the search in double finds
+// it in the boxes too. They come where cells of mesh, whose vertices the rasteriser snaps, meet cells of
+// rays.
 TEST(Ammann, HasFewCracks) {
     const gpu::Context context;
     const std::vector<glm::ivec2> most_precise = {{64, 25}};

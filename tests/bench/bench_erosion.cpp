@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "app/claims/exact_solutions.h"
 #include "app/claims/water_scenes.h"
 #include "app/core/report.h"
 #include "render/renderer.h"
@@ -130,6 +131,38 @@ void error_against_time() {
         }
 }
 
+// Slopes by the gradient and as Olsen 2004 has them, the erosion of Ammann 2010, figure 10: time of a
+// sub-step of 1024² samples that all slide, and the cone that a column of 60 m collapses into.
+void schemes_of_slopes() {
+    constexpr int side = 1024;
+    const Grid grid{side, side, 10, 10};
+    Terrain terrain(bedrock_terrain(grid, generate_heights(grid, {"mountains", 4, 4000})));
+    Thermal thermal(terrain);
+    const std::vector<std::pair<std::string, ThermalScheme>> schemes = {
+        {"gradient", ThermalScheme::gradient},
+        {"olsen", ThermalScheme::olsen},
+        {"olsen_fast", ThermalScheme::olsen_fast}};
+    std::vector<Contestant> contestants;
+    contestants.reserve(schemes.size());
+    for (const auto& [name, scheme] : schemes)
+        contestants.push_back({name, [&, scheme = scheme] {
+                                   ThermalSettings settings{10, natural_thermal_rate(grid, 1)};
+                                   settings.scheme = scheme;
+                                   terrain.tiles.mark_all();
+                                   thermal.substep(terrain, thermal_step(grid, settings, 1, 1));
+                                   terrain.ground.read_all<float>();
+                               }});
+    const std::vector<double> seconds = interleave(contestants, 5);
+    fmt::print("\nslopes by scheme, {}²\n{:<12} {:>12} {:>10} {:>12} {:>12} {:>12} {:>14}\n", side, "scheme",
+               "ms/sub-step", "steepest", "axis m", "diagonal m", "exact m", "ledger/moved");
+    for (std::size_t i = 0; i < schemes.size(); ++i) {
+        const claims::ConeError cone = claims::collapsed_column(129, 11, 60, schemes[i].second);
+        fmt::print("{:<12} {:>12.1f} {:>10.2f} {:>12.2f} {:>12.2f} {:>12.2f} {:>14.1e}\n", schemes[i].first,
+                   1e3 * seconds[i], cone.steepest_deg, cone.axis_m, cone.diagonal_m, cone.exact_m,
+                   cone.ledger_of_moved);
+    }
+}
+
 // As Ammann, Genevaux & Dischler 2010, figure 11: frames over a field of 4096² at rest, and after every
 // height was updated (there every 100 ms; one update takes longer here, so every frame has one).
 void large_field(double patch_pixels) {
@@ -212,6 +245,7 @@ void bench_erosion(double patch_pixels) {
                    1e3 * each[i]);
     fmt::print("coupled costs {:.2f} times the water alone, a sub-step\n", each[1] / each[0]);
     fmt::print("a tenth active: {:.1f} times cheaper than all\n", each[1] / each[3]);
+    schemes_of_slopes();
     error_against_time();
     large_field(patch_pixels);
 }

@@ -63,6 +63,17 @@ TEST(Twins, BrushAndThermalAgreeToTheBitAfter500Ticks) {
     EXPECT_LT(agreement.of_double, 1e-4);
 }
 
+TEST(Twins, SlopesByOlsenAgreeToTheBit) {
+    const gpu::Context context;
+    for (const ThermalScheme scheme : {ThermalScheme::olsen, ThermalScheme::olsen_fast}) {
+        const claims::TwinAgreement agreement = claims::brush_and_slopes_against_twin(100, scheme);
+        if (claims::arithmetic_of_device().rounds_as_ieee()) {
+            EXPECT_EQ(agreement.differing, 0U);
+        }
+        EXPECT_GT(agreement.changed, agreement.samples / 2) << "the run must have moved the ground";
+    }
+}
+
 // Dabs of several kinds, modes and curves in turn agree with the float twin to the bit. On Mesa 22.3's zink
 // they did not: programs that take turns got each other's variants of inlined uniforms (work_around_drivers,
 // docs/devices.md).
