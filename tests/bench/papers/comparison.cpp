@@ -103,4 +103,23 @@ void survey(const PaperRun& run) {
     }
 }
 
+// hybrid against exact, camera by camera: both are exact to the tolerance, and hybrid should choose the
+// cheaper.
+void cameras(const PaperRun& run) {
+    Table table("cameras", "terrain,camera,hybrid_ms,exact_ms,hybrid_to_exact");
+    const std::vector<Entry> entries = {entry("hybrid"), entry("exact")};
+    for (const std::string& name : run.terrains) {
+        const PaperTerrain terrain = paper_terrain(name);
+        PaperEasel easel(terrain, {1280, 720}, run.patch_pixels);
+        std::vector<render::NamedCamera> views = render::survey(terrain.grid, terrain.heights);
+        for (const render::Camera& camera : paper_flight(terrain, 8))
+            views.push_back({fmt::format("flight {}", views.size() - 11), camera});
+        for (const render::NamedCamera& view : views) {
+            const std::vector<double> ms = easel.time_ms(entries, view.camera, 15);
+            table.row(
+                fmt::format("{},{},{:.1f},{:.1f},{:.3f}", name, view.name, ms[0], ms[1], ms[0] / ms[1]));
+        }
+    }
+}
+
 }  // namespace talus::bench

@@ -17,6 +17,7 @@ constexpr glm::ivec2 small_picture(480, 270);
 // Every method over the same pictures.
 void flight(const PaperRun& run);
 void survey(const PaperRun& run);
+void cameras(const PaperRun& run);
 void changes(const PaperRun& run);
 
 // Ammann, Génevaux & Dischler 2010.
