@@ -160,7 +160,7 @@ std::vector<std::uint32_t> simplify_block(std::span<const float> ground, glm::iv
         const std::size_t count =
             meshopt_simplify(fewer.data(), full.data(), full.size(), &vertices[0].x, vertices.size(),
                              sizeof(glm::vec3), 3 * goal, 1e9F, meshopt_SimplifyLockBorder, nullptr);
-        const std::vector<std::uint32_t> words = checked(block, std::span(fewer).first(count));
+        std::vector<std::uint32_t> words = checked(block, std::span(fewer).first(count));
         if (!words.empty() && words.size() <= most) return words;
     }
     return {};

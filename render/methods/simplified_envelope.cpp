@@ -12,7 +12,7 @@ constexpr int blocks_across = tile_samples / glsl::envelope_patches;
 constexpr std::size_t tile_words =
     static_cast<std::size_t>(blocks_across) * blocks_across * glsl::block_words;
 // A thread takes about a second for as many.
-constexpr int most_tiles = 64;
+constexpr int tiles_of_a_job = 64;
 constexpr std::uint32_t no_mesh = 0xffffffff;
 
 }  // namespace
@@ -72,7 +72,7 @@ bool SimplifiedEnvelope::choose(const Terrain& terrain, const std::vector<float>
     coming_.columns = columns;
     for (int tile = 0; tile < terrain.tiles.count(); ++tile) {
         const bool other_row = !coming_.tiles.empty() && tile / columns != coming_.tiles[0].number / columns;
-        if (other_row || coming_.tiles.size() == most_tiles) break;
+        if (other_row || coming_.tiles.size() == tiles_of_a_job) break;
         const auto at = static_cast<std::size_t>(tile);
         if (now[at] != made_[at]) coming_.tiles.push_back({tile, now[at], {}});
     }
