@@ -11,6 +11,19 @@ namespace {
 // By logarithms 24 bits tell distances apart to 5e-6 of them, from 1e-19 m to 1e19 m.
 constexpr double log2_scale = 128;
 
+// While it lives, draws change the depth of this region of the window alone; where one throws, colours come
+// back.
+class DepthAlone {
+  public:
+    explicit DepthAlone(const gpu::Region& box) : box_(box) { gpu::bind_window_depth(box_); }
+    ~DepthAlone() { gpu::bind_window(box_); }
+    DepthAlone(const DepthAlone&) = delete;
+    DepthAlone& operator=(const DepthAlone&) = delete;
+
+  private:
+    gpu::Region box_;
+};
+
 }  // namespace
 
 void GroundDepth::draw(const gpu::Texture& hits, glm::ivec2 picture, const gpu::Region& area,
@@ -20,9 +33,8 @@ void GroundDepth::draw(const gpu::Texture& hits, glm::ivec2 picture, const gpu::
     program_.set("area_from", glm::vec2(area.x, area.y));
     program_.set("area_size", glm::vec2(area.width, area.height));
     program_.set("log2_scale", static_cast<float>(log2_scale));
-    gpu::bind_window_depth(box);
+    const DepthAlone writes(box);
     program_.draw_fullscreen(gpu::Depth::reset);
-    gpu::bind_window(box);
 }
 
 void GroundDepth::hide_behind(double distance_m) {

@@ -69,7 +69,7 @@ class Clipmap {
         result.mesh_cells = static_cast<int>(words[1]);
         result.triangles = static_cast<long>(words[0] / 3) * result.mesh_cells;
         result.bytes = heights_.bytes() + 2 * sizeof(float) * rings_.width() * rings_.height() +
-                       ring_origins_.bytes() + tiles_.bytes() + indices_.bytes();
+                       ring_origins_.bytes() + ring_updates_.bytes() + tiles_.bytes() + indices_.bytes();
         return result;
     }
 

@@ -16,7 +16,7 @@ class Envelope {
     void refresh(const Terrain& terrain);
     /// Heights of the samples, m.
     const gpu::Texture& heights() const { return heights_; }
-    /// A float a tile that rises whenever the tile was made again.
+    /// A whole number a tile, above 0, that changes whenever the tile is made again.
     const gpu::Buffer& versions() const { return versions_; }
     std::size_t bytes() const {
         return sizeof(float) * heights_.width() * heights_.height() + versions_.bytes();

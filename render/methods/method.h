@@ -54,7 +54,7 @@ struct Method {
     /// Waits for the device.
     std::function<MethodFigures()> figures;
     /// Waits until what a thread makes of the terrain is there. None: no thread makes anything. Pictures are
-    /// the same before.
+    /// the same before, but for rounding (docs/numerics.md, the method uniform).
     std::function<void(const Terrain&)> finish = {};
     void operator()(const Frame& frame) const { draw(frame); }
 };

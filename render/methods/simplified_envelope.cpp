@@ -14,31 +14,42 @@ constexpr std::size_t tile_words =
 // A thread takes about a second for as many.
 constexpr int tiles_of_a_job = 64;
 constexpr std::uint32_t no_mesh = 0xffffffff;
+// What is asked of every device (sim/gpu/context.cpp). Larger terrains are drawn unsimplified.
+constexpr std::size_t largest_buffer = std::size_t{1} << 27U;
 
 }  // namespace
 
-void SimplifiedEnvelope::follow(const Terrain& terrain, const Envelope& envelope) {
+void SimplifiedEnvelope::follow(const Terrain& terrain, const Envelope& envelope, bool wanted) {
+    make_room(terrain, wanted);
     step(terrain, envelope, false);
 }
 
-void SimplifiedEnvelope::finish(const Terrain& terrain, const Envelope& envelope) {
+void SimplifiedEnvelope::finish(const Terrain& terrain, const Envelope& envelope, bool wanted) {
+    make_room(terrain, wanted);
     while (step(terrain, envelope, true)) {
     }
 }
 
+void SimplifiedEnvelope::make_room(const Terrain& terrain, bool wanted) {
+    const auto tiles = static_cast<std::size_t>(terrain.tiles.count());
+    const std::size_t bytes = tiles * tile_words * sizeof(std::uint32_t);
+    wanted = wanted && bytes <= largest_buffer;
+    if (grid_ == terrain.grid() && wanted_ == wanted) return;
+    give_up();
+    grid_ = terrain.grid();
+    wanted_ = wanted;
+    triangles_ = gpu::Buffer("simplified blocks", wanted ? bytes : sizeof(std::uint32_t));
+    versions_ = gpu::Buffer("versions of simplified tiles", tiles * sizeof(float));
+    versions_.fill(0);
+    made_.assign(tiles, 0);
+    seen_.clear();
+    next_ = 0;
+    done_.reset();
+}
+
 // Returns whether something is left to do.
 bool SimplifiedEnvelope::step(const Terrain& terrain, const Envelope& envelope, bool waits) {
-    const Grid& grid = terrain.grid();
-    if (grid_ != grid) {
-        give_up();
-        grid_ = grid;
-        const auto tiles = static_cast<std::size_t>(terrain.tiles.count());
-        triangles_ = gpu::Buffer("simplified blocks", tiles * tile_words * sizeof(std::uint32_t));
-        versions_ = gpu::Buffer("versions of simplified tiles", tiles * sizeof(float));
-        versions_.fill(0);
-        made_.assign(tiles, 0);
-        done_.reset();
-    }
+    if (!wanted_) return false;
     if (job_.valid()) {
         if (!waits && job_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return true;
         keep(job_.get());
@@ -63,23 +74,29 @@ bool SimplifiedEnvelope::step(const Terrain& terrain, const Envelope& envelope, 
     return true;
 }
 
-// Asks for the ground of the first tiles beside each other whose meshes are old. Returns whether there are
-// any.
+// Asks for the ground of the next tiles of a row whose meshes are old. A tile that changes from one reading
+// to the next waits: its meshes would be old again when they come. Returns whether any tile's are old.
 bool SimplifiedEnvelope::choose(const Terrain& terrain, const std::vector<float>& now) {
     const int columns = terrain.tiles.columns();
+    const int count = terrain.tiles.count();
     coming_ = {};
     coming_.grid = grid_;
     coming_.columns = columns;
-    for (int tile = 0; tile < terrain.tiles.count(); ++tile) {
+    bool old = false;
+    for (int i = 0; i < count; ++i) {
+        const int tile = (next_ + i) % count;
+        const auto at = static_cast<std::size_t>(tile);
+        if (now[at] == made_[at]) continue;
+        old = true;
+        if (seen_.empty() || now[at] != seen_[at]) continue;
         const bool other_row = !coming_.tiles.empty() && tile / columns != coming_.tiles[0].number / columns;
         if (other_row || coming_.tiles.size() == tiles_of_a_job) break;
-        const auto at = static_cast<std::size_t>(tile);
-        if (now[at] != made_[at]) coming_.tiles.push_back({tile, now[at], {}});
+        coming_.tiles.push_back({tile, now[at], {}});
     }
-    if (coming_.tiles.empty()) {
-        done_ = asked_;
-        return false;
-    }
+    seen_ = now;
+    if (!old) done_ = asked_;
+    if (coming_.tiles.empty()) return old;
+    next_ = (coming_.tiles.back().number + 1) % count;
     const gpu::Region first = terrain.tiles.region(coming_.tiles.front().number);
     const gpu::Region last = terrain.tiles.region(coming_.tiles.back().number);
     // Blocks end at the next tile's first samples.

@@ -25,9 +25,10 @@ class SimplifiedEnvelope {
     ~SimplifiedEnvelope() { give_up(); }
 
     /// One step on, once a frame, after the envelope's refresh(): never waits.
-    void follow(const Terrain& terrain, const Envelope& envelope);
+    /// wanted: false keeps every tile without meshes.
+    void follow(const Terrain& terrain, const Envelope& envelope, bool wanted = true);
     /// Until all tiles were tried. Waits for the device and the thread.
-    void finish(const Terrain& terrain, const Envelope& envelope);
+    void finish(const Terrain& terrain, const Envelope& envelope, bool wanted = true);
 
     /// Words of simplify_block(), 64 a block, zeros after the last; the first is ~0 where the block has none.
     /// Blocks of 8 x 8 a tile, tile after tile.
@@ -42,7 +43,7 @@ class SimplifiedEnvelope {
         float version;
         std::vector<std::uint32_t> words;
     };
-    // Tiles beside each other, and the ground under them.
+    // Tiles of one row, and the ground from the first to the last.
     struct Job {
         Grid grid;
         int columns = 0;
@@ -52,6 +53,7 @@ class SimplifiedEnvelope {
     };
     static Job simplified(Job job, const std::atomic<bool>& given_up);
     bool step(const Terrain& terrain, const Envelope& envelope, bool waits);
+    void make_room(const Terrain& terrain, bool wanted);
     bool choose(const Terrain& terrain, const std::vector<float>& now);
     void keep(const Job& job);
     void give_up();
@@ -59,6 +61,9 @@ class SimplifiedEnvelope {
     gpu::Buffer triangles_;
     gpu::Buffer versions_;
     Grid grid_;
+    bool wanted_ = false;
+    std::vector<float> seen_;            // versions as they were read last
+    int next_ = 0;                       // the tile after the last that was tried
     std::vector<float> made_;            // versions of the tiles whose meshes are on the device
     std::optional<std::uint64_t> done_;  // the terrain's changes that all meshes have seen
     std::uint64_t asked_ = 0;

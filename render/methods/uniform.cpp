@@ -23,11 +23,12 @@ class Uniform {
     explicit Uniform(Detail detail)
         : raised_({"render/uniform.vert", "render/uniform.frag"}, detail_defines(detail)),
           simplified_faces_({"render/uniform.vert", "render/uniform.frag"}, with(detail, "SIMPLIFIED")),
-          eye_({"render/uniform_eye.vert", "render/uniform.frag"}, with(detail, "EYE")) {}
+          eye_({"render/uniform_eye.vert", "render/uniform.frag"}, with(detail, "EYE")),
+          simplifies_(detail != Detail::steps) {}
 
     void draw(const Frame& frame) {
         envelope_.refresh(frame.terrain);
-        simplified_.follow(frame.terrain, envelope_);
+        simplified_.follow(frame.terrain, envelope_, simplifies_);
         list(frame);
         begin_nearest(frame);
         for (int kind = 0; kind < glsl::block_kinds; ++kind)
@@ -40,7 +41,7 @@ class Uniform {
     // Waits until every block was simplified, as far as it can be.
     void finish(const Terrain& terrain) {
         envelope_.refresh(terrain);
-        simplified_.finish(terrain, envelope_);
+        simplified_.finish(terrain, envelope_, simplifies_);
     }
 
     MethodFigures figures() const {
@@ -84,7 +85,7 @@ class Uniform {
         list_.set("tile_columns", frame.terrain.tiles.columns());
         const glm::ivec2 cells = frame.pyramid.level_1_size() >> (level - 1);
         const int blocks_of_cell = 1 << (2 * std::max(level - glsl::envelope_level, 0));
-        list_.dispatch((cells.x * cells.y * blocks_of_cell + 63) / 64);
+        list_.dispatch((std::max(cells.x * cells.y * blocks_of_cell, blocks.x * blocks.y) + 63) / 64);
         gpu::barrier({gpu::Use::storage, gpu::Use::indirect, gpu::Use::buffer_transfer});
     }
 
@@ -111,6 +112,8 @@ class Uniform {
     gpu::Program eye_;
     gpu::Program list_{"render/uniform_blocks.comp"};
     gpu::Buffer eye_arguments_{"arguments of the eye's block", std::as_bytes(std::span(one_triangle))};
+    // Steps are counted from the envelope on: those of a picture must not hang on how far a thread is.
+    bool simplifies_;
     Envelope envelope_;
     SimplifiedEnvelope simplified_;
     CellsInView cells_;

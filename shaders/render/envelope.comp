@@ -24,7 +24,7 @@ real raised(int2 at) {
 
 void main() {
     int tile = int(listed_tiles[gl_WorkGroupID.y]);
-    if (gl_LocalInvocationIndex == 0u) versions[tile] += 1.0;
+    if (gl_LocalInvocationIndex == 0u) versions[tile] = versions[tile] < 16777215.0 ? versions[tile] + 1.0 : 1.0;
     int2 first = int2(tile % tiles.x, tile / tiles.x) * tile_samples;
     int2 size = min(patches + 1 - first, int2(tile_samples));
     for (int i = int(gl_LocalInvocationIndex); i < size.x * size.y; i += 64) {

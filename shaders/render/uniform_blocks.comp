@@ -26,12 +26,16 @@ void list_block(int2 block) {
 }
 
 void main() {
-    // A small terrain's cells are no larger than a block: one is all of it.
-    int block_bits = max(cell_level - envelope_level, 0);
     int index = int(gl_GlobalInvocationID.x);
+    if (cell_level < envelope_level) {
+        // The pyramid of a small or narrow terrain may have no cells as large as a block: there are few, and all are listed.
+        if (index < blocks.x * blocks.y && cell_arguments[1] > 0u) list_block(int2(index % blocks.x, index / blocks.x));
+        return;
+    }
+    int block_bits = cell_level - envelope_level;
     int place = index >> (2 * block_bits);
-    if (place >= int(cell_arguments[1]) || (cell_level < envelope_level && index > 0)) return;
-    int cell = cell_level < envelope_level ? 0 : int(mesh_cells[place]);
+    if (place >= int(cell_arguments[1])) return;
+    int cell = int(mesh_cells[place]);
     int columns = level_1_size.x >> (cell_level - 1);
     int within = index & ((1 << (2 * block_bits)) - 1);
     int2 block = (int2(cell % columns, cell / columns) << block_bits) + int2(within & ((1 << block_bits) - 1), within >> block_bits);

@@ -110,7 +110,7 @@ constexpr std::array<Limit, 11> limits = {{
     {GL_MAX_COMPUTE_IMAGE_UNIFORMS, "images in a compute shader", 6},
     {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, "storage buffers at once", 6},
     {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, "storage buffers in a compute shader", 6},
-    {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, "storage buffers in a vertex shader", 1},
+    {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, "storage buffers in a vertex shader", 2},
     {GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS, "invocations in a compute group", 256},
     {GL_MAX_COMPUTE_SHARED_MEMORY_SIZE, "bytes shared in a compute group", 16384},
     {GL_MAX_SHADER_STORAGE_BLOCK_SIZE, "bytes in a storage buffer", 1 << 27},

@@ -101,8 +101,8 @@ const Terrain& ErodeBrush::erode(const Terrain& terrain, const Dab& dab, const E
     const Grid& grid = patch.grid();
     if (thermal) {
         ThermalSettings slopes = *thermal;
-        slopes.scheme =
-            ThermalScheme::gradient;  // a single step of another is not what a dab's time would do
+        // Olsen's steps have no time.
+        slopes.scheme = ThermalScheme::gradient;
         slopes.masked = true;
         slopes.bedrock_deg = std::max(slopes.bedrock_deg, steepest_bedrock_deg);
         slopes.rate_m2_per_s = natural_thermal_rate(grid, how.time_s, slopes.porosity);

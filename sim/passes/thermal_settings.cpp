@@ -10,7 +10,8 @@ const std::vector<BoundParameter<ThermalSettings>>& thermal_parameters() {
             toggle("thermal.on", true, "Thermal erosion: what is steeper than its angle of repose slides.")),
         bound(choice("thermal.scheme", "gradient", {"gradient", "olsen", "olsen_fast"},
                      "How slopes slide: along the gradient; or, to compare, as Olsen 2004 has it, to single "
-                     "neighbours, one step a tick, at the angle of repose alone."),
+                     "neighbours, one step a tick, at the angle of repose alone. The tool erode takes the "
+                     "gradient."),
               &ThermalSettings::scheme),
         bound(number("thermal.repose_deg", preset.repose_deg, 1, 80, "°",
                      "Angle of repose: the steepest slope at which loose ground rests."),

@@ -16,6 +16,7 @@
 #include "render/survey.h"
 #include "sim/gpu/context.h"
 #include "sim/passes/brush.h"
+#include "sim/terrain/generate.h"
 #include "tests/scenes/easel.h"
 #include "tests/scenes/scenes.h"
 
@@ -245,6 +246,42 @@ TEST(Uniform, DrawsTheSameSimplified) {
         std::printf("%s: %ld triangles, %ld before; %ld of %ld pixels differ\n", name.c_str(), triangles,
                     raised_triangles, otherwise, pixels);
         EXPECT_LE(100000 * otherwise, pixels) << name;
+    }
+}
+
+// Terrains of a few samples, and narrow ones, whose pyramid has no cells as large as a block: all of their
+// ground is drawn.
+TEST(Uniform, DrawsSmallAndNarrowTerrains) {
+    const gpu::Context context;
+    for (const glm::ivec2 size : {glm::ivec2(2, 2),
+                                  {3, 5},
+                                  {9, 9},
+                                  {10, 10},
+                                  {13, 12},
+                                  {20, 19},
+                                  {26, 27},
+                                  {34, 34},
+                                  {2, 100},
+                                  {10, 300},
+                                  {300, 10},
+                                  {11, 513}}) {
+        const Grid grid{size.x, size.y, 10, 12};
+        const std::vector<float> heights = generate_heights(grid, {"hills", 3, 40});
+        scenes::Easel easel({grid, heights}, width, height);
+        const render::Method uniform = render::make_uniform(render::Detail::none);
+        const render::Method exact = render::make_exact(render::Detail::none);
+        long hit = 0;
+        long missed = 0;
+        for (const render::NamedCamera& view : render::survey(grid, heights)) {
+            const std::vector<float> shown = scenes::distances(easel.draw(uniform, view.camera, 0));
+            const std::vector<float> truth = scenes::distances(easel.draw(exact, view.camera, 0));
+            for (std::size_t i = 0; i < truth.size(); ++i) {
+                hit += std::isinf(truth[i]) ? 0 : 1;
+                missed += !std::isinf(truth[i]) && std::isinf(shown[i]) ? 1 : 0;
+            }
+        }
+        EXPECT_GT(hit, 1000) << size.x << " x " << size.y;
+        EXPECT_LE(200 * missed, hit) << size.x << " x " << size.y;
     }
 }
 

@@ -7,12 +7,14 @@
 #include <set>
 
 #include "app/claims/arithmetic.h"
+#include "render/ground_depth.h"
 #include "render/overview.h"
 #include "render/renderer.h"
 #include "sim/gpu/context.h"
 #include "sim/gpu/embedded_text.h"
 #include "sim/gpu/shader_text.h"
 #include "sim/passes/stamp_image.h"
+#include "sim/passes/thermal.h"
 #include "sim/simulation.h"
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"
@@ -107,6 +109,12 @@ TEST(Shaders, AreGlslForTheReferenceCompiler) {
         renderer.draw(simulation.terrain(), render::overview(grid, 0, 300), {}, 64, 48, stamped);
         draw_everything(simulation.terrain());
         static_cast<void>(claims::arithmetic_of_device());
+        const render::GroundDepth depth;
+        for (const ThermalScheme scheme : {ThermalScheme::olsen, ThermalScheme::olsen_fast}) {
+            ThermalSettings settings;
+            settings.scheme = scheme;
+            Thermal(simulation.terrain()).substep(simulation.terrain(), thermal_step(grid, settings, 1, 1));
+        }
         gpu::keep_assembled_shaders({});
     }
     std::set<std::string> seen;
