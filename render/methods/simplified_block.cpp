@@ -52,8 +52,8 @@ bool over(double height, double hull) {
 
 // Where an edge crosses rows, columns and the patches' diagonals: the hull bends there.
 bool edge_is_over(const Block& block, glm::dvec3 from, glm::dvec3 to) {
-    const auto over_at = [&](double share) {
-        const glm::dvec3 point = glm::mix(from, to, share);
+    const auto over_at = [&](double way) {
+        const glm::dvec3 point = glm::mix(from, to, way);
         return over(point.z, block.hull_at(glm::dvec2(point)));
     };
     const auto crossings_are_over = [&](double begin, double end) {
