@@ -7,8 +7,8 @@
 
 namespace talus::app {
 
-/// Where gauges stand in the picture, and the line of a ramp that is being drawn. Hills in front hide them;
-/// what the ramp's line has in front of it leaves a thin one.
+/// Where gauges stand in the picture, and the line of a ramp that is being drawn. Hills in front hide the
+/// signs of gauges. Of a ramp's line they leave a thin one.
 class Marks {
   public:
     /// Over the picture of `drawn` pixels that the window shows in `area`.

@@ -24,8 +24,8 @@ class SimplifiedEnvelope {
     SimplifiedEnvelope& operator=(const SimplifiedEnvelope&) = delete;
     ~SimplifiedEnvelope() { give_up(); }
 
-    /// One step on, once a frame, after the envelope's refresh(): never waits.
-    /// wanted: false keeps every tile without meshes.
+    /// One step on, once a frame, after the envelope's refresh(). It never waits. With `wanted` false no tile
+    /// has meshes.
     void follow(const Terrain& terrain, const Envelope& envelope, bool wanted = true);
     /// Until all tiles were tried. Waits for the device and the thread.
     void finish(const Terrain& terrain, const Envelope& envelope, bool wanted = true);
