@@ -15,6 +15,7 @@ real load_bottom(int2 cell, int level) {
 }
 #include "maths/beam.glsl"
 #ifdef BEHIND_MESH
+#include "render/hybrid_list.glsl"
 #include "render/hybrid_sectors.glsl"
 #endif
 
@@ -31,7 +32,7 @@ void main() {
     real from = 0.0;
 #ifdef BEHIND_MESH
     // Nearer than the mesh reaches it shows all ground, so a ray that passed it starts there.
-    from = free_depth(way.xy, spread.xy);
+    if (mesh_is_drawn()) from = free_depth(way.xy, spread.xy);
 #endif
     real3 scale = real3(cells_per_m, 1.0);
     real3 middle = real3(way.x * scale.x, -way.y * scale.y, way.z);
