@@ -1,8 +1,10 @@
 // How far a bundle of rays from one point may go before any of them can meet ground: a walk over blocks of 2 x 2 cells of
 // the max pyramid (docs/numerics.md, "Beams"). Everything grows linearly with depth: a ray of the bundle is, at depth w,
-// within spread * w of middle * w, in columns, rows and metres of height. The including side gives load_top(),
-// load_highest(), patches and top_level as for maths/cast.glsl, and
-//   load_bottom(int2 cell, int level)   lowest corner of a pyramid cell over the origin height
+// within spread * w of middle * w, in columns, rows and metres of height. The including side gives load_highest(), patches
+// and top_level as for maths/cast.glsl, and of a block of 2 x 2 cells from its first on, row by row, whatever number for
+// those beside the level:
+//   load_block_tops(int2 cell, int level)      highest corners of pyramid cells over the origin height
+//   load_block_bottoms(int2 cell, int level)   lowest ones
 
 struct Beam {
     real depth;     // no ray of the bundle meets ground before it
@@ -14,19 +16,22 @@ struct Beam {
 // Beyond so many steps the bundle stops where it is: a shorter way is still a right one.
 const int beam_step_limit = 96;
 
-// A cell that may lie beside the terrain: its highest and its lowest point, or neither.
-bool beam_within(int2 cell, int level) {
-    return cell.x >= 0 && cell.y >= 0 && (cell.x << level) < patches.x && (cell.y << level) < patches.y;
+// Heights of a block's cells, far below beside the terrain.
+real4 block_heights(real4 heights_m, int2 cell, int level) {
+    bool left = cell.x >= 0 && (cell.x << level) < patches.x;
+    bool right = cell.x >= -1 && ((cell.x + 1) << level) < patches.x;
+    bool first = cell.y >= 0 && (cell.y << level) < patches.y;
+    bool second = cell.y >= -1 && ((cell.y + 1) << level) < patches.y;
+    return real4(left && first ? heights_m.x : real(-1e30), right && first ? heights_m.y : real(-1e30),
+                 left && second ? heights_m.z : real(-1e30), right && second ? heights_m.w : real(-1e30));
 }
-real beam_top(int2 cell, int level) {
-    bool within = beam_within(cell, level);
-    real top = load_top(int2(within ? cell.x : 0, within ? cell.y : 0), level);
-    return within ? top : real(-1e30);
+real block_top(int2 cell, int level) {
+    real4 top = block_heights(load_block_tops(cell, level), cell, level);
+    return max(max(top.x, top.y), max(top.z, top.w));
 }
-real beam_bottom(int2 cell, int level) {
-    bool within = beam_within(cell, level);
-    real bottom = load_bottom(int2(within ? cell.x : 0, within ? cell.y : 0), level);
-    return within ? bottom : real(-1e30);
+real block_bottom(int2 cell, int level) {
+    real4 bottom = block_heights(load_block_bottoms(cell, level), cell, level);
+    return min(min(bottom.x, bottom.y), min(bottom.z, bottom.w));
 }
 
 // Where an edge of the bundle reaches a plane, going that way; a great depth where it never does.
@@ -55,8 +60,7 @@ BeamBlock beam_block(int2 origin_cell, real2 fraction, real2 least, real2 most, 
     block.leave = min(leave_x, leave_y);
     block.fits = block.leave > depth && least.x * depth >= low.x && least.y * depth >= low.y && most.x * depth <= high.x &&
                  most.y * depth <= high.y;
-    block.top = max(max(beam_top(block.cell, level), beam_top(int2(block.cell.x + 1, block.cell.y), level)),
-                    max(beam_top(int2(block.cell.x, block.cell.y + 1), level), beam_top(int2(block.cell.x + 1, block.cell.y + 1), level)));
+    block.top = block_top(block.cell, level);
     return block;
 }
 
@@ -114,8 +118,7 @@ Beam cast_beam(int2 origin_cell, real2 fraction, real3 middle, real3 spread, rea
         int last = min(beam.level + 1, top_level);
         for (int i = 0; i < 8; ++i) last += last < top_level && real(1 << last) < end_length ? 1 : 0;
         BeamBlock block = beam_block(origin_cell, fraction, least, most, depth, last);
-        real bottom = min(min(beam_bottom(block.cell, last), beam_bottom(int2(block.cell.x + 1, block.cell.y), last)),
-                          min(beam_bottom(int2(block.cell.x, block.cell.y + 1), last), beam_bottom(int2(block.cell.x + 1, block.cell.y + 1), last)));
+        real bottom = block_bottom(block.cell, last);
         beam.height_m = real(0.5) * (block.top + bottom);
         beam.flat_end = flatness > real(0) && depth < end && block.fits && rise < real(0) && fall * depth >= block.top * real(1.00001) &&
                         bottom > block.leave * rise && block.top - beam.height_m <= -flatness * beam.height_m;

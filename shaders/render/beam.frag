@@ -10,8 +10,13 @@ const bool flat_ends = true;
 const bool flat_ends = false;
 #endif
 uniform sampler2D bottoms;
-real load_bottom(int2 cell, int level) {
-    return (texelFetch(bottoms, pyramid_texel(cell, level), 0).r - origin_height_m.x) - origin_height_m.y;
+// One gather: the texel's corner that four of them share.
+vec2 block_place(int2 cell, int level) { return vec2(pyramid_texel(cell, level) + 1) / vec2(whole_texel() + 1); }
+real4 load_block_tops(int2 cell, int level) {
+    return (textureGather(tops, block_place(cell, level)).wzxy - origin_height_m.x) - origin_height_m.y;
+}
+real4 load_block_bottoms(int2 cell, int level) {
+    return (textureGather(bottoms, block_place(cell, level)).wzxy - origin_height_m.x) - origin_height_m.y;
 }
 #include "maths/beam.glsl"
 #ifdef BEHIND_MESH
