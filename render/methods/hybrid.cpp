@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "render/methods/ray_casting.h"
@@ -41,20 +43,63 @@ struct Hybrid {
     gpu::Buffer sectors_before{"sectors before", sector_count * sizeof(std::uint32_t)};
 };
 
-// The cells around the eye that its mesh may reach, first and count in columns and rows: none where the eye
-// is far beside the terrain.
+// The cells that the picture may show and the mesh may reach, first and count in columns and rows: none where
+// the eye looks past the terrain.
 struct CellRectangle {
     glm::ivec2 first;
     glm::ivec2 count;
 };
+
+// A rectangle over ground, from the eye, around all that lies within a distance and in the picture.
+struct GroundRectangle {
+    glm::dvec2 low{0};
+    glm::dvec2 high{0};
+    void take(glm::dvec2 place) {
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+    }
+};
+GroundRectangle ground_in_view(const CameraRays& rays, double distance_m) {
+    const std::array<glm::dvec2, 4> axes = {
+        {{distance_m, 0}, {-distance_m, 0}, {0, distance_m}, {0, -distance_m}}};
+    GroundRectangle ground;
+    // The ways of the picture's corners over ground, a tenth of its size beyond them.
+    std::array<glm::dvec2, 4> ways{};
+    const glm::dvec2 ahead(rays.middle);
+    bool all_ahead = true;
+    for (int i = 0; i < 4; ++i) {
+        ways[i] = glm::dvec2(rays.middle + 1.1 * ((i & 1) == 0 ? -1 : 1) * rays.right +
+                             1.1 * ((i & 2) == 0 ? -1 : 1) * rays.up);
+        all_ahead = all_ahead && glm::dot(ways[i], ahead) > 0.01 * glm::length(ways[i]) * glm::length(ahead);
+    }
+    if (!all_ahead) {
+        for (const glm::dvec2 axis : axes) ground.take(axis);
+        return ground;
+    }
+    // A sector of the circle: its two edges, and the axes between them.
+    const auto side = [&](glm::dvec2 way) { return ahead.x * way.y - ahead.y * way.x; };
+    const auto slope = [&](glm::dvec2 way) { return side(way) / glm::dot(ahead, way); };
+    const auto [right, left] =
+        std::minmax_element(ways.begin(), ways.end(), [&](auto a, auto b) { return slope(a) < slope(b); });
+    ground.take(distance_m * glm::normalize(*right));
+    ground.take(distance_m * glm::normalize(*left));
+    for (const glm::dvec2 axis : axes)
+        if (glm::dot(ahead, axis) > 0 && slope(axis) > slope(*right) && slope(axis) < slope(*left))
+            ground.take(axis);
+    return ground;
+}
+
 CellRectangle cells_within(const Frame& frame, int level, double distance_m) {
     const Grid& grid = frame.terrain.grid();
-    const double x = grid.column_of(frame.camera.eye.x);
-    const double y = grid.row_of(frame.camera.eye.y);
-    const glm::dvec2 reach = glm::dvec2(distance_m) / glm::dvec2(grid.dx, grid.dy);
+    const glm::dvec2 eye(grid.column_of(frame.camera.eye.x), grid.row_of(frame.camera.eye.y));
+    const GroundRectangle ground =
+        ground_in_view(camera_rays(frame.camera, frame.width, frame.height), distance_m);
     const glm::dvec2 patches(grid.nx - 1, grid.ny - 1);
-    const glm::dvec2 low = glm::clamp(glm::dvec2(x, y) - reach, glm::dvec2(0), patches);
-    const glm::dvec2 high = glm::clamp(glm::dvec2(x, y) + reach, glm::dvec2(0), patches);
+    // Rows grow to the south.
+    const glm::dvec2 low = glm::clamp(
+        eye + glm::dvec2(ground.low.x / grid.dx, -ground.high.y / grid.dy), glm::dvec2(0), patches);
+    const glm::dvec2 high = glm::clamp(
+        eye + glm::dvec2(ground.high.x / grid.dx, -ground.low.y / grid.dy), glm::dvec2(0), patches);
     if (low.x >= high.x || low.y >= high.y) return {glm::ivec2(0), glm::ivec2(0)};
     const glm::ivec2 first = glm::ivec2(low) >> level;
     return {first, (glm::ivec2(glm::ceil(high)) >> level) - first + 1};

@@ -133,6 +133,38 @@ TEST(Hybrid, IsRightFromJustAboveTheGround) {
     }
 }
 
+// Up, down and around, and in parts of a picture: cells are looked at only where the picture may show them.
+TEST(Hybrid, IsRightInEveryDirection) {
+    const gpu::Context context;
+    const Grid grid{513, 513, 10, 8};
+    const scenes::Scene scene{grid, generate_heights(grid, {"mountains", 8, 900})};
+    scenes::Easel easel(scene, width, height);
+    render::Measure measure(scene.grid, scene.heights);
+    const render::Method hybrid = render::make_hybrid(render::Detail::kind);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    long by_mesh = 0;
+    for (int i = 0; i < 60; ++i) {
+        const glm::dvec2 at = (0.5 + 0.4 * glm::dvec2(unit(random), unit(random))) *
+                              glm::dvec2(grid.width_m(), grid.height_m());
+        const auto column = static_cast<std::size_t>(std::lround(grid.column_of(at.x)));
+        const auto row = static_cast<std::size_t>(std::lround(grid.row_of(at.y)));
+        const double ground = scene.heights[row * grid.nx + column];
+        const glm::dvec3 eye(at, ground + 20 + 40 * (1 + unit(random)));
+        const glm::dvec3 way = i == 0 ? glm::dvec3(0, 0, -1)
+                                      : glm::dvec3(unit(random), unit(random), unit(random) - 0.4);
+        render::Camera camera{eye, eye + way, 50 + 40 * unit(random)};
+        if (i % 3 == 2) {
+            camera.window_share = {0.4, 0.3};
+            camera.window_middle = 0.6 * glm::dvec2(unit(random), unit(random));
+        }
+        const std::vector<glm::vec2> hits = easel.draw(hybrid, camera, 0.5);
+        for (const glm::vec2 hit : hits) by_mesh += hit.y == 1 ? 1 : 0;
+        EXPECT_EQ(measure.compare(camera, width, height, distances(hits), 0.5).beyond, 0) << "camera " << i;
+    }
+    EXPECT_GT(by_mesh, 60L * width * height / 10);
+}
+
 // A flight low over mountains: no pixel shows what lies behind the ground, at any border of mesh and rays.
 TEST(Hybrid, HasNoCracksOverAFlight) {
     const gpu::Context context;
