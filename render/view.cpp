@@ -61,7 +61,12 @@ Parameter depth() {
 
 const std::vector<View>& views() {
     static const std::vector<View> all = {
-        {.name = "shaded", .natural = true},
+        {.name = "shaded",
+         .numbers = {{"texture_taps",
+                      whole("render.texture_taps", 16, 1, 16, "",
+                            "Places of a draped picture that a pixel looks at, where the view along the "
+                            "ground draws it out: more are sharper.")}},
+         .natural = true},
         {.name = "hillshade",
          .numbers =
              {{"hillshade_from",

@@ -18,8 +18,12 @@ Footprint footprint_of(vec3 way, vec3 normal, float distance_m) {
     Footprint footprint;
     footprint.right = vec2(step_right.x, -step_right.y) * cells_per_m;
     footprint.up = vec2(step_up.x, -step_up.y) * cells_per_m;
+    return footprint;
+}
+
+// For the filter of the device. One that filters as wide across as along does best with a width between both.
+Footprint for_device(Footprint footprint) {
 #ifdef FILTERS_ROUND
-    // A device that filters as wide across as along does best with a width between both.
     float right = length(footprint.right);
     float up = length(footprint.up);
     float most = 2.0 * min(right, up);
@@ -27,4 +31,29 @@ Footprint footprint_of(vec3 way, vec3 normal, float distance_m) {
     footprint.up *= min(1.0, most / max(up, 1e-20));
 #endif
     return footprint;
+}
+
+uniform float texture_taps;  // at most, of filtered_along()
+
+// The mean of an image over a footprint, given in shares of its sides: taps in a row along the longer side, each as wide as
+// the shorter one (as EXT_texture_filter_anisotropic describes it).
+vec4 filtered_along(sampler2D image, vec2 place, Footprint footprint) {
+    vec2 size = vec2(textureSize(image, 0));
+    float right = length(footprint.right * size);
+    float up = length(footprint.up * size);
+    vec2 along = right > up ? footprint.right : footprint.up;
+    float longer = max(right, up);
+    // Of an image that is magnified one tap is the same as many.
+    float taps = clamp(ceil(longer / max(min(right, up), 1.0)), 1.0, texture_taps);
+    float level = log2(max(longer / taps, 1.0));
+    vec2 between = along / taps;
+    vec2 at = place - 0.5 * (taps - 1.0) * between;
+    vec4 sum = vec4(0.0);
+    float tap = 0.0;
+    do {
+        sum += textureLod(image, at, level);
+        at += between;
+        tap += 1.0;
+    } while (tap < taps);
+    return sum / taps;
 }

@@ -19,8 +19,10 @@ vec4 grain_at(vec2 place, Footprint footprint) {
 vec3 draped(vec2 place, Footprint footprint) {
     // Its edges lie on the outer samples.
     vec2 scale = 1.0 / vec2(patches);
+    footprint.right *= scale;
+    footprint.up *= scale;
     // As bright under a middling sun as on paper.
-    return 0.45 * textureGrad(drape, place * scale, footprint.right * scale, footprint.up * scale).rgb;
+    return 0.45 * filtered_along(drape, place * scale, footprint).rgb;
 }
 
 float regolith_at(vec2 place) {
@@ -33,7 +35,7 @@ float regolith_at(vec2 place) {
 
 // place: absolute columns and rows; share: of the terrain's relief that lies below.
 vec3 material(vec2 place, Footprint footprint, float share, float height_m, Relief relief) {
-    vec4 noise = grain_at(place, footprint);
+    vec4 noise = grain_at(place, for_device(footprint));
     float broad = noise.x;
     float grain = 0.45 * noise.y + 0.55 * noise.z;
     float steep = length(relief.gradient);

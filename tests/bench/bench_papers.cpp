@@ -27,6 +27,7 @@ const std::vector<NamedTable>& paper_tables() {
                                                    {"park_oh_figure_11", park_oh_figure_11},
                                                    {"park_oh_figure_13", park_oh_figure_13},
                                                    {"dick_figure_6", dick_figure_6},
+                                                   {"dick_footprint", dick_footprint},
                                                    {"cameras", cameras},
                                                    {"changes", changes},
                                                    {"flight", flight},

@@ -33,5 +33,6 @@ void park_oh_figure_13(const PaperRun& run);
 
 // Dick, Krüger & Westermann 2009.
 void dick_figure_6(const PaperRun& run);
+void dick_footprint(const PaperRun& run);
 
 }  // namespace talus::bench
