@@ -13,8 +13,8 @@ set grid'
 # Tables that were not made are left out.
 has() { [ -s "$tables/$1.csv" ]; }
 
-# Error against time over the flight, a picture a terrain: methods as points, ammann as a line for each T.
-for terrain in high_amplitude mountains spectrogram; do
+# PSNR against time over the flight, a picture a terrain: methods as points, ammann as a line for each T.
+for terrain in high_amplitude mountains spectrogram coast; do
     has flight && grep -q "^$terrain," "$tables/flight.csv" || continue
     awk -F, -v terrain="$terrain" -v folder="$lines" '
         NR == 1 || $1 != terrain { next }
@@ -30,7 +30,7 @@ for terrain in high_amplitude mountains spectrogram; do
     gnuplot <<PLOT
 $head
 set output "$pictures/flight_$terrain.png"
-set title "Flight over $terrain, 480 x 270, llvmpipe: error against time (Ammann et al. 2010, figure 7)" noenhanced
+set title "Flight over $terrain, 480 x 270, llvmpipe: PSNR against time (Ammann et al. 2010, figure 7)" noenhanced
 set xlabel "milliseconds of CPU time a frame"
 set ylabel "PSNR, dB, against the bilinear surface"
 set logscale x
@@ -42,7 +42,8 @@ done
 # Lines of one column over another for each terrain.
 series() { # TABLE X Y [FILTER]
     local terrain plots=
-    for terrain in high_amplitude mountains spectrogram; do
+    for terrain in high_amplitude mountains spectrogram coast; do
+        grep -q "^$terrain," "$tables/$1.csv" || continue
         awk -F, -v terrain="$terrain" -v x="$2" -v y="$3" "NR > 1 && \$1 == terrain ${4:-} { print \$x, \$y }" \
             "$tables/$1.csv" >"$lines/$terrain $3"
         plots+="${plots:+, }\"$lines/$terrain $3\" using 1:2 with linespoints pointtype 7 title \"$terrain${5:-}\""
@@ -67,4 +68,26 @@ set xlabel "degrees over the horizon"
 set ylabel "PSNR, dB, against the full mesh"
 plot $(series ammann_figure_5 2 4 '&& $3 == 1' ', 5 samples, 2 halvings'), $(series ammann_figure_5 2 5 '&& $3 == 1' ', 64 samples, 25 halvings')
 PLOT
+has ammann_figure_4_map && gnuplot <<PLOT
+set terminal pngcairo size 900,560 font "DejaVu Sans,10"
+set output "$pictures/low_precision.png"
+set title "5 samples and 2 halvings a cell over the spectrogram, 480 x 270 (figure 4): distance from the full mesh's"
+set datafile separator ","
+set logscale cb
+set cbrange [0.001:10]
+set cblabel "percent of the terrain's length (grey: sky in either)"
+set palette defined (0 "#0d0887", 1 "#7e03a8", 2 "#cc4778", 3 "#f89540", 4 "#f0f921")
+set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb "#999999"
+set size ratio -1
+unset tics
+set cbtics
+plot "$tables/ammann_figure_4_map.csv" every ::1 using 1:2:(\$3 < 0 ? NaN : \$3 < 0.001 ? 0.001 : \$3) with image notitle
+PLOT
+excerpts=()
+for name in mesh 'ammann k 0.5 T 70' 'ammann k 1.5 T 70' hybrid 'clipmap n 511' 'clipmap n 127'; do
+    file="$tables/ammann_figure_9 $name.ppm"
+    [ -s "$file" ] && excerpts+=(-label "$name" "$file")
+done
+[ ${#excerpts[@]} -eq 0 ] || montage -font DejaVu-Sans -pointsize 14 "${excerpts[@]}" -filter point -resize 200% -tile 3x2 \
+    -geometry +4+4 -quality 90 "$pictures/excerpts.jpg"
 echo "$pictures is written"

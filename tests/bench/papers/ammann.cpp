@@ -1,8 +1,11 @@
 // Tables and figures of Ammann, Génevaux & Dischler 2010.
 #include <fmt/format.h>
+#include <fmt/os.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "render/renderer.h"
 #include "tests/bench/papers/easel.h"
 #include "tests/bench/papers/psnr.h"
 #include "tests/bench/papers/table.h"
@@ -12,6 +15,28 @@ namespace talus::bench {
 namespace {
 
 constexpr double never_px = 1e9;
+
+// At the terrain's middle, so many degrees over the horizon; distance: in widths of the terrain.
+render::Camera view_from(const PaperTerrain& terrain, double angle_deg, double distance) {
+    const glm::dvec3 middle(0.5 * terrain.grid.width_m(), 0.5 * terrain.grid.height_m(), 1250);
+    const double angle = angle_deg * 3.14159265358979 / 180;
+    const glm::dvec3 way(0.6 * std::cos(angle), 0.8 * std::cos(angle), std::sin(angle));
+    return {middle + distance * terrain.grid.width_m() * way, middle, 45};
+}
+
+// Samples and halvings that the level of the pixel's cell takes, a mean over the pixels that rays drew.
+// kinds: as of Detail::kind, from 2 on the levels.
+double mean_steps(const std::vector<float>& kinds, const std::vector<glm::ivec2>& steps) {
+    double sum = 0;
+    double count = 0;
+    for (const float kind : kinds) {
+        if (kind < 2) continue;
+        const glm::ivec2 one = steps[static_cast<std::size_t>(kind) - 2];
+        sum += one.x + one.y;
+        ++count;
+    }
+    return sum / count;
+}
 
 }  // namespace
 
@@ -33,10 +58,12 @@ void ammann_table_1(const PaperRun& run) {
 // Ammann 2010, table 2: numbers of levels of precision, cells of 75 samples; and what it costs to read the
 // choices back.
 void ammann_table_2(const PaperRun& run) {
-    Table table("ammann_table_2", "terrain,levels,ms,with_read_back_ms");
+    Table table("ammann_table_2", "terrain,levels,ms,with_read_back_ms,mean_samples_and_halvings");
     const PaperTerrain terrain = paper_terrain("mountains");
     PaperEasel easel(terrain, {1024, 768}, run.patch_pixels);
     std::vector<Entry> entries;
+    std::vector<Entry> counting;
+    std::vector<std::vector<glm::ivec2>> all_steps;
     const std::vector<int> numbers = {2, 4, 6, 8, 10};
     for (const int levels : numbers) {
         // From 64 samples to 6 and from 50 halvings to 5, by equal ratios.
@@ -50,10 +77,53 @@ void ammann_table_2(const PaperRun& run) {
             entries.push_back({fmt::format("{} levels", levels),
                                render::make_ammann_of(steps, reads_back),
                                {{"render.ammann_cell_samples", 75}}});
+        counting.push_back({"",
+                            render::make_ammann_of(steps, false, render::Detail::kind),
+                            {{"render.ammann_cell_samples", 75}}});
+        all_steps.push_back(std::move(steps));
     }
-    const std::vector<double> ms = easel.time_ms(entries, paper_flight(terrain, 5)[1], 9);
+    const render::Camera camera = paper_flight(terrain, 5)[1];
+    const std::vector<double> ms = easel.time_ms(entries, camera, 9);
     for (std::size_t i = 0; i < numbers.size(); ++i)
-        table.row(fmt::format("{},{},{:.2f},{:.2f}", terrain.name, numbers[i], ms[2 * i], ms[2 * i + 1]));
+        table.row(fmt::format("{},{},{:.2f},{:.2f},{:.1f}", terrain.name, numbers[i], ms[2 * i],
+                              ms[2 * i + 1], mean_steps(easel.details(counting[i], camera), all_steps[i])));
+}
+
+// Ammann 2010, figure 4: where rays of low precision are wrong along the ground; a file of its own holds the
+// picture.
+void ammann_figure_4(const PaperRun& run) {
+    Table table("ammann_figure_4",
+                "terrain,psnr_db,below_1_percent,below_5_percent,below_10_percent,wrong_coverage_percent");
+    const PaperTerrain terrain = paper_terrain("spectrogram");
+    PaperEasel easel(terrain, small_picture, run.patch_pixels);
+    const Entry low = {
+        "low", render::make_ammann_of({{5, 2}}, false), {{"render.ammann_mesh_from_px2", never_px}}};
+    const render::Camera camera = view_from(terrain, 10, 0.6);
+    const std::vector<float> shown = easel.distances(low, camera);
+    const std::vector<float> by_mesh = easel.distances(entry("mesh"), camera);
+    Psnr psnr(terrain);
+    psnr.add(shown, by_mesh);
+    fmt::ostream map = fmt::output_file("out/papers/ammann_figure_4_map.csv");
+    map.print("x,y,error_percent\n");
+    std::vector<double> errors;
+    double ground = 0;
+    double wrong_coverage = 0;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        ground += std::isinf(by_mesh[i]) ? 0 : 1;
+        if (std::isinf(shown[i]) != std::isinf(by_mesh[i])) ++wrong_coverage;
+        const bool both = !std::isinf(shown[i]) && !std::isinf(by_mesh[i]);
+        const double percent = both ? 100 * std::abs(shown[i] - by_mesh[i]) / terrain.grid.width_m() : -1;
+        if (both) errors.push_back(percent);
+        map.print("{},{},{:.4f}\n", i % small_picture.x, i / small_picture.x, percent);
+    }
+    const auto below = [&](double percent) {
+        return 100.0 *
+               static_cast<double>(
+                   std::count_if(errors.begin(), errors.end(), [&](double one) { return one < percent; })) /
+               static_cast<double>(errors.size());
+    };
+    table.row(fmt::format("{},{:.2f},{:.1f},{:.1f},{:.1f},{:.2f}", terrain.name, psnr.db(), below(1),
+                          below(5), below(10), 100 * wrong_coverage / ground));
 }
 
 // Ammann 2010, figure 6: sizes of cells.
@@ -83,18 +153,50 @@ void ammann_figure_5(const PaperRun& run) {
         const std::vector<Entry> entries = {
             {"low", render::make_ammann_of({{5, 2}}, false), {{"render.ammann_mesh_from_px2", never_px}}},
             {"high", render::make_ammann_of({{64, 25}}, false), {{"render.ammann_mesh_from_px2", never_px}}}};
-        const glm::dvec3 middle(0.5 * terrain.grid.width_m(), 0.5 * terrain.grid.height_m(), 1250);
         for (const double distance : {0.6, 1.0, 1.5})
             for (const double angle_deg : {10, 20, 30, 45, 60, 75, 89}) {
-                const double angle = angle_deg * 3.14159265358979 / 180;
-                const glm::dvec3 way(0.6 * std::cos(angle), 0.8 * std::cos(angle), std::sin(angle));
-                const render::Camera camera{middle + distance * terrain.grid.width_m() * way, middle, 45};
+                const render::Camera camera = view_from(terrain, angle_deg, distance);
                 std::vector<Psnr> psnr(2, Psnr(terrain));
                 const std::vector<float> by_mesh = easel.distances(mesh, camera);
                 for (std::size_t i = 0; i < 2; ++i) psnr[i].add(easel.distances(entries[i], camera), by_mesh);
                 table.row(fmt::format("{},{},{},{:.1f},{:.1f}", name, angle_deg, distance, psnr[0].db(),
                                       psnr[1].db()));
             }
+    }
+}
+
+// Ammann 2010, figure 9: the same part of a picture by several methods, each a file of its own, and how far
+// off its distances are.
+void ammann_figure_9(const PaperRun& run) {
+    Table table("ammann_figure_9", "picture,psnr_to_mesh_db,wrong_coverage_pixels,pixels");
+    const PaperTerrain terrain = paper_terrain("high_amplitude");
+    constexpr glm::ivec2 size(256, 192);
+    PaperEasel easel(terrain, size, run.patch_pixels);
+    const Terrain coloured(bedrock_terrain(terrain.grid, terrain.heights));
+    render::Renderer renderer(coloured, run.patch_pixels);
+    // A quarter of the width and height of 1024 x 768, about its crests.
+    render::Camera camera = view_from(terrain, 8, 0.6);
+    camera.window_share = {0.25, 0.25};
+    camera.window_middle = {0.1, 0.15};
+    const std::vector<float> by_mesh = easel.distances(entry("mesh"), camera);
+    for (const Entry& one : {entry("mesh"), ammann(0.5, 70), ammann(1.5, 70), clipmap(3, 11, "clipmap n 511"),
+                             clipmap(1, 13, "clipmap n 127"), entry("hybrid")}) {
+        render::ViewSettings settings;
+        settings.method = one.name.substr(0, one.name.find(' '));
+        settings.view = "hillshade";
+        settings.numbers = one.numbers;
+        renderer.draw(coloured, camera, settings, size.x, size.y);
+        const std::vector<std::uint8_t> rgb = renderer.read_rgb(size.x, size.y);
+        fmt::ostream picture = fmt::output_file("out/papers/ammann_figure_9 " + one.name + ".ppm");
+        picture.print("P6\n{} {}\n255\n{}", size.x, size.y,
+                      std::string_view(reinterpret_cast<const char*>(rgb.data()), rgb.size()));
+        const std::vector<float> shown = easel.distances(one, camera);
+        Psnr psnr(terrain);
+        psnr.add(shown, by_mesh);
+        int wrong = 0;
+        for (std::size_t i = 0; i < shown.size(); ++i)
+            wrong += std::isinf(shown[i]) != std::isinf(by_mesh[i]) ? 1 : 0;
+        table.row(fmt::format("{},{:.1f},{},{}", one.name, psnr.db(), wrong, shown.size()));
     }
 }
 

@@ -1,9 +1,15 @@
 // What methods hold and what they cost when the ground changes.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <memory>
 
+#include "render/renderer.h"
 #include "sim/passes/brush.h"
+#include "sim/simulation.h"
+#include "sim/simulation_parameters.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/papers/easel.h"
 #include "tests/bench/papers/table.h"
@@ -56,6 +62,81 @@ void changes(const PaperRun& run) {
                                   static_cast<double>(one.method.figures().bytes) / samples,
                                   static_cast<double>(easel.pyramid().bytes()) / samples, at_rest_ms,
                                   after_dab_ms, after_everything_ms));
+        }
+    }
+}
+
+namespace {
+
+// Milliseconds of each of the things that follow each other in a round, medians of five rounds.
+std::vector<double> medians_ms(const std::vector<std::function<void()>>& things) {
+    std::vector<std::vector<double>> times(things.size());
+    for (int round = 0; round < 5; ++round)
+        for (std::size_t i = 0; i < things.size(); ++i) {
+            const double begin = run_time_s();
+            things[i]();
+            times[i].push_back(1e3 * (run_time_s() - begin));
+        }
+    std::vector<double> medians;
+    for (std::vector<double>& of_one : times) {
+        std::sort(of_one.begin(), of_one.end());
+        medians.push_back(of_one[2]);
+    }
+    return medians;
+}
+
+// Mountains half under water that runs in waves, of which a step slides or flows.
+std::unique_ptr<Simulation> moving(const PaperTerrain& terrain, bool erodes) {
+    TerrainState state = bedrock_terrain(terrain.grid, terrain.heights);
+    if (!erodes) {
+        state.water.assign(terrain.grid.count(), glm::vec4(0));
+        for (std::size_t i = 0; i < terrain.grid.count(); ++i) {
+            const auto column = static_cast<float>(i % terrain.grid.nx);
+            state.water[i].x = std::max(900 + 2 * std::sin(0.05F * column) - terrain.heights[i], 0.0F);
+        }
+    }
+    Parameters all(simulation_parameters());
+    for (const char* assignment : {"time.tick_s=0.1", "thermal.scheme=olsen_fast", "thermal.repose_deg=20"})
+        all.set_assignment(assignment);
+    all.set("thermal.on", erodes);
+    all.set("water.on", !erodes);
+    return std::make_unique<Simulation>(state, all);
+}
+
+}  // namespace
+
+// Ammann 2010, figure 11: a whole picture, with colours and water, at rest; a step of erosion or of waves
+// over all of the terrain; and the picture after it, with the refresh of bounds.
+void ammann_figure_11(const PaperRun& run) {
+    Table table("ammann_figure_11", "samples,process,method,at_rest_ms,step_ms,after_the_step_ms");
+    for (const int side : {1024, 2048}) {
+        const PaperTerrain terrain = paper_terrain_of(side);
+        const render::Camera camera = paper_flight(terrain, 5)[2];
+        for (const bool erodes : {true, false}) {
+            const std::unique_ptr<Simulation> simulation = moving(terrain, erodes);
+            for (const char* method : {"ammann", "exact", "hybrid"}) {
+                render::Renderer renderer(simulation->terrain(), run.patch_pixels);
+                render::ViewSettings settings;
+                settings.method = method;
+                settings.shadows = false;
+                const auto wait = [&] { return renderer.read_rgb(1, 1); };
+                const auto draw = [&] {
+                    renderer.draw(simulation->terrain(), camera, settings, small_picture.x, small_picture.y);
+                    const auto pixel = wait();
+                };
+                draw();
+                const std::vector<double> ms = medians_ms({[&] {
+                                                               renderer.forget();
+                                                               draw();
+                                                           },
+                                                           [&] {
+                                                               simulation->advance(1);
+                                                               const auto pixel = wait();
+                                                           },
+                                                           draw});
+                table.row(fmt::format("{},{},{},{:.1f}", side, erodes ? "erosion" : "waves", method,
+                                      fmt::join(ms, ",")));
+            }
         }
     }
 }

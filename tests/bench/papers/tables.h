@@ -23,8 +23,14 @@ void changes(const PaperRun& run);
 // Ammann, Génevaux & Dischler 2010.
 void ammann_table_1(const PaperRun& run);
 void ammann_table_2(const PaperRun& run);
+void ammann_figure_4(const PaperRun& run);
 void ammann_figure_5(const PaperRun& run);
 void ammann_figure_6(const PaperRun& run);
+void ammann_figure_9(const PaperRun& run);
+void ammann_figure_11(const PaperRun& run);
+
+// Jeong & Han 2006.
+void jeong_han_samples(const PaperRun& run);
 
 // Park & Oh 2009.
 void park_oh_table_1(const PaperRun& run);
@@ -33,6 +39,7 @@ void park_oh_figure_13(const PaperRun& run);
 
 // Dick, Krüger & Westermann 2009.
 void dick_figure_6(const PaperRun& run);
+void dick_pyramid(const PaperRun& run);
 void dick_footprint(const PaperRun& run);
 
 }  // namespace talus::bench

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "app/core/flight.h"
+#include "sim/operation.h"
 #include "sim/terrain/generate.h"
+#include "tests/scenes/scenes.h"
 
 namespace talus::bench {
 namespace {
@@ -20,13 +23,36 @@ double relief_of(const PaperTerrain& terrain) {
     return *high - *low;
 }
 
+std::vector<float> resampled(const Grid& grid, const std::vector<float>& heights, int side) {
+    return made_of(Resample{side, side}, bedrock_terrain(grid, heights)).ground();
+}
+
+// Measured elevation with more samples than the file has. What lies between the file's samples is generated:
+// the part of mountains of the same relief that the file's spacing cannot hold. The sea stays flat.
+PaperTerrain detailed(const std::string& name, const scenes::Scene& scene, int side) {
+    const Grid grid{side, side, scene.grid.width_m() / (side - 1), scene.grid.height_m() / (side - 1)};
+    PaperTerrain terrain{name, grid, resampled(scene.grid, scene.heights, side)};
+    const std::vector<float> made = generate_heights(grid, {"mountains", 4, relief_of(terrain)});
+    const std::vector<float> coarse = resampled(grid, made, scene.grid.nx);
+    const std::vector<float> smooth =
+        resampled({scene.grid.nx, scene.grid.nx, grid.width_m() / (scene.grid.nx - 1),
+                   grid.height_m() / (scene.grid.nx - 1)},
+                  coarse, side);
+    for (std::size_t i = 0; i < made.size(); ++i)
+        terrain.heights[i] += std::clamp((terrain.heights[i] - 1) / 20, 0.0F, 1.0F) * (made[i] - smooth[i]);
+    return terrain;
+}
+
 }  // namespace
 
 std::vector<std::string> paper_terrain_names() {
-    return {"high_amplitude", "mountains", "spectrogram"};
+    std::vector<std::string> names = {"high_amplitude", "mountains", "spectrogram"};
+    if (std::getenv("TALUS_DATA")) names.emplace_back("coast");
+    return names;
 }
 
 PaperTerrain paper_terrain(const std::string& name) {
+    if (name == "coast") return detailed(name, scenes::make(name), 4096);
     const int side = name == "high_amplitude" ? 2048 : 4096;
     const Grid grid{side, side, 10, 10};
     return {name, grid, generate_heights(grid, {name, 4, 2500})};

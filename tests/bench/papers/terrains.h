@@ -7,14 +7,15 @@
 
 namespace talus::bench {
 
-/// A generated terrain of the kinds that Ammann, Génevaux & Dischler 2010 measure on, at their sizes.
+/// A terrain of the kinds that Ammann, Génevaux & Dischler 2010 measure on, at their sizes.
 struct PaperTerrain {
     std::string name;
     Grid grid;
     std::vector<float> heights;
 };
 
-/// high_amplitude at 2048², mountains (in the place of their Mont Blanc) and spectrogram at 4096².
+/// Generated: high_amplitude at 2048², mountains (in the place of their Mont Blanc) and spectrogram at 4096².
+/// Measured: where TALUS_DATA names the folder of real elevation files, coast at 4096² with generated detail.
 std::vector<std::string> paper_terrain_names();
 PaperTerrain paper_terrain(const std::string& name);
 
