@@ -182,34 +182,5 @@ TEST(Still, IsTheSameInTiles) {
     }
 }
 
-// Straight down, each quarter of the terrain has its quarter of the image.
-TEST(Drape, LiesOverTheTerrainNorthUp) {
-    const gpu::Context context;
-    const Grid square{129, 129, 10, 10};
-    Terrain terrain(bedrock_terrain(square, std::vector<float>(square.count(), 0.0F)));
-    render::Renderer renderer(terrain, 32);
-    const std::vector<std::uint8_t> image = {255, 0, 0,   255, 0,   255, 0,   255,
-                                             0,   0, 255, 255, 255, 255, 255, 255};
-    renderer.drape(2, 2, std::as_bytes(std::span(image)));
-    const glm::dvec3 eye(640, 640, 1500);
-    renderer.draw(terrain, {eye, eye - glm::dvec3(0, 0, 1), 40}, {}, 100, 100);
-    const std::vector<std::uint8_t> rgb = renderer.read_rgb(100, 100);
-    const auto at = [&](int x, int y) {
-        const std::size_t i = 3 * (static_cast<std::size_t>(y) * 100 + x);
-        return glm::ivec3(rgb[i], rgb[i + 1], rgb[i + 2]);
-    };
-    const glm::ivec3 north_west = at(25, 25);
-    const glm::ivec3 north_east = at(75, 25);
-    const glm::ivec3 south_west = at(25, 75);
-    const glm::ivec3 south_east = at(75, 75);
-    EXPECT_GT(2 * north_west.r, 3 * north_west.g);
-    EXPECT_GT(2 * north_east.g, 3 * north_east.r);
-    EXPECT_GT(2 * south_west.b, 3 * south_west.r);
-    EXPECT_GT(std::min({south_east.r, south_east.g, south_east.b}), 120);
-    renderer.drape(0, 0, {});
-    renderer.draw(terrain, {eye, eye - glm::dvec3(0, 0, 1), 40}, {}, 100, 100);
-    EXPECT_NE(renderer.read_rgb(100, 100), rgb);
-}
-
 }  // namespace
 }  // namespace talus::camera_test
