@@ -233,11 +233,11 @@ Method make_ammann(Detail detail) {
     return make(detail, false);
 }
 
-Method make_ammann_of(const std::vector<glm::ivec2>& steps, bool reads_back, Detail detail) {
+Method make_ammann_of(const std::vector<glm::ivec2>& steps, bool reads_back) {
     std::vector<Precision> precisions;
     precisions.reserve(steps.size());
     for (const glm::ivec2 one : steps) precisions.push_back({one.x, one.y});
-    return make(detail, reads_back, std::move(precisions));
+    return make(Detail::none, reads_back, std::move(precisions));
 }
 
 }  // namespace talus::render

@@ -63,7 +63,7 @@ GroundRectangle ground_in_view(const CameraRays& rays, double distance_m) {
     const std::array<glm::dvec2, 4> axes = {
         {{distance_m, 0}, {-distance_m, 0}, {0, distance_m}, {0, -distance_m}}};
     GroundRectangle ground;
-    // The ways of the picture's corners over ground, a tenth of its size beyond them.
+    // The ways of the picture's corners over ground, a twentieth of its size beyond them.
     std::array<glm::dvec2, 4> ways{};
     const glm::dvec2 ahead(rays.middle);
     bool all_ahead = true;

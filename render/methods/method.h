@@ -102,7 +102,7 @@ std::vector<PixelKind> uniform_kinds(const OwnNumbers&);
 Method make_ammann(Detail detail);
 /// To be measured: with levels of precision of so many samples and halvings, in the place of the parameter's.
 /// reads_back: as its authors made it, the choices come back to the host, which lists the cells.
-Method make_ammann_of(const std::vector<glm::ivec2>& steps, bool reads_back, Detail detail = Detail::none);
+Method make_ammann_of(const std::vector<glm::ivec2>& steps, bool reads_back);
 std::vector<Parameter> ammann_parameters();
 std::vector<PixelKind> ammann_kinds(const OwnNumbers& numbers);
 Method make_clipmap(Detail detail);

@@ -10,7 +10,7 @@ const bool flat_ends = true;
 const bool flat_ends = false;
 #endif
 uniform sampler2D bottoms;
-// One gather: the texel's corner that four of them share.
+// The point where four texels meet, so that one gather reads all four.
 vec2 block_place(int2 cell, int level) { return vec2(pyramid_texel(cell, level) + 1) / vec2(whole_texel() + 1); }
 real4 load_block_tops(int2 cell, int level) {
     return (textureGather(tops, block_place(cell, level)).wzxy - origin_height_m.x) - origin_height_m.y;

@@ -35,8 +35,8 @@ Footprint for_device(Footprint footprint) {
 
 uniform float texture_taps;  // at most, of filtered_along()
 
-// The mean of an image over a footprint, given in shares of its sides: taps in a row along the longer side, each as wide as
-// the shorter one (as EXT_texture_filter_anisotropic describes it).
+// The mean of an image over a footprint, given in shares of its sides: taps evenly over the longer side, their number
+// and level of detail as in EXT_texture_filter_anisotropic.
 vec4 filtered_along(sampler2D image, vec2 place, Footprint footprint) {
     vec2 size = vec2(textureSize(image, 0));
     float right = length(footprint.right * size);

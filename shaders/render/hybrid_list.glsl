@@ -2,7 +2,7 @@
 // `draw_arguments`: four words of an indirect draw: of cells that no ray can hide, and of those that one may. `mesh_cells`: the
 // first half, and the second. One shader makes the list, the others read it.
 #ifdef MAKES_MESH_CELLS
-layout(std430) buffer MeshCells { uint draw_arguments[8]; uint mesh_cells[]; };
+layout(std430) coherent buffer MeshCells { uint draw_arguments[8]; uint mesh_cells[]; };
 #else
 layout(std430) readonly buffer MeshCells { uint draw_arguments[8]; uint mesh_cells[]; };
 #endif

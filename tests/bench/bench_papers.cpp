@@ -27,6 +27,7 @@ const std::vector<NamedTable>& paper_tables() {
                                                    {"ammann_figure_9", ammann_figure_9},
                                                    {"ammann_figure_11", ammann_figure_11},
                                                    {"jeong_han_samples", jeong_han_samples},
+                                                   {"jeong_han_pictures", jeong_han_pictures},
                                                    {"park_oh_table_1", park_oh_table_1},
                                                    {"park_oh_figure_11", park_oh_figure_11},
                                                    {"park_oh_figure_13", park_oh_figure_13},

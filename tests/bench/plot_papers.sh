@@ -14,7 +14,7 @@ set grid'
 has() { [ -s "$tables/$1.csv" ]; }
 
 # PSNR against time over the flight, a picture a terrain: methods as points, ammann as a line for each T.
-for terrain in high_amplitude mountains spectrogram coast; do
+for terrain in high_amplitude mountains_1024 mountains spectrogram coast; do
     has flight && grep -q "^$terrain," "$tables/flight.csv" || continue
     awk -F, -v terrain="$terrain" -v folder="$lines" '
         NR == 1 || $1 != terrain { next }
@@ -42,7 +42,7 @@ done
 # Lines of one column over another for each terrain.
 series() { # TABLE X Y [FILTER]
     local terrain plots=
-    for terrain in high_amplitude mountains spectrogram coast; do
+    for terrain in high_amplitude mountains_1024 mountains spectrogram coast; do
         grep -q "^$terrain," "$tables/$1.csv" || continue
         awk -F, -v terrain="$terrain" -v x="$2" -v y="$3" "NR > 1 && \$1 == terrain ${4:-} { print \$x, \$y }" \
             "$tables/$1.csv" >"$lines/$terrain $3"
@@ -83,11 +83,17 @@ unset tics
 set cbtics
 plot "$tables/ammann_figure_4_map.csv" every ::1 using 1:2:(\$3 < 0 ? NaN : \$3 < 0.001 ? 0.001 : \$3) with image notitle
 PLOT
-excerpts=()
-for name in mesh 'ammann k 0.5 T 70' 'ammann k 1.5 T 70' hybrid 'clipmap n 511' 'clipmap n 127'; do
-    file="$tables/ammann_figure_9 $name.ppm"
-    [ -s "$file" ] && excerpts+=(-label "$name" "$file")
-done
-[ ${#excerpts[@]} -eq 0 ] || montage -font DejaVu-Sans -pointsize 14 "${excerpts[@]}" -filter point -resize 200% -tile 3x2 \
-    -geometry +4+4 -quality 90 "$pictures/excerpts.jpg"
+# Pictures side by side, with their names: montages OUT.jpg PREFIX SCALE COLUMNS NAME...
+montages() {
+    local out=$1 prefix=$2 scale=$3 columns=$4 name parts=()
+    shift 4
+    for name in "$@"; do
+        [ -s "$tables/$prefix $name.ppm" ] && parts+=(-label "$name" "$tables/$prefix $name.ppm")
+    done
+    [ ${#parts[@]} -eq 0 ] || montage -font DejaVu-Sans -pointsize 14 "${parts[@]}" -filter point -resize "$scale" \
+        -tile "${columns}x" -geometry +4+4 -quality 90 "$pictures/$out"
+}
+montages excerpts.jpg ammann_figure_9 200% 3 mesh 'ammann k 1 T 100' 'ammann k 1.5 T 100' hybrid 'clipmap n 511' 'clipmap n 127'
+montages mesh_and_rays.jpg jeong_han_pictures 100% 2 mesh uniform
+montages steps.jpg park_oh_figure_13 100% 2 'mountains fly' 'mountains walk'
 echo "$pictures is written"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/renderer.h"
 #include "tests/bench/papers/easel.h"
+#include "tests/bench/papers/picture.h"
 #include "tests/bench/papers/psnr.h"
 #include "tests/bench/papers/table.h"
 #include "tests/bench/papers/tables.h"
@@ -16,26 +16,15 @@ namespace {
 
 constexpr double never_px = 1e9;
 
-// At the terrain's middle, so many degrees over the horizon; distance: in widths of the terrain.
+// At the terrain's middle, halfway up its relief, so many degrees over the horizon; distance: in widths of
+// the terrain.
 render::Camera view_from(const PaperTerrain& terrain, double angle_deg, double distance) {
-    const glm::dvec3 middle(0.5 * terrain.grid.width_m(), 0.5 * terrain.grid.height_m(), 1250);
+    const auto [low, high] = std::minmax_element(terrain.heights.begin(), terrain.heights.end());
+    const glm::dvec3 middle(0.5 * terrain.grid.width_m(), 0.5 * terrain.grid.height_m(),
+                            0.5 * (*low + *high));
     const double angle = angle_deg * 3.14159265358979 / 180;
     const glm::dvec3 way(0.6 * std::cos(angle), 0.8 * std::cos(angle), std::sin(angle));
     return {middle + distance * terrain.grid.width_m() * way, middle, 45};
-}
-
-// Samples and halvings that the level of the pixel's cell takes, a mean over the pixels that rays drew.
-// kinds: as of Detail::kind, from 2 on the levels.
-double mean_steps(const std::vector<float>& kinds, const std::vector<glm::ivec2>& steps) {
-    double sum = 0;
-    double count = 0;
-    for (const float kind : kinds) {
-        if (kind < 2) continue;
-        const glm::ivec2 one = steps[static_cast<std::size_t>(kind) - 2];
-        sum += one.x + one.y;
-        ++count;
-    }
-    return sum / count;
 }
 
 }  // namespace
@@ -58,12 +47,10 @@ void ammann_table_1(const PaperRun& run) {
 // Ammann 2010, table 2: numbers of levels of precision, cells of 75 samples; and what it costs to read the
 // choices back.
 void ammann_table_2(const PaperRun& run) {
-    Table table("ammann_table_2", "terrain,levels,ms,with_read_back_ms,mean_samples_and_halvings");
+    Table table("ammann_table_2", "terrain,levels,ms,with_read_back_ms");
     const PaperTerrain terrain = paper_terrain("mountains");
     PaperEasel easel(terrain, {1024, 768}, run.patch_pixels);
     std::vector<Entry> entries;
-    std::vector<Entry> counting;
-    std::vector<std::vector<glm::ivec2>> all_steps;
     const std::vector<int> numbers = {2, 4, 6, 8, 10};
     for (const int levels : numbers) {
         // From 64 samples to 6 and from 50 halvings to 5, by equal ratios.
@@ -77,16 +64,11 @@ void ammann_table_2(const PaperRun& run) {
             entries.push_back({fmt::format("{} levels", levels),
                                render::make_ammann_of(steps, reads_back),
                                {{"render.ammann_cell_samples", 75}}});
-        counting.push_back({"",
-                            render::make_ammann_of(steps, false, render::Detail::kind),
-                            {{"render.ammann_cell_samples", 75}}});
-        all_steps.push_back(std::move(steps));
     }
     const render::Camera camera = paper_flight(terrain, 5)[1];
     const std::vector<double> ms = easel.time_ms(entries, camera, 9);
     for (std::size_t i = 0; i < numbers.size(); ++i)
-        table.row(fmt::format("{},{},{:.2f},{:.2f},{:.1f}", terrain.name, numbers[i], ms[2 * i],
-                              ms[2 * i + 1], mean_steps(easel.details(counting[i], camera), all_steps[i])));
+        table.row(fmt::format("{},{},{:.2f},{:.2f}", terrain.name, numbers[i], ms[2 * i], ms[2 * i + 1]));
 }
 
 // Ammann 2010, figure 4: where rays of low precision are wrong along the ground; a file of its own holds the
@@ -179,17 +161,13 @@ void ammann_figure_9(const PaperRun& run) {
     camera.window_share = {0.25, 0.25};
     camera.window_middle = {0.1, 0.15};
     const std::vector<float> by_mesh = easel.distances(entry("mesh"), camera);
-    for (const Entry& one : {entry("mesh"), ammann(0.5, 70), ammann(1.5, 70), clipmap(3, 11, "clipmap n 511"),
+    for (const Entry& one : {entry("mesh"), ammann(1, 100), ammann(1.5, 100), clipmap(3, 11, "clipmap n 511"),
                              clipmap(1, 13, "clipmap n 127"), entry("hybrid")}) {
         render::ViewSettings settings;
         settings.method = one.name.substr(0, one.name.find(' '));
         settings.view = "hillshade";
         settings.numbers = one.numbers;
-        renderer.draw(coloured, camera, settings, size.x, size.y);
-        const std::vector<std::uint8_t> rgb = renderer.read_rgb(size.x, size.y);
-        fmt::ostream picture = fmt::output_file("out/papers/ammann_figure_9 " + one.name + ".ppm");
-        picture.print("P6\n{} {}\n255\n{}", size.x, size.y,
-                      std::string_view(reinterpret_cast<const char*>(rgb.data()), rgb.size()));
+        write_picture(renderer, coloured, camera, settings, size, "ammann_figure_9 " + one.name);
         const std::vector<float> shown = easel.distances(one, camera);
         Psnr psnr(terrain);
         psnr.add(shown, by_mesh);

@@ -8,6 +8,8 @@
 #include "render/methods/envelope.h"
 #include "render/methods/simplified_block.h"
 #include "tests/bench/papers/easel.h"
+#include "tests/bench/papers/picture.h"
+#include "tests/bench/papers/psnr.h"
 #include "tests/bench/papers/table.h"
 #include "tests/bench/papers/tables.h"
 
@@ -163,8 +165,8 @@ void take(Taken& taken, const PaperTerrain& terrain, const Line& line, double hi
 
 }  // namespace
 
-// Samples that a ray takes up to its hit, from where it comes into a block's box, or under its envelope:
-// worked out in double, of 1025² samples as theirs.
+// Samples that a ray takes up to its hit, from where it comes into a block's box, or under its outer mesh
+// before simplification: worked out in double, of 1025² samples as theirs.
 void jeong_han_samples(const PaperRun& run) {
     Table table("jeong_han_samples",
                 "pictures,boxes_blocks,boxes_samples,envelopes_blocks,envelopes_samples,boxes_to_envelopes");
@@ -196,6 +198,31 @@ void jeong_han_samples(const PaperRun& run) {
                               taken.blocks_of_boxes / count, taken.samples_of_boxes / count,
                               taken.blocks_of_envelopes / count, taken.samples_of_envelopes / count,
                               taken.samples_of_boxes / taken.samples_of_envelopes));
+    }
+}
+
+// Jeong & Han 2006, figure 7 in kind: the mesh and the rays over 1025² samples, as pictures, and how
+// far the distances of both are apart.
+void jeong_han_pictures(const PaperRun& run) {
+    Table table("jeong_han_pictures", "picture,psnr_to_mesh_db,differ_in_coverage,pixels");
+    const PaperTerrain terrain = paper_terrain_of(1025);
+    PaperEasel easel(terrain, small_picture, run.patch_pixels);
+    const Terrain coloured(bedrock_terrain(terrain.grid, terrain.heights));
+    render::Renderer renderer(coloured, run.patch_pixels);
+    const render::Camera camera = paper_flight(terrain, 5)[1];
+    const std::vector<float> by_mesh = easel.distances(entry("mesh"), camera);
+    for (const char* method : {"mesh", "uniform"}) {
+        render::ViewSettings settings;
+        settings.method = method;
+        write_picture(renderer, coloured, camera, settings, small_picture,
+                      std::string("jeong_han_pictures ") + method);
+        const std::vector<float> shown = easel.distances(entry(method), camera);
+        Psnr psnr(terrain);
+        psnr.add(shown, by_mesh);
+        int differ = 0;
+        for (std::size_t i = 0; i < shown.size(); ++i)
+            differ += std::isinf(shown[i]) != std::isinf(by_mesh[i]) ? 1 : 0;
+        table.row(fmt::format("{},{:.1f},{},{}", method, psnr.db(), differ, shown.size()));
     }
 }
 

@@ -7,6 +7,7 @@
 #include "render/measure.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/papers/easel.h"
+#include "tests/bench/papers/picture.h"
 #include "tests/bench/papers/psnr.h"
 #include "tests/bench/papers/table.h"
 #include "tests/bench/papers/tables.h"
@@ -91,7 +92,15 @@ void park_oh_figure_13(const PaperRun& run) {
         PaperEasel easel(terrain, {1024, 768}, run.patch_pixels);
         const Entry exact = entry("exact");
         const Entry steps = steps_of("exact");
+        render::Renderer renderer(easel.terrain(), run.patch_pixels);
+        render::ViewSettings settings;
+        settings.method = "exact";
+        settings.view = "steps";
         for (const bool walks : {false, true}) {
+            write_picture(renderer, easel.terrain(),
+                          (walks ? paper_walk(terrain, 5) : paper_flight(terrain, 5))[1], settings,
+                          small_picture,
+                          fmt::format("park_oh_figure_13 {} {}", name, walks ? "walk" : "fly"));
             std::vector<double> found;
             for (const render::Camera& camera : walks ? paper_walk(terrain, 5) : paper_flight(terrain, 5)) {
                 const std::vector<float> distances = easel.distances(exact, camera);

@@ -31,6 +31,7 @@ void ammann_figure_11(const PaperRun& run);
 
 // Jeong & Han 2006.
 void jeong_han_samples(const PaperRun& run);
+void jeong_han_pictures(const PaperRun& run);
 
 // Park & Oh 2009.
 void park_oh_table_1(const PaperRun& run);

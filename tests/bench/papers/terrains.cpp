@@ -46,12 +46,17 @@ PaperTerrain detailed(const std::string& name, const scenes::Scene& scene, int s
 }  // namespace
 
 std::vector<std::string> paper_terrain_names() {
-    std::vector<std::string> names = {"high_amplitude", "mountains", "spectrogram"};
+    std::vector<std::string> names = {"high_amplitude", "mountains_1024", "mountains", "spectrogram"};
     if (std::getenv("TALUS_DATA")) names.emplace_back("coast");
     return names;
 }
 
 PaperTerrain paper_terrain(const std::string& name) {
+    if (name == "mountains_1024") {
+        PaperTerrain terrain = paper_terrain_of(1024);
+        terrain.name = name;
+        return terrain;
+    }
     if (name == "coast") return detailed(name, scenes::make(name), 4096);
     const int side = name == "high_amplitude" ? 2048 : 4096;
     const Grid grid{side, side, 10, 10};

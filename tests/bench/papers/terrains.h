@@ -14,7 +14,8 @@ struct PaperTerrain {
     std::vector<float> heights;
 };
 
-/// Generated: high_amplitude at 2048², mountains (in the place of their Mont Blanc) and spectrogram at 4096².
+/// Generated: high_amplitude at 2048², mountains (in the place of their Mont Blanc) and spectrogram at 4096²,
+/// and paper_terrain_of(1024).
 /// Measured: where TALUS_DATA names the folder of real elevation files, coast at 4096² with generated detail.
 std::vector<std::string> paper_terrain_names();
 PaperTerrain paper_terrain(const std::string& name);
