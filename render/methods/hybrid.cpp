@@ -96,10 +96,10 @@ CellRectangle cells_within(const Frame& frame, int level, double distance_m) {
         ground_in_view(camera_rays(frame.camera, frame.width, frame.height), distance_m);
     const glm::dvec2 patches(grid.nx - 1, grid.ny - 1);
     // Rows grow to the south.
-    const glm::dvec2 low = glm::clamp(
-        eye + glm::dvec2(ground.low.x / grid.dx, -ground.high.y / grid.dy), glm::dvec2(0), patches);
-    const glm::dvec2 high = glm::clamp(
-        eye + glm::dvec2(ground.high.x / grid.dx, -ground.low.y / grid.dy), glm::dvec2(0), patches);
+    const glm::dvec2 low = glm::clamp(eye + glm::dvec2(ground.low.x / grid.dx, -ground.high.y / grid.dy),
+                                      glm::dvec2(0), patches);
+    const glm::dvec2 high = glm::clamp(eye + glm::dvec2(ground.high.x / grid.dx, -ground.low.y / grid.dy),
+                                       glm::dvec2(0), patches);
     if (low.x >= high.x || low.y >= high.y) return {glm::ivec2(0), glm::ivec2(0)};
     const glm::ivec2 first = glm::ivec2(low) >> level;
     return {first, (glm::ivec2(glm::ceil(high)) >> level) - first + 1};

@@ -151,8 +151,8 @@ TEST(Hybrid, IsRightInEveryDirection) {
         const auto row = static_cast<std::size_t>(std::lround(grid.row_of(at.y)));
         const double ground = scene.heights[row * grid.nx + column];
         const glm::dvec3 eye(at, ground + 20 + 40 * (1 + unit(random)));
-        const glm::dvec3 way = i == 0 ? glm::dvec3(0, 0, -1)
-                                      : glm::dvec3(unit(random), unit(random), unit(random) - 0.4);
+        const glm::dvec3 way =
+            i == 0 ? glm::dvec3(0, 0, -1) : glm::dvec3(unit(random), unit(random), unit(random) - 0.4);
         render::Camera camera{eye, eye + way, 50 + 40 * unit(random)};
         if (i % 3 == 2) {
             camera.window_share = {0.4, 0.3};
