@@ -122,6 +122,8 @@ TEST(ViewSettings, TakeGravityAndTheScalesOfAllViews) {
         for (const render::ViewNumber& one : view.numbers)
             if (one.parameter && std::holds_alternative<double>(one.parameter->preset))
                 p.set(one.parameter->name, one.parameter->high / 8);
+            else if (one.parameter && std::holds_alternative<int>(one.parameter->preset))
+                p.set(one.parameter->name, static_cast<int>(one.parameter->high / 8));
     p.set("render.hillshade", std::string("four sides"));
     const render::ViewSettings settings = render::view_settings(p, p);
     EXPECT_EQ(settings.gravity_m_per_s2, 3.7);
