@@ -65,7 +65,8 @@ const std::vector<View>& views() {
          .numbers = {{"texture_taps",
                       whole("render.texture_taps", 16, 1, 16, "",
                             "Places of a draped picture that a pixel looks at, where the view along the "
-                            "ground draws it out: more are sharper.")}},
+                            "ground draws it out: more are sharper."),
+                      0, true}},
          .natural = true},
         {.name = "hillshade",
          .numbers =
@@ -241,9 +242,11 @@ ViewSettings view_settings(const Parameters& drawing, const Parameters& simulati
     return settings;
 }
 
-bool is_heeded(const std::string& parameter, const Parameters& drawing) {
+bool is_heeded(const std::string& parameter, const Parameters& drawing, bool draped) {
     const auto is_it = [&](const Parameter& own) { return own.name == parameter; };
-    const auto is_numbered = [&](const ViewNumber& one) { return one.parameter && is_it(*one.parameter); };
+    const auto is_numbered = [&](const ViewNumber& one) {
+        return one.parameter && is_it(*one.parameter) && (draped || !one.of_drape);
+    };
     const MethodEntry& method = method_named(drawing.choice("render.method"));
     const View& view = view_named(drawing.choice("render.view"));
     if (parameter == "render.tolerance_px") return method.heeds_tolerance;

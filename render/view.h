@@ -47,6 +47,7 @@ struct ViewNumber {
     std::string uniform;
     std::optional<Parameter> parameter;
     double fixed = 0;
+    bool of_drape = false;  ///< it colours the draped picture alone
 
     /// As the settings have it. Of a choice: which one, from 0.
     double in(const ViewSettings& settings) const;
@@ -78,8 +79,9 @@ const View& view_named(const std::string& name);
 std::vector<Parameter> render_parameters();
 
 /// Whether a parameter of drawing can change the picture now. Those that methods and views declare of their
-/// own can while it is theirs that is drawn. `drawing`: as above.
-bool is_heeded(const std::string& parameter, const Parameters& drawing);
+/// own can while it is theirs that is drawn. `drawing`: as above; `draped`: whether a picture is draped over the
+/// terrain.
+bool is_heeded(const std::string& parameter, const Parameters& drawing, bool draped);
 
 /// The legend of the settings' view over a terrain with these lowest and highest heights.
 std::vector<Legend> legend_of(const ViewSettings& settings, double lowest_m, double highest_m);

@@ -101,17 +101,21 @@ TEST(ViewSettings, HeedWhatTheChosenMethodAndViewDeclare) {
         drawing.set("render.method", chosen.name);
         for (const render::MethodEntry& method : render::methods())
             for (const Parameter& own : method.parameters)
-                EXPECT_EQ(render::is_heeded(own.name, drawing), method.name == chosen.name)
+                EXPECT_EQ(render::is_heeded(own.name, drawing, false), method.name == chosen.name)
                     << own.name << ", " << chosen.name;
-        EXPECT_EQ(render::is_heeded("render.tolerance_px", drawing), chosen.heeds_tolerance) << chosen.name;
-        EXPECT_TRUE(render::is_heeded("render.method", drawing));
+        EXPECT_EQ(render::is_heeded("render.tolerance_px", drawing, false), chosen.heeds_tolerance)
+            << chosen.name;
+        EXPECT_TRUE(render::is_heeded("render.method", drawing, false));
     }
     drawing.set("render.view", std::string("depth"));
-    EXPECT_TRUE(render::is_heeded("render.depth_m", drawing));
-    EXPECT_FALSE(render::is_heeded("render.band_m", drawing));
+    EXPECT_TRUE(render::is_heeded("render.depth_m", drawing, false));
+    EXPECT_FALSE(render::is_heeded("render.band_m", drawing, false));
+    drawing.set("render.view", std::string("shaded"));
+    EXPECT_FALSE(render::is_heeded("render.texture_taps", drawing, false));
+    EXPECT_TRUE(render::is_heeded("render.texture_taps", drawing, true));
     // Two views share one.
     drawing.set("render.view", std::string("largest_depth"));
-    EXPECT_TRUE(render::is_heeded("render.depth_m", drawing));
+    EXPECT_TRUE(render::is_heeded("render.depth_m", drawing, false));
 }
 
 // What a view shows hangs on the simulation's gravity, and on its own scale.

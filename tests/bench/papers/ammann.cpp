@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/methods/method.h"
 #include "tests/bench/papers/easel.h"
 #include "tests/bench/papers/picture.h"
 #include "tests/bench/papers/psnr.h"
@@ -27,6 +28,26 @@ render::Camera view_from(const PaperTerrain& terrain, double angle_deg, double d
     return {middle + distance * terrain.grid.width_m() * way, middle, 45};
 }
 
+// Of the pixels that rays drew: how many samples the level of precision takes that drew them, at most, with
+// cells of 75 samples.
+double mean_samples_shown(PaperEasel& easel, const render::Camera& camera,
+                          const std::vector<glm::ivec2>& steps) {
+    const render::OwnNumbers numbers = {{"render.ammann_cell_samples", 75},
+                                        {"render.ammann_levels", static_cast<double>(steps.size())}};
+    const Entry kinds = {"kinds", render::method_named("ammann").make(render::Detail::kind), numbers};
+    // The mesh, then a kind a level.
+    const std::vector<render::PixelKind> known = render::ammann_kinds(numbers);
+    double pixels = 0;
+    double samples = 0;
+    for (const float shown : easel.details(kinds, camera))
+        for (std::size_t level = 0; level < steps.size(); ++level)
+            if (std::abs(shown - known[1 + level].kind) < 1e-3) {
+                pixels += 1;
+                samples += steps[level].x;
+            }
+    return samples / pixels;
+}
+
 }  // namespace
 
 // Ammann 2010, table 1: rays alone, of their lowest and highest precision, and the full mesh.
@@ -45,13 +66,21 @@ void ammann_table_1(const PaperRun& run) {
 }
 
 // Ammann 2010, table 2: numbers of levels of precision, cells of 75 samples; and what it costs to read the
-// choices back.
+// choices back. Two columns are a profile of the first: the time where all levels take the same steps, so
+// that only the number of programs and of draws differs; and the mean of the samples of what the pixels show.
 void ammann_table_2(const PaperRun& run) {
-    Table table("ammann_table_2", "terrain,levels,ms,with_read_back_ms");
+    Table table("ammann_table_2", "terrain,levels,ms,with_read_back_ms,same_steps_ms,mean_samples");
     const PaperTerrain terrain = paper_terrain("mountains");
     PaperEasel easel(terrain, {1024, 768}, run.patch_pixels);
-    std::vector<Entry> entries;
+    const render::Camera camera = paper_flight(terrain, 5)[1];
     const std::vector<int> numbers = {2, 4, 6, 8, 10};
+    std::vector<Entry> entries;
+    std::vector<double> mean_samples;
+    const auto enter = [&](const std::vector<glm::ivec2>& steps, bool reads_back) {
+        entries.push_back({fmt::format("{} levels", steps.size()),
+                           render::make_ammann_of(steps, reads_back),
+                           {{"render.ammann_cell_samples", 75}}});
+    };
     for (const int levels : numbers) {
         // From 64 samples to 6 and from 50 halvings to 5, by equal ratios.
         std::vector<glm::ivec2> steps;
@@ -60,15 +89,15 @@ void ammann_table_2(const PaperRun& run) {
             steps.emplace_back(std::lround(64 * std::pow(6.0 / 64, share)),
                                std::lround(50 * std::pow(5.0 / 50, share)));
         }
-        for (const bool reads_back : {false, true})
-            entries.push_back({fmt::format("{} levels", levels),
-                               render::make_ammann_of(steps, reads_back),
-                               {{"render.ammann_cell_samples", 75}}});
+        enter(steps, false);
+        enter(steps, true);
+        enter(std::vector<glm::ivec2>(steps.size(), {20, 16}), false);
+        mean_samples.push_back(mean_samples_shown(easel, camera, steps));
     }
-    const render::Camera camera = paper_flight(terrain, 5)[1];
     const std::vector<double> ms = easel.time_ms(entries, camera, 9);
     for (std::size_t i = 0; i < numbers.size(); ++i)
-        table.row(fmt::format("{},{},{:.2f},{:.2f}", terrain.name, numbers[i], ms[2 * i], ms[2 * i + 1]));
+        table.row(fmt::format("{},{},{:.2f},{:.2f},{:.2f},{:.1f}", terrain.name, numbers[i], ms[3 * i],
+                              ms[3 * i + 1], ms[3 * i + 2], mean_samples[i]));
 }
 
 // Ammann 2010, figure 4: where rays of low precision are wrong along the ground; a file of its own holds the
