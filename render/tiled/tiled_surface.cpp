@@ -1,0 +1,138 @@
+#include "render/tiled/tiled_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus::render {
+namespace {
+
+// As tile_node_texel() of shaders/render/tile_surface.glsl: each level has room for its rows below the one
+// before.
+int first_node_row(int rows, int level) {
+    return 2 * rows - ((2 * rows) >> level) + level;
+}
+
+// Whole numbers that a float holds.
+constexpr double exact_float = 1 << 24;
+
+}  // namespace
+
+TiledSurface::TiledSurface(TileTree tree, std::vector<TileBounds> bounds, int slots)
+    : tree_(std::move(tree)),
+      bounds_(std::move(bounds)),
+      pool_(tree_, slots),
+      slots_(static_cast<std::size_t>(pool_.slots())),
+      slot_of_tile_(tree_.count(), -1) {
+    const glm::ivec2 finest = tree_.level(0).tiles;
+    const int rows = first_node_row(finest.y, tree_.top_level()) + tree_.level(tree_.top_level()).tiles.y;
+    nodes_ = gpu::Texture("nodes of tiles", gpu::Format::rg32f, finest.x, rows);
+    places_ = gpu::Texture("places in tiles", gpu::Format::rgba32f, 2, pool_.slots());
+    highest_m_ = bounds_.front().highest_m;
+    for (const TileBounds& one : bounds_) highest_m_ = std::max(highest_m_, one.highest_m);
+}
+
+std::size_t TiledSurface::bytes() const {
+    return pool_.bytes() +
+           gpu::texel_bytes(gpu::Format::rg32f) * static_cast<std::size_t>(nodes_.width()) * nodes_.height() +
+           gpu::texel_bytes(gpu::Format::rgba32f) * static_cast<std::size_t>(places_.width()) *
+               places_.height();
+}
+
+int TiledSurface::slot_to_fill() const {
+    int best = -1;
+    for (int slot = 0; slot < pool_.slots(); ++slot) {
+        const Slot& one = slots_[static_cast<std::size_t>(slot)];
+        if (one.tile.level < 0) return slot;
+        if (one.tile.level == tree_.top_level()) continue;
+        if (best < 0 || one.shown < slots_[static_cast<std::size_t>(best)].shown) best = slot;
+    }
+    return best;
+}
+
+void TiledSurface::put(const TileId& tile, std::span<const float> heights) {
+    int slot = slot_of(tile);
+    if (slot < 0) slot = slot_to_fill();
+    Slot& filled = slots_[static_cast<std::size_t>(slot)];
+    if (filled.tile.level >= 0) slot_of_tile_[tree_.index_of(filled.tile)] = -1;
+    filled = {tile, 2 * looks_ + 1};
+    slot_of_tile_[tree_.index_of(tile)] = slot;
+    pool_.write(slot, tree_.samples_of(tile).count, heights);
+}
+
+void TiledSurface::clear() {
+    for (Slot& slot : slots_) {
+        if (slot.tile.level < 0 || slot.tile.level == tree_.top_level()) continue;
+        slot_of_tile_[tree_.index_of(slot.tile)] = -1;
+        slot.tile.level = -1;
+    }
+}
+
+const TileChoice& TiledSurface::look(const Camera& camera, glm::ivec2 size, double tolerance_px) {
+    ++looks_;
+    const glm::ivec2 coarsest = tree_.level(tree_.top_level()).tiles;
+    const auto room = static_cast<std::size_t>(std::max(1, pool_.slots() - coarsest.x * coarsest.y));
+    choice_ = choose_tiles(tree_, bounds_, camera, size, tolerance_px, room,
+                           [&](const TileId& tile) { return slot_of(tile); });
+    // What stands for others is given away before what was asked for.
+    const auto mark = [&](const std::vector<TileId>& tiles, std::uint64_t shown) {
+        for (const TileId& tile : tiles) slots_[static_cast<std::size_t>(slot_of(tile))].shown = shown;
+    };
+    mark(choice_.drawn, 2 * looks_);
+    mark(choice_.needed, 2 * looks_ + 1);
+    pool_.build();
+    tell_nodes();
+    tell_places(camera);
+    return choice_;
+}
+
+void TiledSurface::tell_nodes() {
+    std::vector<glm::vec2> texels;
+    for (int level = 0; level <= tree_.top_level(); ++level) {
+        const glm::ivec2 tiles = tree_.level(level).tiles;
+        const std::size_t first = tree_.index_of({level, 0, 0});
+        texels.clear();
+        for (std::size_t i = first; i < first + static_cast<std::size_t>(tiles.x) * tiles.y; ++i)
+            texels.emplace_back(choice_.highest_m[i], choice_.slots[i]);
+        nodes_.write({0, first_node_row(tree_.level(0).tiles.y, level), tiles.x, tiles.y},
+                     std::as_bytes(std::span(texels)));
+    }
+}
+
+void TiledSurface::tell_places(const Camera& camera) {
+    const Grid& grid = tree_.grid();
+    const CastOrigin origin = cast_origin(grid, camera.eye);
+    std::vector<glm::vec4> texels;
+    texels.reserve(2 * slots_.size());
+    for (const Slot& slot : slots_) {
+        if (slot.tile.level < 0) {
+            texels.resize(texels.size() + 2);
+            continue;
+        }
+        // Among the finest samples the fraction is the one that exact rays have, to the bit.
+        const glm::dvec2 place = tree_.place_in(slot.tile.level, glm::dvec2(origin.cell) + origin.fraction);
+        glm::dvec2 cell = slot.tile.level == 0 ? glm::dvec2(origin.cell) : glm::floor(place);
+        glm::dvec2 fraction = slot.tile.level == 0 ? origin.fraction : place - cell;
+        cell -= glm::dvec2(tree_.first_level_patch(slot.tile));
+        // An eye beyond what a float counts is at a fraction beyond 1.
+        const glm::dvec2 counted = glm::clamp(cell, -exact_float, exact_float);
+        fraction += cell - counted;
+        cell = counted;
+        const glm::dvec2 scale = 1.0 / tree_.level(slot.tile.level).ratio;
+        texels.emplace_back(glm::dvec4(cell, fraction));
+        texels.emplace_back(glm::dvec4(scale, slot.tile.level, 0));
+    }
+    places_.write(places_.whole(), std::as_bytes(std::span(texels)));
+}
+
+void TiledSurface::bind(gpu::Program& program, const Camera& camera, glm::ivec2 size) const {
+    set_camera(program, tree_.grid(), camera, size.x, size.y);
+    pool_.bind(program);
+    program.bind_sampled("tile_nodes", nodes_);
+    program.bind_sampled("tile_places", places_);
+    program.set("tile_side", tree_.side());
+    program.set("tile_top_level", tree_.top_level());
+    program.set("tile_rows", tree_.level(0).tiles.y);
+    program.set("tile_highest_m", highest_m_);
+}
+
+}  // namespace talus::render

@@ -1,0 +1,56 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "render/tiled/tile_choice.h"
+#include "render/tiled/tile_pool.h"
+
+namespace talus::render {
+
+/// A tiled terrain on the device: the tiles that are there, and which of them a picture shows.
+class TiledSurface {
+  public:
+    /// bounds: of all tiles of the tree. slots: of the pool, more than the tree's coarsest tiles, which must
+    /// be put() before the first look().
+    TiledSurface(TileTree tree, std::vector<TileBounds> bounds, int slots);
+
+    const TileTree& tree() const { return tree_; }
+    const std::vector<TileBounds>& bounds() const { return bounds_; }
+    int slots() const { return pool_.slots(); }
+    std::size_t bytes() const;
+    /// The slot that a tile is in, or -1.
+    int slot_of(const TileId& tile) const { return slot_of_tile_[tree_.index_of(tile)]; }
+    /// Puts a tile's samples (TileTree::samples_of()) into a free slot, or into the one whose tile was not
+    /// shown for the longest time. Tiles of the coarsest level stay.
+    void put(const TileId& tile, std::span<const float> heights);
+    /// Takes all tiles away but those of the coarsest level.
+    void clear();
+
+    /// Chooses what a picture shows (choose_tiles()) and makes it known to the device.
+    const TileChoice& look(const Camera& camera, glm::ivec2 size, double tolerance_px);
+    /// Binds what was looked at for shaders/render/tile_surface.glsl, with the camera.
+    void bind(gpu::Program& program, const Camera& camera, glm::ivec2 size) const;
+
+  private:
+    struct Slot {
+        TileId tile{-1, 0, 0};
+        std::uint64_t shown = 0;  // twice the look that showed it last, and 1 where it was asked for
+    };
+
+    int slot_to_fill() const;
+    void tell_nodes();
+    void tell_places(const Camera& camera);
+
+    TileTree tree_;
+    std::vector<TileBounds> bounds_;
+    float highest_m_ = 0;
+    TilePool pool_;
+    std::vector<Slot> slots_;
+    std::vector<int> slot_of_tile_;  // by TileTree::index_of(); -1: none
+    std::uint64_t looks_ = 0;
+    TileChoice choice_;
+    gpu::Texture nodes_;
+    gpu::Texture places_;
+};
+
+}  // namespace talus::render

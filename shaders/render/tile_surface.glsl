@@ -1,0 +1,48 @@
+// A tiled terrain as shaders of render read it (render/tiled/tiled_surface.h): the tree of tiles, the pool that holds their
+// samples, and where the eye is in each of them.
+#include "render/slot_layout.glsl"
+#include "maths/tile_place.glsl"
+
+uniform sampler2D tile_heights;
+uniform sampler2D tile_tops;
+uniform sampler2D tile_nodes;   // highest point, slot (maths/tile_cast.glsl); levels one below the other
+uniform sampler2D tile_places;  // a row a slot: the eye's patch and where in it; samples for one of the finest level, level
+
+uniform int tile_side;
+uniform int tile_top_level;
+uniform int tile_rows;  // of tiles of the finest level
+uniform real tile_highest_m;
+uniform int2 patches;
+uniform real2 cell_m;
+uniform int2 origin_cell;       // the eye's patch (column, row) of the finest level, and where in it
+uniform real2 origin_fraction;
+uniform real2 origin_height_m;  // the eye's height, two words
+
+int tile_slot = 0;  // loaded last
+
+// As first_node_row() of render/tiled/tiled_surface.cpp.
+int2 tile_node_texel(int2 tile, int level) { return int2(tile.x, tile.y + 2 * tile_rows - ((2 * tile_rows) >> level) + level); }
+
+real2 load_tile_node(int2 tile, int level) {
+    real2 node = texelFetch(tile_nodes, tile_node_texel(tile, level), 0).rg;
+    return real2((node.x - origin_height_m.x) - origin_height_m.y, node.y);
+}
+
+real load_highest() { return (tile_highest_m - origin_height_m.x) - origin_height_m.y; }
+
+real load_top(int2 cell, int level) {
+    return (texelFetch(tile_tops, slot_tops_texel(tile_slot, cell, level), 0).r - origin_height_m.x) - origin_height_m.y;
+}
+
+real4 load_corners(int2 at) {
+    int2 last = slot_heights_corner(tile_slot) + at + 1;
+    real4 z = textureGather(tile_heights, vec2(last) / vec2(textureSize(tile_heights, 0))).wzxy;
+    return (z - origin_height_m.x) - origin_height_m.y;
+}
+TilePlace load_tile(int slot) {
+    tile_slot = slot;
+    vec4 eye = texelFetch(tile_places, ivec2(0, slot), 0);
+    vec4 level = texelFetch(tile_places, ivec2(1, slot), 0);
+    return TilePlace(int2(eye.xy), eye.zw, level.xy, int(level.z));
+}
+#include "maths/tile_cast.glsl"

@@ -1,0 +1,173 @@
+#include "sim/tiled/tile_bounds.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <thread>
+
+namespace talus {
+namespace {
+
+// Along one axis: the places where the difference of two surfaces can be largest, and where each lies between
+// samples of both levels.
+struct Places {
+    std::vector<int> finer;  // sample before it, from the first one read on
+    std::vector<float> finer_share;
+    std::vector<int> coarser;
+    std::vector<float> coarser_share;
+    std::size_t count() const { return finer.size(); }
+};
+
+// first, last: of the finest level; ratio: finest samples for one of the coarser level; finer_first,
+// coarser_first: samples that were read first.
+Places places_of(int first, int last, double ratio, int finer_first, int coarser_first) {
+    std::vector<double> all;
+    for (int finest = first; finest <= last; ++finest) all.push_back(finest);
+    const auto place_of = [&](double sample) { return (sample + 0.5) * ratio - 0.5; };
+    for (double sample = std::ceil((first + 0.5) / ratio - 0.5); place_of(sample) < last; ++sample)
+        if (place_of(sample) > first) all.push_back(place_of(sample));
+    std::sort(all.begin(), all.end());
+    Places places;
+    for (const double place : all) {
+        const double finer = std::min(std::floor(place), static_cast<double>(last - 1));
+        const double at = (place + 0.5) / ratio - 0.5;
+        const double coarser = std::floor(at);
+        places.finer.push_back(static_cast<int>(finer) - finer_first);
+        places.finer_share.push_back(static_cast<float>(place - finer));
+        places.coarser.push_back(static_cast<int>(coarser) - coarser_first);
+        places.coarser_share.push_back(static_cast<float>(at - coarser));
+    }
+    return places;
+}
+
+// A surface along a line of places: between two rows of samples, then between columns.
+void along_line(const std::vector<float>& heights, int width, int row, float row_share,
+                const std::vector<int>& columns, const std::vector<float>& shares, std::vector<float>& rows,
+                std::vector<float>& line) {
+    rows.resize(static_cast<std::size_t>(width));
+    line.resize(columns.size());
+    const float* above = heights.data() + static_cast<std::size_t>(row) * width;
+    for (int i = 0; i < width; ++i) rows[i] = above[i] + row_share * (above[i + width] - above[i]);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const float* at = rows.data() + columns[i];
+        line[i] = at[0] + shares[i] * (at[1] - at[0]);
+    }
+}
+
+struct Samples {
+    TileSamples where{};
+    std::vector<float> heights;
+};
+
+// One thread's part: a tile of the finest level at a time.
+class Worker {
+  public:
+    Worker(const TileTree& tree, ReadSamples read) : tree_(tree), read_(std::move(read)) {}
+
+    TileBounds extent_of(const TileId& tile) {
+        read_(tile.level, tree_.samples_of(tile), finest_.heights);
+        const auto [low, high] = std::minmax_element(finest_.heights.begin(), finest_.heights.end());
+        return {*low, *high, 0};
+    }
+
+    // Over a tile of the finest level: how far the level's surface is from the finest one.
+    float error_over(const TileId& tile, int level) {
+        const glm::ivec2 first = tree_.first_patch(tile);
+        const glm::ivec2 last = tree_.last_patch(tile);
+        if (level == 1) {
+            finest_.where = {first, last - first + 1};
+            read_(0, finest_.where, finest_.heights);
+        }
+        const glm::ivec2 low = glm::floor(tree_.place_in(level, first));
+        const glm::ivec2 high = glm::floor(tree_.place_in(level, last));
+        coarser_.where = {low, high - low + 2};
+        read_(level, coarser_.where, coarser_.heights);
+        const glm::dvec2 ratio = tree_.level(level).ratio;
+        const Places across = places_of(first.x, last.x, ratio.x, first.x, low.x);
+        const Places down = places_of(first.y, last.y, ratio.y, first.y, low.y);
+        float most = 0;
+        for (std::size_t y = 0; y < down.count(); ++y) {
+            along_line(finest_.heights, finest_.where.count.x, down.finer[y], down.finer_share[y],
+                       across.finer, across.finer_share, rows_, finest_line_);
+            along_line(coarser_.heights, coarser_.where.count.x, down.coarser[y], down.coarser_share[y],
+                       across.coarser, across.coarser_share, rows_, coarser_line_);
+            for (std::size_t x = 0; x < across.count(); ++x)
+                most = std::max(most, std::abs(finest_line_[x] - coarser_line_[x]));
+        }
+        return most;
+    }
+
+  private:
+    const TileTree& tree_;
+    ReadSamples read_;
+    Samples finest_;
+    Samples coarser_;
+    std::vector<float> rows_;
+    std::vector<float> finest_line_;
+    std::vector<float> coarser_line_;
+};
+
+TileId tile_at(const TileTree& tree, std::size_t index) {
+    TileId tile;
+    while (index >= tree.index_of({tile.level + 1, 0, 0})) ++tile.level;
+    const auto within = static_cast<int>(index - tree.index_of({tile.level, 0, 0}));
+    const int columns = tree.level(tile.level).tiles.x;
+    return {tile.level, within % columns, within / columns};
+}
+
+}  // namespace
+
+std::vector<TileBounds> measure_tile_bounds(const TileTree& tree,
+                                            const std::function<ReadSamples()>& make_reader,
+                                            const std::function<bool(double)>& told) {
+    std::vector<TileBounds> bounds(tree.count());
+    std::atomic<std::size_t> next = 0;
+    std::atomic<bool> stopped = false;
+    std::mutex merging;
+    std::exception_ptr failure;
+    const auto work = [&] {
+        try {
+            Worker worker(tree, make_reader());
+            for (std::size_t index = next++; index < bounds.size() && !stopped; index = next++) {
+                const TileId tile = tile_at(tree, index);
+                const TileBounds extent = worker.extent_of(tile);
+                std::vector<float> errors;
+                for (int level = 1; tile.level == 0 && level <= tree.top_level(); ++level)
+                    errors.push_back(worker.error_over(tile, level));
+                const std::lock_guard lock(merging);
+                bounds[index].lowest_m = extent.lowest_m;
+                bounds[index].highest_m = extent.highest_m;
+                for (int level = 1; level <= static_cast<int>(errors.size()); ++level) {
+                    TileBounds& above =
+                        bounds[tree.index_of({level, tile.column >> level, tile.row >> level})];
+                    above.error_m = std::max(above.error_m, errors[static_cast<std::size_t>(level) - 1]);
+                }
+                if (told && !told(static_cast<double>(index) / static_cast<double>(bounds.size())))
+                    stopped = true;
+            }
+        } catch (...) {
+            const std::lock_guard lock(merging);
+            if (!failure) failure = std::current_exception();
+            stopped = true;
+        }
+    };
+    std::vector<std::thread> threads;
+    for (unsigned i = 1; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
+        threads.emplace_back(work);
+    work();
+    for (std::thread& thread : threads) thread.join();
+    if (failure) std::rethrow_exception(failure);
+    if (stopped) return {};
+    // Heights, shares and two interpolations are rounded to a few units in the last place.
+    for (std::size_t index = tree.index_of({1, 0, 0}); index < bounds.size(); ++index) {
+        TileBounds& one = bounds[index];
+        const float largest = std::max(std::abs(one.lowest_m), std::abs(one.highest_m));
+        one.error_m += 8 * std::numeric_limits<float>::epsilon() * (largest + one.error_m);
+    }
+    return bounds;
+}
+
+}  // namespace talus

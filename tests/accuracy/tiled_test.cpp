@@ -1,0 +1,323 @@
+// Terrain in tiles of several levels: the finest level against exact rays, coarser ones against their bounds.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "render/hits_target.h"
+#include "render/measure.h"
+#include "render/survey.h"
+#include "render/tiled/tiled_surface.h"
+#include "sim/gpu/context.h"
+#include "tests/scenes/easel.h"
+#include "tests/scenes/memory_tiles.h"
+#include "tests/scenes/scenes.h"
+#include "tests/scenes/tile_cast_twin.h"
+
+namespace talus::tiled_test {
+namespace {
+
+constexpr glm::ivec2 size(480, 270);
+
+// From -1 to 1 over the picture, as shaders have it.
+glm::vec2 place_of(glm::ivec2 pixel) {
+    return 2.0f * (glm::vec2(pixel) + 0.5f) / glm::vec2(size) - 1.0f;
+}
+
+template <typename Visit>
+void for_pixels(const Visit& visit) {
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) visit(glm::ivec2(x, y), static_cast<std::size_t>(y) * size.x + x);
+}
+
+// Draws pictures of a tiled terrain.
+class TiledEasel {
+  public:
+    TiledEasel(const scenes::MemoryTiles& tiles, int slots)
+        : surface(tiles.tree(), tiles.bounds(), slots), tiles_(tiles), target_(size.x, size.y) {
+        const int top = tiles.tree().top_level();
+        for (int row = 0; row < tiles.tree().level(top).tiles.y; ++row)
+            for (int column = 0; column < tiles.tree().level(top).tiles.x; ++column) put({top, column, row});
+    }
+
+    void put(const TileId& tile) { surface.put(tile, tiles_.read(tile)); }
+
+    // Until all tiles are there that the picture wants.
+    render::TileChoice load(const render::Camera& camera, double tolerance_px) {
+        for (;;) {
+            const render::TileChoice choice = surface.look(camera, size, tolerance_px);
+            if (choice.wanted.empty()) return choice;
+            for (const TileId& tile : choice.wanted) put(tile);
+        }
+    }
+
+    // Of what was looked at last.
+    std::vector<float> distances(const render::Camera& camera) {
+        surface.bind(program_, camera, size);
+        target_.framebuffer().bind({0, 0, size.x, size.y});
+        program_.draw_fullscreen();
+        return target_.read_distances(size.x, size.y);
+    }
+
+    render::TiledSurface surface;
+
+  private:
+    const scenes::MemoryTiles& tiles_;
+    render::HitsTarget target_;
+    gpu::Program program_{std::vector<std::string>{"render/fullscreen.vert", "render/tiled.frag"}};
+};
+
+// The bound of a coarser tile is never below a distance found at random, and not far above the largest one.
+TEST(TileBounds, AreNeverTooSmallAndHardlyTooLarge) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (const glm::ivec2 samples : {glm::ivec2(130, 97), glm::ivec2(257, 64), glm::ivec2(75, 301)}) {
+        const Grid grid{samples.x, samples.y, 3, 5};
+        std::vector<float> heights(grid.count());
+        for (float& h : heights) h = static_cast<float>(1000 + 40 * unit(random));
+        const scenes::MemoryTiles tiles(grid, heights, 16);
+        const TileTree& tree = tiles.tree();
+        ASSERT_GE(tree.top_level(), 3);
+        double tightest = 0;
+        for (int level = 1; level <= tree.top_level(); ++level)
+            for (int row = 0; row < tree.level(level).tiles.y; ++row)
+                for (int column = 0; column < tree.level(level).tiles.x; ++column) {
+                    const TileId tile{level, column, row};
+                    const glm::dvec2 first = tree.first_patch(tile);
+                    const glm::dvec2 last = tree.last_patch(tile);
+                    const TileBounds& bounds = tiles.bounds()[tree.index_of(tile)];
+                    double most = 0;
+                    for (int k = 0; k < 4000; ++k) {
+                        glm::dvec2 at = first + (last - first) * glm::dvec2(unit(random), unit(random));
+                        if (k % 2 == 0) at = glm::round(at);
+                        const double coarse = tiles.height_at(level, at);
+                        most = std::max(most, std::abs(coarse - tiles.height_at(0, at)));
+                        ASSERT_LE(coarse, bounds.highest_m + 1e-3);
+                        ASSERT_GE(coarse, bounds.lowest_m - 1e-3);
+                    }
+                    ASSERT_LE(most, bounds.error_m);
+                    tightest = std::max(tightest, most / bounds.error_m);
+                    EXPECT_GT(most, 0.7 * bounds.error_m) << level << " " << column << " " << row;
+                }
+        std::printf("%d x %d samples: the largest distance found is at most %.4f of the bound\n", samples.x,
+                    samples.y, tightest);
+    }
+}
+
+TEST(TileBounds, EndWhereTheyAreTold) {
+    const Grid grid{65, 65, 1, 1};
+    const scenes::MemoryTiles tiles(grid, std::vector<float>(grid.count(), 3), 16);
+    int told = 0;
+    const auto read = [&](int level, const TileSamples& samples, std::vector<float>& heights) {
+        tiles.read(level, samples, heights);
+    };
+    EXPECT_TRUE(measure_tile_bounds(
+                    tiles.tree(), [&] { return read; },
+                    [&](double) {
+                        ++told;
+                        return false;
+                    })
+                    .empty());
+    EXPECT_GT(told, 0);
+    const auto fail = [](int, const TileSamples&, std::vector<float>&) { throw std::runtime_error("gone"); };
+    EXPECT_THROW(measure_tile_bounds(tiles.tree(), [&] { return fail; }), std::runtime_error);
+}
+
+// How far off a pixel is from the finest surface: by how many pixels the finest surface lies above or below
+// what is shown, where that place is seen; or how far the next reference ray is that agrees
+// (render/measure.h); or the limit, where what is shown lies between two depths that are seen within the
+// limit, on a crest.
+class OffPixels {
+  public:
+    OffPixels(const scenes::Scene& scene, const scenes::MemoryTiles& tiles, const render::Camera& camera,
+              double limit_px)
+        : grid_(scene.grid),
+          tiles_(tiles),
+          camera_(camera),
+          rays_(render::camera_rays(camera, size.x, size.y)),
+          limit_px_(limit_px),
+          measure_(scene.grid, scene.heights),
+          twin_(scene.grid, scene.heights) {
+        twin_.look(scene.grid, camera, size.x, size.y);
+    }
+
+    double operator()(glm::ivec2 pixel, double distance_m) {
+        const glm::dvec2 at = 2.0 * (glm::dvec2(pixel) + 0.5) / glm::dvec2(size) - 1.0;
+        if (!std::isinf(distance_m)) {
+            const double off = off_above_or_below(at, distance_m);
+            if (off <= limit_px_) return off;
+        }
+        if (on_a_crest(at, distance_m)) return limit_px_;
+        return measure_.error_px(camera_, size.x, size.y, pixel.x, pixel.y, distance_m, limit_px_);
+    }
+
+  private:
+    double off_above_or_below(glm::dvec2 at, double distance_m) {
+        const glm::dvec3 way = glm::normalize(rays_.middle + at.x * rays_.right + at.y * rays_.up);
+        glm::dvec3 point = camera_.eye + distance_m * way;
+        point.z = tiles_.height_at(0, {grid_.column_of(point.x), grid_.row_of(point.y)});
+        const auto place = render::place_in_picture(camera_, rays_, point);
+        if (!place) return std::numeric_limits<double>::infinity();
+        const double found = twin_.cast_pixel(place->x, place->y).distance_m;
+        const bool seen = std::abs(found - glm::length(point - camera_.eye)) <= 1e-4 * found;
+        return seen ? glm::length(0.5 * (*place - at) * glm::dvec2(size))
+                    : std::numeric_limits<double>::infinity();
+    }
+
+    bool on_a_crest(glm::dvec2 at, double distance_m) {
+        double nearest = std::numeric_limits<double>::infinity();
+        double farthest = 0;
+        for (int ring = 1; ring <= 3; ++ring)
+            for (int i = 0; i < 16; ++i) {
+                const double angle = 2 * std::numbers::pi * i / 16;
+                const glm::dvec2 aside =
+                    limit_px_ * ring / 3.0 * glm::dvec2(std::cos(angle), std::sin(angle));
+                const glm::dvec2 there = at + 2.0 * aside / glm::dvec2(size);
+                double found = twin_.cast_pixel(there.x, there.y).distance_m;
+                if (found < 0) found = std::numeric_limits<double>::infinity();
+                nearest = std::min(nearest, found);
+                farthest = std::max(farthest, found);
+            }
+        return nearest <= distance_m * (1 + 1e-4) && farthest >= distance_m * (1 - 1e-4);
+    }
+
+    Grid grid_;
+    const scenes::MemoryTiles& tiles_;
+    render::Camera camera_;
+    render::CameraRays rays_;
+    double limit_px_;
+    render::Measure measure_;
+    maths::CastTwin<double> twin_;
+};
+
+class Tiled : public ::testing::TestWithParam<std::string> {};
+
+// Law 2: where all tiles are of the finest level, rays over tiles are rays over the whole, bit for bit.
+TEST_P(Tiled, WithoutToleranceIsExact) {
+    const gpu::Context context;
+    const scenes::Scene scene = scenes::make(GetParam());
+    const scenes::MemoryTiles tiles(scene.grid, scene.heights, 64);
+    TiledEasel easel(tiles, static_cast<int>(tiles.tree().count()));
+    scenes::Easel whole(scene, size.x, size.y);
+    const render::Method method = render::method_named("exact").make(render::Detail::none);
+    for (const render::NamedCamera& view : render::survey(scene.grid, scene.heights)) {
+        easel.load(view.camera, 0);
+        const std::vector<float> shown = easel.distances(view.camera);
+        const std::vector<float> exact = scenes::distances(whole.draw(method, view.camera, 0));
+        int different = 0;
+        for_pixels([&](glm::ivec2, std::size_t i) { different += shown[i] == exact[i] ? 0 : 1; });
+        EXPECT_EQ(different, 0) << view.name;
+    }
+}
+
+// No pixel is farther off than the tolerance, whatever levels meet.
+TEST_P(Tiled, IsWithinItsTolerance) {
+    const gpu::Context context;
+    const scenes::Scene scene = scenes::make(GetParam());
+    const scenes::MemoryTiles tiles(scene.grid, scene.heights, 32);
+    TiledEasel easel(tiles, static_cast<int>(tiles.tree().count()));
+    for (const double tolerance_px : {2.0 / 3, 4.0}) {
+        std::vector<long> of_level(static_cast<std::size_t>(tiles.tree().top_level()) + 1, 0);
+        double largest_px = 0;
+        for (const render::NamedCamera& view : render::survey(scene.grid, scene.heights)) {
+            const render::TileChoice choice = easel.load(view.camera, tolerance_px);
+            EXPECT_EQ(choice.tolerance_px, tolerance_px);
+            for (const TileId& tile : choice.drawn) ++of_level[static_cast<std::size_t>(tile.level)];
+            OffPixels off_px(scene, tiles, view.camera, tolerance_px);
+            const std::vector<float> shown = easel.distances(view.camera);
+            int beyond = 0;
+            for_pixels([&](glm::ivec2 pixel, std::size_t i) {
+                if (i % 3 != 0) return;
+                const double off = off_px(pixel, shown[i]);
+                beyond += off > tolerance_px ? 1 : 0;
+                largest_px = std::max(largest_px, off);
+            });
+            EXPECT_EQ(beyond, 0) << view.name << " at " << tolerance_px << " px";
+        }
+        std::printf("%s at %.2f px: at most %.2f px off; tiles by level", GetParam().c_str(), tolerance_px,
+                    largest_px);
+        for (const long count : of_level) std::printf(" %ld", count);
+        std::printf("\n");
+        // Needles are in no coarser level.
+        EXPECT_EQ(of_level[1] > 0, GetParam() != "spikes");
+    }
+}
+
+// Law 4, and no hole: whichever tiles are there, a picture is the twin's, and straight down over the terrain
+// every ray hits.
+TEST_P(Tiled, DrawsWhatIsThereAsItsTwin) {
+    const gpu::Context context;
+    const scenes::Scene scene = scenes::make(GetParam());
+    const scenes::MemoryTiles tiles(scene.grid, scene.heights, 32);
+    const TileTree& tree = tiles.tree();
+    TiledEasel easel(tiles, static_cast<int>(tree.count()));
+    std::mt19937 random(11);
+    const glm::dvec3 middle(0.5 * scene.grid.width_m(), 0.5 * scene.grid.height_m(), 0);
+    const double width_m = std::min(scene.grid.width_m(), scene.grid.height_m());
+    const double highest_m = *std::max_element(scene.heights.begin(), scene.heights.end());
+    const render::Camera down = {middle + glm::dvec3(0, 0, highest_m + width_m), middle, 10};
+    std::vector<render::NamedCamera> views = render::survey(scene.grid, scene.heights);
+    views.push_back({"down", down});
+    int fallen_back = 0;
+    for (const render::NamedCamera& view : views) {
+        easel.surface.clear();
+        const render::TileChoice wish = easel.surface.look(view.camera, size, 1);
+        for (const TileId& tile : wish.wanted)
+            if (random() % 2 == 0) easel.put({tile.level, tile.column, tile.row});
+        const render::TileChoice choice = easel.surface.look(view.camera, size, 1);
+        fallen_back += static_cast<int>(choice.wanted.size());
+        const std::vector<float> shown = easel.distances(view.camera);
+        maths::TileCastTwin<float> twin(tiles);
+        twin.look(choice, easel.surface, view.camera, size.x, size.y);
+        int different = 0;
+        int missed = 0;
+        for_pixels([&](glm::ivec2 pixel, std::size_t i) {
+            missed += std::isinf(shown[i]) ? 1 : 0;
+            if (i % 7 != 0) return;
+            const glm::vec2 at = place_of(pixel);
+            const float expected = twin.cast_pixel(at.x, at.y).distance_m;
+            different += (expected < 0 ? std::isinf(shown[i]) : shown[i] == expected) ? 0 : 1;
+        });
+        EXPECT_EQ(different, 0) << view.name;
+        if (view.name == "down") {
+            EXPECT_EQ(missed, 0);
+        }
+    }
+    EXPECT_GT(fallen_back, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Terrains, Tiled, ::testing::ValuesIn(scenes::names()),
+                         [](const auto& scene) { return scene.param; });
+
+// Where a picture needs more tiles than there is room for, it is coarsened evenly, the same however often it
+// is looked at, and no more tiles are held than there are slots.
+TEST(TiledSurface, KeepsToItsSlots) {
+    const gpu::Context context;
+    const scenes::Scene scene = scenes::make("fbm");
+    const scenes::MemoryTiles tiles(scene.grid, scene.heights, 32);
+    TiledEasel easel(tiles, 20);
+    EXPECT_EQ(easel.surface.slots(), 20);
+    int coarsened = 0;
+    for (const render::NamedCamera& view : render::survey(scene.grid, scene.heights)) {
+        const render::TileChoice choice = easel.load(view.camera, 2.0 / 3);
+        EXPECT_LE(choice.drawn.size(), 20u) << view.name;
+        EXPECT_GE(choice.tolerance_px, 2.0 / 3);
+        coarsened += choice.tolerance_px > 2.0 / 3 ? 1 : 0;
+        const render::TileChoice again = easel.surface.look(view.camera, size, 2.0 / 3);
+        EXPECT_EQ(again.tolerance_px, choice.tolerance_px);
+        EXPECT_TRUE(again.wanted.empty()) << view.name;
+        OffPixels off_px(scene, tiles, view.camera, choice.tolerance_px);
+        const std::vector<float> shown = easel.distances(view.camera);
+        int beyond = 0;
+        for_pixels([&](glm::ivec2 pixel, std::size_t i) {
+            if (i % 5 == 0) beyond += off_px(pixel, shown[i]) > choice.tolerance_px ? 1 : 0;
+        });
+        EXPECT_EQ(beyond, 0) << view.name << " at " << choice.tolerance_px << " px";
+    }
+    EXPECT_GT(coarsened, 6);
+}
+
+}  // namespace
+}  // namespace talus::tiled_test

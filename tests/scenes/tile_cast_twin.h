@@ -1,0 +1,126 @@
+#pragma once
+#include <limits>
+#include <vector>
+
+#include "render/camera.h"
+#include "render/tiled/tiled_surface.h"
+#include "shaders/maths/twin.h"
+#include "tests/scenes/memory_tiles.h"
+
+namespace talus::maths {
+
+/// The CPU twin of the caster over tiles: the same maths, over what a choice of tiles shows.
+template <typename Real>
+class TileCastTwin {
+  public:
+    TALUS_TWIN_NAMES(Real)
+    static constexpr bool count_steps = true;
+
+    explicit TileCastTwin(const scenes::MemoryTiles& tiles)
+        : patches(tiles.tree().grid().nx - 1, tiles.tree().grid().ny - 1),
+          tile_side(tiles.tree().side()),
+          tile_top_level(tiles.tree().top_level()),
+          room_patches(tiles.tree().room_patches()),
+          tiles_(tiles) {
+        const Grid& grid = tiles.tree().grid();
+        cells_per_m = real2(1 / grid.dx, 1 / grid.dy);
+        while (room_patches.x % (2 << slot_top_level) == 0 && (room_patches.x >> slot_top_level) > 2)
+            ++slot_top_level;
+    }
+
+    /// The choice is one of this surface's.
+    void look(const render::TileChoice& choice, const render::TiledSurface& surface,
+              const render::Camera& camera, int width, int height) {
+        choice_ = &choice;
+        const Grid& grid = tiles_.tree().grid();
+        const render::CameraRays rays = render::camera_rays(camera, width, height);
+        origin_ = render::cast_origin(grid, camera.eye);
+        ray_forward = real3(rays.middle);
+        ray_right = real3(rays.right);
+        ray_up = real3(rays.up);
+        held_.resize(static_cast<std::size_t>(surface.slots()));
+        for (const TileId& tile : choice.drawn)
+            held_[static_cast<std::size_t>(surface.slot_of(tile))] = {tile, tiles_.read(tile)};
+    }
+
+#include "maths/tile_place.glsl"
+
+    real2 load_tile_node(int2 tile, int level) const {
+        const std::size_t index = tiles_.tree().index_of({level, tile.x, tile.y});
+        return real2(over_eye(choice_->highest_m[index]), choice_->slots[index]);
+    }
+
+    TilePlace load_tile(int slot) {
+        loaded_ = &held_[static_cast<std::size_t>(slot)];
+        const TileTree& tree = tiles_.tree();
+        const int level = loaded_->tile.level;
+        const glm::dvec2 place = tree.place_in(level, glm::dvec2(origin_.cell) + origin_.fraction);
+        const glm::dvec2 cell = level == 0 ? glm::dvec2(origin_.cell) : glm::floor(place);
+        return {int2(cell) - tree.first_level_patch(loaded_->tile),
+                real2(level == 0 ? origin_.fraction : place - cell), real2(1.0 / tree.level(level).ratio),
+                level};
+    }
+
+    real load_highest() const {
+        float highest = -std::numeric_limits<float>::infinity();
+        for (const TileBounds& one : tiles_.bounds()) highest = std::max(highest, one.highest_m);
+        return over_eye(highest);
+    }
+
+    real load_top(int2 cell, int level) const {
+        real top = -std::numeric_limits<real>::infinity();
+        for (int row = cell.y << level; row <= (cell.y + 1) << level; ++row)
+            for (int column = cell.x << level; column <= (cell.x + 1) << level; ++column)
+                top = max(top, sample(column, row));
+        return top;
+    }
+
+    real4 load_corners(int2 at) const {
+        return real4(sample(at.x, at.y), sample(at.x + 1, at.y), sample(at.x, at.y + 1),
+                     sample(at.x + 1, at.y + 1));
+    }
+
+#include "maths/pixel_ray.glsl"
+#include "maths/tile_cast.glsl"
+
+    TileHit cast_pixel(real x, real y) {
+        return cast_tiles(origin_.cell, real2(origin_.fraction), pixel_ray(real2(x, y)), real(0), real(0));
+    }
+
+    int2 patches;
+    int tile_side;
+    int tile_top_level;
+    int2 room_patches;
+    int slot_top_level = 1;
+    real2 cells_per_m{1};
+    real3 ray_forward{0};
+    real3 ray_right{0};
+    real3 ray_up{0};
+
+  private:
+    struct Held {
+        TileId tile;
+        std::vector<float> heights;
+    };
+
+    // The eye's height in two words, as shaders have it.
+    real over_eye(float height) const {
+        const auto high = static_cast<float>(origin_.height_m);
+        return (real(height) - real(high)) - real(static_cast<float>(origin_.height_m - high));
+    }
+
+    real sample(int column, int row) const {
+        const int2 count = tiles_.tree().samples_of(loaded_->tile).count;
+        const float height = loaded_->heights[static_cast<std::size_t>(min(row + 1, count.y - 1)) * count.x +
+                                              static_cast<std::size_t>(min(column + 1, count.x - 1))];
+        return over_eye(height);
+    }
+
+    const scenes::MemoryTiles& tiles_;
+    std::vector<Held> held_;  // by slot
+    const Held* loaded_ = nullptr;
+    const render::TileChoice* choice_ = nullptr;
+    render::CastOrigin origin_{};
+};
+
+}  // namespace talus::maths
