@@ -34,6 +34,7 @@ const std::vector<NamedTable>& paper_tables() {
                                                    {"dick_figure_6", dick_figure_6},
                                                    {"dick_pyramid", dick_pyramid},
                                                    {"dick_footprint", dick_footprint},
+                                                   {"tiled", tiled},
                                                    {"cameras", cameras},
                                                    {"changes", changes},
                                                    {"flight", flight},

@@ -42,5 +42,6 @@ void park_oh_figure_13(const PaperRun& run);
 void dick_figure_6(const PaperRun& run);
 void dick_pyramid(const PaperRun& run);
 void dick_footprint(const PaperRun& run);
+void tiled(const PaperRun& run);
 
 }  // namespace talus::bench
