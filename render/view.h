@@ -79,8 +79,8 @@ const View& view_named(const std::string& name);
 std::vector<Parameter> render_parameters();
 
 /// Whether a parameter of drawing can change the picture now. Those that methods and views declare of their
-/// own can while it is theirs that is drawn. `drawing`: as above; `draped`: whether a picture is draped over the
-/// terrain.
+/// own can while it is theirs that is drawn. `drawing`: as above; `draped`: whether a picture is draped over
+/// the terrain.
 bool is_heeded(const std::string& parameter, const Parameters& drawing, bool draped);
 
 /// The legend of the settings' view over a terrain with these lowest and highest heights.
