@@ -8,7 +8,7 @@
 namespace talus {
 namespace {
 
-constexpr int level = 1;
+constexpr int packing_level = 1;
 
 std::size_t checked(std::size_t result) {
     if (ZSTD_isError(result)) throw Error(fmt::format("packing failed: {}", ZSTD_getErrorName(result)));
@@ -24,7 +24,7 @@ PackedBytes::PackedBytes(std::span<const std::byte> words) : unpacked_bytes_(wor
         for (std::size_t plane = 0; plane < 4; ++plane) planes[plane * count + i] = words[4 * i + plane];
     std::vector<std::byte> room(ZSTD_compressBound(planes.size()));
     const std::size_t packed =
-        checked(ZSTD_compress(room.data(), room.size(), planes.data(), planes.size(), level));
+        checked(ZSTD_compress(room.data(), room.size(), planes.data(), planes.size(), packing_level));
     packed_.assign(room.begin(), room.begin() + static_cast<std::ptrdiff_t>(packed));
 }
 

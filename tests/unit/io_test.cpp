@@ -13,6 +13,7 @@
 #include "app/core/scene.h"
 #include "sim/error.h"
 #include "sim/io/atomic_file.h"
+#include "sim/io/colour_image.h"
 #include "sim/io/document.h"
 #include "sim/io/endings.h"
 #include "sim/io/heightmap.h"
@@ -430,6 +431,26 @@ TEST_F(Files, RefusesBombs) {
         write("bomb.exr", claims);
         refusal("bomb.exr");
     }
+}
+
+// A PNG of two colours, one bit a pixel, packs 3 MiB of colours into 225 bytes: an evenly coloured 1024 x
+// 1024.
+TEST_F(Files, ReadsPicturesOfFewColours) {
+    const std::string hex =
+        "89504e470d0a1a0a0000000d494844520000040000000400010300000045d3b9c000000006504c54"
+        "45285ac8ffffff8f7c0905000000964944415478daedc101010000008220ffaf6e48400100000000"
+        "00000000000000000000000000000000000000000000000000000000000000000000000000000000"
+        "00000000000000000000000000000000000000000000000000000000000000000000000000000000"
+        "00000000000000000000000000000000000000000000000000000000000000000000000000000000"
+        "000000ef06041e00010dde38640000000049454e44ae426082";
+    std::string bytes;
+    for (std::size_t i = 0; i < hex.size(); i += 2)
+        bytes += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
+    write("two_colours.png", bytes);
+    const io::ColourImage image = io::read_colour_image(path("two_colours.png"));
+    EXPECT_EQ(glm::ivec2(image.width, image.height), glm::ivec2(1024));
+    ASSERT_EQ(image.rgba.size(), std::size_t{4} << 20U);
+    EXPECT_EQ(std::vector<int>(image.rgba.begin(), image.rgba.begin() + 3), (std::vector<int>{40, 90, 200}));
 }
 
 TEST_F(Files, AFailedWriteLeavesTheOldFile) {
