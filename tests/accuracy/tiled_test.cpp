@@ -47,7 +47,7 @@ class TiledEasel {
     // Until all tiles are there that the picture wants.
     render::TileChoice load(const render::Camera& camera, double tolerance_px) {
         for (;;) {
-            const render::TileChoice choice = surface.look(camera, size, tolerance_px);
+            render::TileChoice choice = surface.look(camera, size, tolerance_px);
             if (choice.wanted.empty()) return choice;
             for (const TileId& tile : choice.wanted) put(tile);
         }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "render/hits_target.h"
+#include "render/survey.h"
 #include "render/tiled/tiled_surface.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/papers/easel.h"
@@ -62,24 +63,24 @@ void tiled(const PaperRun& run) {
         const Entry exact = entry("exact");
         const double width_m = terrain.grid.width_m();
         const glm::dvec3 middle(0.5 * width_m, 0.5 * terrain.grid.height_m(), 0);
-        const std::vector<std::pair<std::string, render::Camera>> views = {
+        const std::vector<render::NamedCamera> views = {
             {"flight", paper_flight(terrain, 5)[1]},
             {"walk", paper_walk(terrain, 5)[1]},
             {"high", {middle + glm::dvec3(0, -0.9, 0.9) * width_m, middle, 45}}};
-        for (const auto& [what, camera] : views) {
-            std::vector<Contestant> contestants = {{"exact", [&] { easel.draw(exact, camera); }}};
+        for (const render::NamedCamera& view : views) {
+            std::vector<Contestant> contestants = {{"exact", [&] { easel.draw(exact, view.camera); }}};
             std::vector<TiledPicture> pictures;
             const std::vector<double> tolerances_px = {0, 2.0 / 3, 2};
             pictures.reserve(tolerances_px.size());
             for (const double tolerance_px : tolerances_px) {
-                TiledPicture& picture = pictures.emplace_back(tiles, camera, tolerance_px);
+                TiledPicture& picture = pictures.emplace_back(tiles, view.camera, tolerance_px);
                 contestants.push_back(
                     {fmt::format("{:.2f} px", tolerance_px), [&picture] { picture.draw(); }});
             }
             const std::vector<double> times = interleave(contestants, 9);
             for (std::size_t i = 0; i < times.size(); ++i)
-                table.row(fmt::format("{},{},{},{:.1f},{}", name, what, contestants[i].name, 1e3 * times[i],
-                                      i == 0 ? 0 : pictures[i - 1].choice.drawn.size()));
+                table.row(fmt::format("{},{},{},{:.1f},{}", name, view.name, contestants[i].name,
+                                      1e3 * times[i], i == 0 ? 0 : pictures[i - 1].choice.drawn.size()));
         }
     }
 }
