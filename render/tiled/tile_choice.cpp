@@ -9,10 +9,10 @@ namespace talus::render {
 namespace {
 
 // Tiles beside the picture throw shadows into it, and the camera may turn to them.
-constexpr double beside_the_picture = 16;
+constexpr double unseen_divisor = 16;
 
-// A tolerance that needs too much room is coarsened by this.
-constexpr double coarser = 1.189207115;  // the fourth root of 2
+// A tolerance that needs too much room is multiplied by this.
+constexpr double coarsening_factor = 1.189207115;  // the fourth root of 2
 
 // Around the eye an error has no bound in pixels; this counts for it.
 constexpr double most_px = 1e6;
@@ -138,7 +138,7 @@ class Chooser {
         const double error_m = bounds_[tree_.index_of(tile)].error_m;
         if (error_m <= 0) return 0;
         const Box box = box_of(tile);
-        return sight_.pixels(box, error_m) / (sight_.sees(box) ? 1 : beside_the_picture);
+        return sight_.pixels(box, error_m) / (sight_.sees(box) ? 1 : unseen_divisor);
     }
 
     bool is_enough(const TileId& tile, double tolerance_px) const {
@@ -205,7 +205,7 @@ TileChoice choose_tiles(const TileTree& tree, const std::vector<TileBounds>& bou
                         const std::function<int(const TileId&)>& slot_of) {
     Chooser chooser(tree, bounds, camera, size, slot_of);
     while (tolerance_px < most_px && chooser.needed(tolerance_px, room) > room)
-        tolerance_px = std::max(tolerance_px * coarser, 1.0 / 16);
+        tolerance_px = std::max(tolerance_px * coarsening_factor, 1.0 / 16);
     return chooser.choose(tolerance_px);
 }
 

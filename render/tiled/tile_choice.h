@@ -14,16 +14,16 @@ struct TileChoice {
     std::vector<int> slots;
     /// By the same number: no ground that is drawn there lies higher.
     std::vector<float> highest_m;
-    std::vector<TileId> wanted;  ///< not on the device; what is drawn instead is farther off than the
-                                 ///< tolerance. The worst first
+    std::vector<TileId> wanted;  ///< asked for and not on the device; the worst first, by
+                                 ///< what would be drawn if nothing finer were there
     std::vector<TileId> drawn;   ///< on the device; one may be drawn in several places, instead of others
-    std::vector<TileId> needed;  ///< of these, the ones that stand for no others
+    std::vector<TileId> needed;  ///< of these, the ones that the picture asked for
     double tolerance_px = 0;     ///< so many pixels off are tiles at most when all that are wanted are there
 };
 
 /// Chooses the coarsest tiles whose distance from the finest surface projects to at most tolerance_px
 /// anywhere in the tile (Dick, Krüger & Westermann 2009, section 4, with measured bounds), for a picture of
-/// height pixels. Where more than `room` tiles would be needed, the tolerance is coarsened until they are no
+/// `size` pixels. Where more than `room` tiles would be needed, the tolerance is coarsened until they are no
 /// more. slot_of: the slot that a tile is in, or -1. Tiles of the coarsest level must be in one.
 TileChoice choose_tiles(const TileTree& tree, const std::vector<TileBounds>& bounds, const Camera& camera,
                         glm::ivec2 size, double tolerance_px, std::size_t room,

@@ -6,9 +6,6 @@
 namespace talus::render {
 namespace {
 
-// A side of images that all devices of OpenGL 4.5 have.
-constexpr int widest_image = 16384;
-
 // The coarsest level whose cells fill a slot: its patches are a multiple of 16.
 int top_level_of(int patches) {
     int level = 1;
@@ -22,7 +19,7 @@ int samples_across(int patches) {
 }
 
 int slots_across(int patches) {
-    return widest_image / samples_across(patches);
+    return gpu::widest_texture / samples_across(patches);
 }
 
 }  // namespace
@@ -36,7 +33,7 @@ TilePool::TilePool(const TileTree& tree, int slots)
     : room_patches_(tree.room_patches()),
       top_level_(top_level_of(room_patches_)),
       in_row_(std::min(static_cast<int>(std::ceil(std::sqrt(slots))), slots_across(room_patches_))),
-      slots_(std::min(slots, in_row_ * slots_across(room_patches_))),
+      slots_(std::min({slots, in_row_ * slots_across(room_patches_), gpu::widest_texture})),
       pyramid_("render/tile_pool.comp") {
     const int rows = (slots_ + in_row_ - 1) / in_row_;
     const int half = room_patches_ / 2;

@@ -1,7 +1,11 @@
 #include "render/tiled/tiled_surface.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "sim/error.h"
 
 namespace talus::render {
 namespace {
@@ -25,6 +29,13 @@ TiledSurface::TiledSurface(TileTree tree, std::vector<TileBounds> bounds, int sl
       slot_of_tile_(tree_.count(), -1) {
     const glm::ivec2 finest = tree_.level(0).tiles;
     const int rows = first_node_row(finest.y, tree_.top_level()) + tree_.level(tree_.top_level()).tiles.y;
+    const glm::ivec2 coarsest = tree_.level(tree_.top_level()).tiles;
+    if (pool_.slots() <= coarsest.x * coarsest.y)
+        throw Error(fmt::format("{} slots are too few for the terrain's {} coarsest tiles and one more",
+                                pool_.slots(), coarsest.x * coarsest.y));
+    if (std::max(finest.x, rows) > gpu::widest_texture)
+        throw Error(
+            fmt::format("{} x {} tiles are more than the device's largest image holds", finest.x, finest.y));
     nodes_ = gpu::Texture("nodes of tiles", gpu::Format::rg32f, finest.x, rows);
     places_ = gpu::Texture("places in tiles", gpu::Format::rgba32f, 2, pool_.slots());
     highest_m_ = bounds_.front().highest_m;
@@ -70,7 +81,7 @@ void TiledSurface::clear() {
 const TileChoice& TiledSurface::look(const Camera& camera, glm::ivec2 size, double tolerance_px) {
     ++looks_;
     const glm::ivec2 coarsest = tree_.level(tree_.top_level()).tiles;
-    const auto room = static_cast<std::size_t>(std::max(1, pool_.slots() - coarsest.x * coarsest.y));
+    const auto room = static_cast<std::size_t>(pool_.slots() - coarsest.x * coarsest.y);
     choice_ = choose_tiles(tree_, bounds_, camera, size, tolerance_px, room,
                            [&](const TileId& tile) { return slot_of(tile); });
     // What stands for others is given away before what was asked for.

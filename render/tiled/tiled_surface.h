@@ -11,7 +11,7 @@ namespace talus::render {
 class TiledSurface {
   public:
     /// bounds: of all tiles of the tree. slots: of the pool, more than the tree's coarsest tiles, which must
-    /// be put() before the first look().
+    /// be put() before the first look(). Throws talus::Error where an image of the device holds too few.
     TiledSurface(TileTree tree, std::vector<TileBounds> bounds, int slots);
 
     const TileTree& tree() const { return tree_; }
@@ -21,7 +21,8 @@ class TiledSurface {
     /// The slot that a tile is in, or -1.
     int slot_of(const TileId& tile) const { return slot_of_tile_[tree_.index_of(tile)]; }
     /// Puts a tile's samples (TileTree::samples_of()) into a free slot, or into the one whose tile was not
-    /// shown for the longest time. Tiles of the coarsest level stay.
+    /// shown for the longest time. Tiles of the coarsest level stay. What is shown follows with the next
+    /// look(): nothing may be drawn between.
     void put(const TileId& tile, std::span<const float> heights);
     /// Takes all tiles away but those of the coarsest level.
     void clear();

@@ -11,7 +11,7 @@ struct CastHit {
     int steps;        // patches visited, and with count_steps the pyramid's cells too
 };
 
-// Beyond this many something is wrong: a ray crosses fewer than 4 * (columns + rows) cells of any pyramid, and every
+// Beyond this many something is wrong: a ray crosses fewer than 4 * (columns + rows) cells of the pyramid that it walks, and every
 // step of the walk gets on.
 const int cast_step_limit = 131072;
 

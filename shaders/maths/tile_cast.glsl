@@ -1,7 +1,7 @@
 // Casts a ray onto a terrain in tiles of several levels of detail (Dick, Krueger & Westermann 2009, sections 3 and 4;
 // docs/numerics.md, "Tiled terrain"). A walk over the tree of tiles, from near to far, finds the tiles that the ray may
 // meet; in each one it goes on as in maths/cast_walk.glsl, over the samples of the tile's own level. A tile's sides are solid, so
-// a ray that comes from a lower level of detail into a higher one hits there. All tiles' edges are planes between columns
+// a ray that comes from a coarser tile into a finer one below its surface hits there. All tiles' edges are planes between columns
 // and rows of the finest level, and their distances are one expression: no ray passes between two tiles, and where all
 // tiles are of the finest level, the hits are those of cast_ray(), bit for bit. The including side gives, besides what
 // maths/cast_walk.glsl needs of the tile that it loaded last,
@@ -17,11 +17,13 @@
 //   slot_top_level   int, the coarsest level of a slot's pyramid
 #include "maths/cast_walk.glsl"
 
+// A ray crosses fewer tiles of all levels together; beyond it something is wrong.
+const int tile_step_limit = 65536;
+
 struct TileHit {
     real distance_m;  // along the ray; < 0: nothing hit
     int steps;        // of both walks
     int level;        // of the tile that was hit
-    int tiles;        // tiles that the ray was cast into
 };
 
 // Parameters as of cast_ray(), of the finest level.
@@ -30,7 +32,6 @@ TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_
     hit.distance_m = real(-1);
     hit.steps = 0;
     hit.level = 0;
-    hit.tiles = 0;
 
     real2 inverse = real2(cast_inverse(direction.x), cast_inverse(direction.y));
     real inverse_z = cast_inverse(direction.z);
@@ -54,8 +55,10 @@ TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_
         // others find in later turns, if it does not (docs/devices.md).
         int slot = -1;
         bool walking = true;
+        int turns = 0;
         do {
             if (count_steps) hit.steps += 1;
+            turns += 1;
             real2 node = load_tile_node(cell, level);
             real top = node.x - height_m;
             int across = tile_side << level;
@@ -83,7 +86,7 @@ TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_
             at = found || ascend ? at : descend ? drop : leave;
             cell = found ? cell : ascend ? int2(cell.x >> 1, cell.y >> 1) : int2(descend ? child.x : next.x >> up, descend ? child.y : next.y >> up);
             level = found ? level : level + (ascend ? 1 : descend ? -1 : up);
-            walking = !found && at < end;
+            walking = !found && at < end && turns < tile_step_limit;
         } while (walking);
 
         inside = slot >= 0;
@@ -106,7 +109,6 @@ TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_
             hit.distance_m = beyond ? real(-1) : here.distance_m;
             hit.steps += here.steps;
             hit.level = place.level;
-            hit.tiles += 1;
 
             bool by_x = far.x <= far.y;
             int2 next = int2(cell.x + (by_x ? forward.x : 0), cell.y + (by_x ? 0 : forward.y));

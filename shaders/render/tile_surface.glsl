@@ -13,7 +13,6 @@ uniform int tile_top_level;
 uniform int tile_rows;  // of tiles of the finest level
 uniform real tile_highest_m;
 uniform int2 patches;
-uniform real2 cell_m;
 uniform int2 origin_cell;       // the eye's patch (column, row) of the finest level, and where in it
 uniform real2 origin_fraction;
 uniform real2 origin_height_m;  // the eye's height, two words

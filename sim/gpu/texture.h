@@ -21,6 +21,9 @@ enum class Format { r32f, rg32f, rgba8, srgb8, rgba32f, depth32f };
 enum class Wrap { edge, repeat };
 enum class Access { read, write, read_write };
 
+/// Texels along a side that every device has on which Talus starts (docs/devices.md).
+constexpr int widest_texture = 16384;
+
 /// Bytes of one texel.
 std::size_t texel_bytes(Format format);
 

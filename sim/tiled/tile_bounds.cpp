@@ -11,9 +11,12 @@
 namespace talus {
 namespace {
 
+// Tiles from one word to the next.
+constexpr std::size_t told_every = 16;
+
 // Along one axis: the places where the difference of two surfaces can be largest, and where each lies between
 // samples of both levels.
-struct Places {
+struct Crossings {
     std::vector<int> finer;  // sample before it, from the first one read on
     std::vector<float> finer_share;
     std::vector<int> coarser;
@@ -23,24 +26,24 @@ struct Places {
 
 // first, last: of the finest level; ratio: finest samples for one of the coarser level; finer_first,
 // coarser_first: samples that were read first.
-Places places_of(int first, int last, double ratio, int finer_first, int coarser_first) {
+Crossings crossings_of(int first, int last, double ratio, int finer_first, int coarser_first) {
     std::vector<double> all;
     for (int finest = first; finest <= last; ++finest) all.push_back(finest);
     const auto place_of = [&](double sample) { return (sample + 0.5) * ratio - 0.5; };
     for (double sample = std::ceil((first + 0.5) / ratio - 0.5); place_of(sample) < last; ++sample)
         if (place_of(sample) > first) all.push_back(place_of(sample));
     std::sort(all.begin(), all.end());
-    Places places;
+    Crossings crossings;
     for (const double place : all) {
         const double finer = std::min(std::floor(place), static_cast<double>(last - 1));
         const double at = (place + 0.5) / ratio - 0.5;
         const double coarser = std::floor(at);
-        places.finer.push_back(static_cast<int>(finer) - finer_first);
-        places.finer_share.push_back(static_cast<float>(place - finer));
-        places.coarser.push_back(static_cast<int>(coarser) - coarser_first);
-        places.coarser_share.push_back(static_cast<float>(at - coarser));
+        crossings.finer.push_back(static_cast<int>(finer) - finer_first);
+        crossings.finer_share.push_back(static_cast<float>(place - finer));
+        crossings.coarser.push_back(static_cast<int>(coarser) - coarser_first);
+        crossings.coarser_share.push_back(static_cast<float>(at - coarser));
     }
-    return places;
+    return crossings;
 }
 
 // A surface along a line of places: between two rows of samples, then between columns.
@@ -86,8 +89,8 @@ class Worker {
         coarser_.where = {low, high - low + 2};
         read_(level, coarser_.where, coarser_.heights);
         const glm::dvec2 ratio = tree_.level(level).ratio;
-        const Places across = places_of(first.x, last.x, ratio.x, first.x, low.x);
-        const Places down = places_of(first.y, last.y, ratio.y, first.y, low.y);
+        const Crossings across = crossings_of(first.x, last.x, ratio.x, first.x, low.x);
+        const Crossings down = crossings_of(first.y, last.y, ratio.y, first.y, low.y);
         float most = 0;
         for (std::size_t y = 0; y < down.count(); ++y) {
             along_line(finest_.heights, finest_.where.count.x, down.finer[y], down.finer_share[y],
@@ -110,14 +113,6 @@ class Worker {
     std::vector<float> coarser_line_;
 };
 
-TileId tile_at(const TileTree& tree, std::size_t index) {
-    TileId tile;
-    while (index >= tree.index_of({tile.level + 1, 0, 0})) ++tile.level;
-    const auto within = static_cast<int>(index - tree.index_of({tile.level, 0, 0}));
-    const int columns = tree.level(tile.level).tiles.x;
-    return {tile.level, within % columns, within / columns};
-}
-
 }  // namespace
 
 std::vector<TileBounds> measure_tile_bounds(const TileTree& tree,
@@ -132,7 +127,7 @@ std::vector<TileBounds> measure_tile_bounds(const TileTree& tree,
         try {
             Worker worker(tree, make_reader());
             for (std::size_t index = next++; index < bounds.size() && !stopped; index = next++) {
-                const TileId tile = tile_at(tree, index);
+                const TileId tile = tree.tile_at(index);
                 const TileBounds extent = worker.extent_of(tile);
                 std::vector<float> errors;
                 for (int level = 1; tile.level == 0 && level <= tree.top_level(); ++level)
@@ -145,7 +140,8 @@ std::vector<TileBounds> measure_tile_bounds(const TileTree& tree,
                         bounds[tree.index_of({level, tile.column >> level, tile.row >> level})];
                     above.error_m = std::max(above.error_m, errors[static_cast<std::size_t>(level) - 1]);
                 }
-                if (told && !told(static_cast<double>(index) / static_cast<double>(bounds.size())))
+                if (told && index % told_every == 0 &&
+                    !told(static_cast<double>(index) / static_cast<double>(bounds.size())))
                     stopped = true;
             }
         } catch (...) {
@@ -162,10 +158,10 @@ std::vector<TileBounds> measure_tile_bounds(const TileTree& tree,
     if (failure) std::rethrow_exception(failure);
     if (stopped) return {};
     // Heights, shares and two interpolations are rounded to a few units in the last place.
-    for (std::size_t index = tree.index_of({1, 0, 0}); index < bounds.size(); ++index) {
+    for (std::size_t index = tree.first_of(1); index < bounds.size(); ++index) {
         TileBounds& one = bounds[index];
         const float largest = std::max(std::abs(one.lowest_m), std::abs(one.highest_m));
-        one.error_m += 8 * std::numeric_limits<float>::epsilon() * (largest + one.error_m);
+        one.error_m += 16 * std::numeric_limits<float>::epsilon() * (largest + one.error_m);
     }
     return bounds;
 }

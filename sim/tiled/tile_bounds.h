@@ -21,9 +21,9 @@ using ReadSamples = std::function<void(int level, const TileSamples& samples, st
 /// Bounds of all tiles, in the order of TileTree::index_of(). The error is the largest difference of the two
 /// surfaces over the tile, worked out where it can be largest: both are bilinear between the columns and rows
 /// of both levels' samples, so their difference is largest where two of those cross. It is rounded up.
-/// make_reader: called once for each thread, whose reader no other uses. told: called now and then by one of
-/// the threads with the share of the work that is done; where it returns false, the work ends and nothing is
-/// returned.
+/// make_reader: called once for each thread, whose reader no other uses. told: called
+/// now and then, by one thread at a time, with about the share of the work that is done; where it returns
+/// false, the work ends and nothing is returned.
 std::vector<TileBounds> measure_tile_bounds(const TileTree& tree,
                                             const std::function<ReadSamples()>& make_reader,
                                             const std::function<bool(double)>& told = {});

@@ -2,11 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "sim/error.h"
 
 namespace talus {
 
 TileTree::TileTree(const Grid& grid, int side, const std::vector<glm::ivec2>& level_samples)
     : grid_(grid), side_(side), room_patches_(0), first_of_level_{0} {
+    if (side < 16 || side % 16 != 0)
+        throw Error("a tile has " + std::to_string(side) + " patches a side, a multiple of 16 is needed");
+    if (level_samples.empty() || level_samples.front() != glm::ivec2(grid.nx, grid.ny) || grid.nx < 2 ||
+        grid.ny < 2)
+        throw Error("the finest level of a tiled terrain must have the terrain's samples, at least 2 x 2");
     const glm::ivec2 patches(grid.nx - 1, grid.ny - 1);
     for (const glm::ivec2 samples : level_samples) {
         const int across = side << levels_.size();
@@ -48,8 +56,16 @@ TileSamples TileTree::samples_of(const TileId& tile) const {
 }
 
 std::size_t TileTree::index_of(const TileId& tile) const {
-    return first_of_level_[static_cast<std::size_t>(tile.level)] +
-           static_cast<std::size_t>(tile.row) * level(tile.level).tiles.x + tile.column;
+    return first_of(tile.level) + static_cast<std::size_t>(tile.row) * level(tile.level).tiles.x +
+           tile.column;
+}
+
+TileId TileTree::tile_at(std::size_t index) const {
+    TileId tile;
+    while (index >= first_of(tile.level + 1)) ++tile.level;
+    const auto within = static_cast<int>(index - first_of(tile.level));
+    const int columns = level(tile.level).tiles.x;
+    return {tile.level, within % columns, within / columns};
 }
 
 std::vector<glm::ivec2> halved_levels(glm::ivec2 samples) {

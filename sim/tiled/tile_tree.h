@@ -29,17 +29,18 @@ struct TileSamples {
     glm::ivec2 count;
 };
 
-/// How a terrain of any size is cut into tiles (Dick, Krüger & Westermann 2009, section 4). A tile of level l
+/// How a large terrain is cut into tiles (Dick, Krüger & Westermann 2009, section 4). A tile of level l
 /// covers side * 2^l patches of the finest level in a row and in a column, cut off at the terrain's edge, so
 /// four tiles of the level below lie in it. Sample i of level l stands for the area of the finest samples
 /// that were averaged for it: at column (i + 1/2) * ratio - 1/2 of the finest level. So the surface of a
-/// coarser level has its patches elsewhere than the tile has its edges; between edges of the terrain and the
-/// outermost samples of the level it is level.
+/// coarser level has its patches elsewhere than the tile has its edges; beyond its outermost
+/// samples the surface is flat.
 class TileTree {
   public:
     /// side: patches of the finest level in a row of a tile of level 0, a multiple of 16. level_samples: of
     /// each level, the finest first; a level has about half as many in a row and in a column as the one
     /// before. Levels beyond the one that is a single tile are left out.
+    /// Throws talus::Error where side or the finest level are not so.
     TileTree(const Grid& grid, int side, const std::vector<glm::ivec2>& level_samples);
 
     const Grid& grid() const { return grid_; }
@@ -65,6 +66,9 @@ class TileTree {
     /// Number of all tiles, and a tile's place among them: the finest level first, row by row.
     std::size_t count() const { return first_of_level_.back(); }
     std::size_t index_of(const TileId& tile) const;
+    /// The place of a level's first tile among all; of the level after the coarsest: count().
+    std::size_t first_of(int level) const { return first_of_level_[static_cast<std::size_t>(level)]; }
+    TileId tile_at(std::size_t index) const;
 
   private:
     Grid grid_;
