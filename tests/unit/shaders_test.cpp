@@ -10,6 +10,7 @@
 #include "render/ground_depth.h"
 #include "render/overview.h"
 #include "render/renderer.h"
+#include "render/tiled/tile_pool.h"
 #include "sim/gpu/context.h"
 #include "sim/gpu/embedded_text.h"
 #include "sim/gpu/shader_text.h"
@@ -87,6 +88,14 @@ void draw_everything(Terrain& terrain) {
         }
 }
 
+// What terrain in tiles is drawn with.
+void assemble_tiles() {
+    const render::TilePool pool(TileTree(grid, 16, halved_levels({grid.nx, grid.ny})), 4);
+    for (const std::vector<std::string>& defines :
+         {std::vector<std::string>{}, {"COUNT_STEPS"}, {"TELL_KIND"}})
+        const gpu::Program rays({"render/fullscreen.vert", "render/tiled.frag"}, defines);
+}
+
 TEST(Shaders, AreGlslForTheReferenceCompiler) {
     const fs::path folder = fs::temp_directory_path() / ("talus_shaders_" + std::to_string(::getpid()));
     fs::create_directories(folder);
@@ -110,6 +119,7 @@ TEST(Shaders, AreGlslForTheReferenceCompiler) {
         draw_everything(simulation.terrain());
         static_cast<void>(claims::arithmetic_of_device());
         const render::GroundDepth depth;
+        assemble_tiles();
         for (const ThermalScheme scheme : {ThermalScheme::olsen, ThermalScheme::olsen_fast}) {
             ThermalSettings settings;
             settings.scheme = scheme;
