@@ -26,6 +26,7 @@ void ammann_table_2(const PaperRun& run);
 void ammann_figure_4(const PaperRun& run);
 void ammann_figure_5(const PaperRun& run);
 void ammann_figure_6(const PaperRun& run);
+void ammann_boxes(const PaperRun& run);
 void ammann_figure_9(const PaperRun& run);
 void ammann_figure_11(const PaperRun& run);
 
