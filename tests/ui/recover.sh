@@ -30,7 +30,7 @@ for kill in $(seq "$kills"); do
     wait "$pid" 2>/dev/null || true
     wait "$hand" 2>/dev/null || true
     xdotool mouseup 1
-    autosave=$(ls -t state/talus/sessions/*/autosave.exr 2>/dev/null | head -n 1)
+    autosave=$(ls -t state/talus/sessions/*/autosave.exr 2>/dev/null | head -n 1 || true)
     [ -n "$autosave" ] || fail "kill $kill: nothing was kept"
     age=$(($(cat killed) - $(stat -c %Y "$autosave")))
     [ "$age" -le 6 ] || fail "kill $kill: what was kept is $age s old, of an interval of 1 s"
