@@ -72,6 +72,8 @@ Command render_command(CLI::App& app, Texts& t) {
     auto options = std::make_shared<RenderOptions>();
     CLI::App* command = app.add_subcommand("render", "draw a terrain without a window");
     command->add_option("FILE", t.file, "heightmap or document")->required();
+    command->add_flag("--tiled", options->tiled,
+                      "draw the file in tiles, as rasters of more than 8192 samples a side are anyway");
     command->add_option("--image", options->image, "the picture")->type_name("OUT.png");
     command->add_option("--keys", options->keys, "fly along the key cameras of this file")
         ->type_name("FILE.toml");
@@ -188,6 +190,20 @@ Command convert_command(CLI::App& app, Texts& t) {
             }};
 }
 
+Command tile_command(CLI::App& app, Texts& t) {
+    auto options = std::make_shared<TileOptions>();
+    CLI::App* command = app.add_subcommand("tile",
+                                           "write a raster of any size as a GeoTIFF in tiles with overviews, "
+                                           "to be drawn without loading all of it");
+    command->add_option("IN", options->input, "any raster that GDAL reads, mosaics (.vrt) too")->required();
+    command->add_option("OUT", options->output, "the GeoTIFF")->required()->type_name("OUT.tif");
+    add_import(*command, t);
+    return {command, [&t, options] {
+                options->import = t.import();
+                tile(*options);
+            }};
+}
+
 Command replay_command(CLI::App& app, Texts& t) {
     auto options = std::make_shared<ReplayOptions>();
     CLI::App* command = app.add_subcommand("replay", "do again what a journal recorded");
@@ -271,8 +287,8 @@ int parse_and_do(int argc, char** argv) {
     const Command window = window_command(app, t);
     std::vector<Command> commands;
     for (const auto make :
-         {run_command, render_command, compare_command, verify_command, convert_command, replay_command,
-          info_command, presets_command, parameters_command, why_no_window_command})
+         {run_command, render_command, compare_command, verify_command, convert_command, tile_command,
+          replay_command, info_command, presets_command, parameters_command, why_no_window_command})
         commands.push_back(make(app, t));
     try {
         app.parse(argc, argv);

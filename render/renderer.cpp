@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "render/picture_readback.h"
 #include "sim/error.h"
 
 namespace talus::render {
@@ -175,15 +176,14 @@ void Renderer::colour(const Terrain& terrain, const Picture& picture, const gpu:
         const std::array<const gpu::Texture*, 1> attached = {&ground_colour_};
         ground_colour_buffer_ = gpu::Framebuffer("colour of the ground", attached);
     }
-    const ShadeFrame frame{
-        terrain,       pyramid_,       picture.camera, picture.settings,
-        picture.width, picture.height, hits,           watered ? ground_colour_buffer_ : target};
-    shading_.draw(frame, sky_view_, redraw);
+    const ShadeFrame frame{picture.camera, picture.settings,
+                           picture.width,  picture.height,
+                           hits,           watered ? ground_colour_buffer_ : target};
+    shading_.draw(frame, shaded_ground(terrain, pyramid_, sky_view_, picture.settings.view), redraw);
     if (!watered) return;
     water_->cast(terrain, picture.camera, picture.width, picture.height);
-    water_shading_.draw(
-        {terrain, pyramid_, picture.camera, picture.settings, picture.width, picture.height, hits, target},
-        *water_, ground_colour_);
+    water_shading_.draw({picture.camera, picture.settings, picture.width, picture.height, hits, target},
+                        terrain, pyramid_, *water_, ground_colour_);
 }
 
 // What the ring can cover: the box around it, from the lowest to the highest ground. All of the picture where
@@ -241,30 +241,14 @@ void Renderer::draw_ring(const Grid& grid) {
 }
 
 std::vector<std::uint8_t> Renderer::read_rgb(int width, int height) const {
-    std::vector<std::uint8_t> rgba(static_cast<std::size_t>(width) * height * 4);
-    (ringed_     ? ringed_colour_
-     : refined() ? refinement_.mean()
-                 : colour_)
-        .read({0, 0, width, height}, std::as_writable_bytes(std::span(rgba)));
-    std::vector<std::uint8_t> rgb;
-    rgb.reserve(static_cast<std::size_t>(width) * height * 3);
-    for (int y = height - 1; y >= 0; --y)
-        for (int x = 0; x < width; ++x) {
-            const std::size_t at = (static_cast<std::size_t>(y) * width + x) * 4;
-            rgb.insert(rgb.end(), {rgba[at], rgba[at + 1], rgba[at + 2]});
-        }
-    return rgb;
+    return read_picture_rgb(ringed_     ? ringed_colour_
+                            : refined() ? refinement_.mean()
+                                        : colour_,
+                            width, height);
 }
 
 std::vector<float> Renderer::read_depth(int width, int height) const {
-    const std::vector<float> bottom_up = target_.read_distances(width, height);
-    std::vector<float> values;
-    values.reserve(bottom_up.size());
-    for (int y = height - 1; y >= 0; --y) {
-        const auto row = bottom_up.begin() + static_cast<std::ptrdiff_t>(y) * width;
-        values.insert(values.end(), row, row + width);
-    }
-    return values;
+    return read_picture_depth(target_, width, height);
 }
 
 void Renderer::follow_bounds(bool again) {

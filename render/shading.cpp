@@ -19,8 +19,28 @@ void Shading::drape(int width, int height, std::span<const std::byte> rgba) {
     drape_.filter(gpu::Wrap::edge);
 }
 
-gpu::Program& Shading::program_of(const View& view, const ViewSettings& settings, bool sky, bool there) {
+ShadedGround shaded_ground(const Terrain& terrain, const Pyramid& pyramid, const SkyView& sky,
+                           const std::string& view) {
+    const auto layer = view_named(view).layer;
+    const bool there = !layer || terrain.*layer;
+    return {terrain.grid(), false, there, true,
+            [&terrain, &pyramid, &sky, layer, there](gpu::Program& program) {
+                program.bind_sampled("solid", terrain.solid.front);
+                program.bind_sampled("start", terrain.start);
+                program.bind_sampled("sky_share", sky.share());
+                // What is absent is not read; another texture stands in for it.
+                program.bind_sampled("layer", layer && there ? (terrain.*layer)->front : terrain.ground);
+                program.bind_sampled("water", terrain.water ? terrain.water->front : terrain.ground);
+                pyramid.bind(program, terrain);
+            }};
+}
+
+gpu::Program& Shading::program_of(const View& view, const ViewSettings& settings, bool sky,
+                                  const ShadedGround& ground) {
     std::vector<std::string> defines = {"VIEW_FILE render/views/" + view.name + ".glsl"};
+    defines.emplace_back(ground.tiled ? "GROUND_FILE render/tile_ground.glsl"
+                                      : "GROUND_FILE render/whole_ground.glsl");
+    if (ground.tiled) defines.emplace_back("TILED");
     if (view.natural) defines.emplace_back("NATURAL");
     if (view.sky_too) defines.emplace_back("SKY_TOO");
     if (sky) {
@@ -28,9 +48,9 @@ gpu::Program& Shading::program_of(const View& view, const ViewSettings& settings
     } else if (view.natural) {
         if (!gpu::filters_along()) defines.emplace_back("FILTERS_ROUND");
         if (settings.shadows && !settings.quick) defines.emplace_back("SHADOWS");
-        if (settings.occlusion) defines.emplace_back("OCCLUSION");
+        if (settings.occlusion && ground.has_sky_share) defines.emplace_back("OCCLUSION");
         if (drape_.width() > 0) defines.emplace_back("DRAPED");
-    } else if (!there) {
+    } else if (!ground.has_layer) {
         defines.emplace_back("ABSENT");
     }
     std::string key;
@@ -43,23 +63,15 @@ gpu::Program& Shading::program_of(const View& view, const ViewSettings& settings
         .first->second;
 }
 
-void Shading::draw(const ShadeFrame& frame, const SkyView& sky, const Redraw* redraw) {
-    const Terrain& terrain = frame.terrain;
-    const Grid& grid = terrain.grid();
+void Shading::draw(const ShadeFrame& frame, const ShadedGround& ground, const Redraw* redraw) {
+    const Grid& grid = ground.grid;
     const View& view = view_named(frame.settings.view);
-    const bool there = !view.layer || terrain.*view.layer;
     const auto prepare = [&](gpu::Program& program) {
-        program.bind_sampled("solid", terrain.solid.front);
         program.bind_sampled("hits", frame.hits);
-        program.bind_sampled("start", terrain.start);
         program.bind_sampled("grain", grain_);
         program.bind_sampled("drape", drape_);
-        program.bind_sampled("sky_share", sky.share());
-        // What is absent is not read; another texture stands in for it.
-        program.bind_sampled("layer", view.layer && there ? (terrain.*view.layer)->front : terrain.ground);
-        program.bind_sampled("water", terrain.water ? terrain.water->front : terrain.ground);
         set_camera(program, grid, frame.camera, frame.width, frame.height);
-        frame.pyramid.bind(program, terrain);
+        ground.bind(program);
         program.set("sun", glm::vec3(frame.settings.sun));
         program.set("extent_m", static_cast<float>(std::max(grid.width_m(), grid.height_m())));
         program.set("pixel_angle", static_cast<float>(pixel_at_one_metre(frame.camera, frame.height)));
@@ -69,18 +81,18 @@ void Shading::draw(const ShadeFrame& frame, const SkyView& sky, const Redraw* re
     };
     const bool skips_sky = !redraw && !view.sky_too;
     if (!redraw) list_.make(frame.hits, frame.width, frame.height);
-    gpu::Program& ground = program_of(view, frame.settings, false, there);
+    gpu::Program& coloured = program_of(view, frame.settings, false, ground);
     if (redraw) {
-        prepare(ground);
-        redraw->draw(ground, frame.target, gpu::Depth::none);
+        prepare(coloured);
+        redraw->draw(coloured, frame.target, gpu::Depth::none);
         return;
     }
-    gpu::Program& nothing = skips_sky ? program_of(view, frame.settings, true, false) : ground;
+    gpu::Program& nothing = skips_sky ? program_of(view, frame.settings, true, ground) : coloured;
     const glm::ivec2 size(frame.width, frame.height);
     prepare(nothing);
     draw_blocks(nothing, frame.target, size, list_.nothing(), gpu::Depth::none);
-    prepare(ground);
-    draw_blocks(ground, frame.target, size, list_.something(), gpu::Depth::none);
+    prepare(coloured);
+    draw_blocks(coloured, frame.target, size, list_.something(), gpu::Depth::none);
 }
 
 }  // namespace talus::render

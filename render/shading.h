@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -12,10 +13,8 @@
 
 namespace talus::render {
 
-/// What is shaded: the hits of a picture, and what lies there.
+/// What is shaded: the hits of a picture.
 struct ShadeFrame {
-    const Terrain& terrain;
-    const Pyramid& pyramid;
     const Camera& camera;
     const ViewSettings& settings;
     int width;  ///< of the picture; textures may be larger
@@ -23,6 +22,17 @@ struct ShadeFrame {
     const gpu::Texture& hits;
     const gpu::Framebuffer& target;
 };
+
+/// The ground as the shader that colours a picture reads it.
+struct ShadedGround {
+    const Grid& grid;
+    bool tiled = false;         ///< in tiles (render/tiled); else held as a whole
+    bool has_layer = true;      ///< it has what the view shows
+    bool has_sky_share = true;  ///< it knows what of the sky each place sees
+    std::function<void(gpu::Program&)> bind;
+};
+ShadedGround shaded_ground(const Terrain& terrain, const Pyramid& pyramid, const SkyView& sky,
+                           const std::string& view);
 
 /// Colours the hits of a picture: one program for each view and what it looks at, made when first used.
 class Shading {
@@ -34,11 +44,12 @@ class Shading {
     void drape(int width, int height, std::span<const std::byte> rgba);
 
     /// Draws all of the picture, or the blocks of a redraw where one is given.
-    void draw(const ShadeFrame& frame, const SkyView& sky, const Redraw* redraw);
+    void draw(const ShadeFrame& frame, const ShadedGround& ground, const Redraw* redraw);
 
   private:
-    // `sky`: for blocks where nothing was hit; `there`: the layer that the view shows.
-    gpu::Program& program_of(const View& view, const ViewSettings& settings, bool sky, bool there);
+    // `sky`: for blocks where nothing was hit.
+    gpu::Program& program_of(const View& view, const ViewSettings& settings, bool sky,
+                             const ShadedGround& ground);
 
     std::map<std::string, gpu::Program> programs_;
     ShadeList list_;

@@ -98,7 +98,8 @@ const std::vector<View>& views() {
         {.name = "difference",
          .numbers = {{"difference_m", number("render.difference_m", 20, 1e-3, 1e5, "m",
                                              "End of the scale of the view of differences.")}},
-         .legend = difference_legend},
+         .legend = difference_legend,
+         .whole = true},
         {.name = "depth",
          .numbers = {{"depth_scale_m", depth()}},
          .title = "Depth of the water",
@@ -162,7 +163,8 @@ const std::vector<View>& views() {
          .numbers = {{"regolith_scale_m", number("render.regolith_m", 5, 1e-6, 1e5, "m",
                                                  "End of the scale of the view of regolith.")}},
          .title = "Regolith",
-         .unit = "m"},
+         .unit = "m",
+         .whole = true},
     };
     return all;
 }

@@ -68,6 +68,7 @@ struct View {
     /// The layer that it shows. The ground is grey where the terrain has not this layer; null: it needs none.
     std::optional<DeviceLayer> Terrain::*layer = nullptr;
     Detail detail = Detail::none;  ///< what it needs of a method beside distances
+    bool whole = false;            ///< it looks at what only a terrain that is held as a whole has
     bool sky_too = false;          ///< colours pixels whose rays hit nothing
     bool natural = false;          ///< sun, shadow, sky and water as in nature
 };

@@ -16,16 +16,17 @@ WaterShading::WaterShading()
       mirroring_(water_program({"MIRRORS_GROUND 1"})),
       quick_(water_program({})) {}
 
-void WaterShading::draw(const ShadeFrame& frame, const WaterSurface& water, const gpu::Texture& colours) {
-    const Grid& grid = frame.terrain.grid();
+void WaterShading::draw(const ShadeFrame& frame, const Terrain& terrain, const Pyramid& pyramid,
+                        const WaterSurface& water, const gpu::Texture& colours) {
+    const Grid& grid = terrain.grid();
     list_.make(water.target().hits(), frame.width, frame.height);
     const auto bind = [&](gpu::Program& program) {
-        frame.pyramid.bind(program, frame.terrain);
+        pyramid.bind(program, terrain);
         program.bind_sampled("level", water.level());
         program.bind_sampled("hits", frame.hits);
         program.bind_sampled("water_hits", water.target().hits());
         program.bind_sampled("colours", colours);
-        program.bind_sampled("water", frame.terrain.water->front);
+        program.bind_sampled("water", terrain.water->front);
     };
     gpu::Program& program = frame.settings.quick ? quick_ : mirroring_;
     set_camera(program, grid, frame.camera, frame.width, frame.height);

@@ -12,7 +12,8 @@ class WaterShading {
     WaterShading();
 
     /// The frame's hits and the colours are the ground's; the water must have been cast for the same camera.
-    void draw(const ShadeFrame& frame, const WaterSurface& water, const gpu::Texture& colours);
+    void draw(const ShadeFrame& frame, const Terrain& terrain, const Pyramid& pyramid,
+              const WaterSurface& water, const gpu::Texture& colours);
 
   private:
     ShadeList list_;

@@ -33,6 +33,7 @@ void replay(const ReplayOptions& options);
 struct RenderOptions {
     gpu::ContextChoice gpu;
     SceneRequest scene;
+    bool tiled = false;  ///< also where the file could be held as a whole
     glm::ivec2 size{1280, 720};
     std::optional<glm::dvec3> eye;
     std::optional<glm::dvec3> target;
@@ -81,6 +82,15 @@ struct ConvertOptions {
     double mesh_error_m = 1;
 };
 void convert(const ConvertOptions& options);
+
+struct TileOptions {
+    std::string input;
+    std::string output;
+    io::ImportSettings import;
+};
+/// Writes a raster of any size as a tiled GeoTIFF with overviews (sim/io/tile_writer.h), and measures its
+/// tiles.
+void tile(const TileOptions& options);
 
 void info(const std::string& file, const io::ImportSettings& import, bool json);
 void list_presets(bool json);

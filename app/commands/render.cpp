@@ -5,16 +5,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
-#include "app/core/calibration.h"
 #include "app/core/flight.h"
 #include "app/core/report.h"
-#include "app/core/still.h"
+#include "app/core/sitter.h"
 #include "render/overview.h"
 #include "sim/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/endings.h"
 #include "sim/io/image_file.h"
-#include "sim/terrain/terrain.h"
 
 namespace talus::app {
 namespace {
@@ -24,9 +22,11 @@ std::string numbered(const std::string& path, std::size_t number) {
     return fmt::format("{}-{:04}.png", path.substr(0, path.size() - 4), number);
 }
 
-}  // namespace
+bool is_film(const RenderOptions& options) {
+    return !options.keys.empty() || options.turntable > 0;
+}
 
-void render(const RenderOptions& options) {
+void check(const RenderOptions& options) {
     if (options.size.x < 1 || options.size.y < 1 || options.size.x > 32768 || options.size.y > 32768)
         throw Error(fmt::format("--size {}x{} cannot be drawn, each side must be 1 to 32768 pixels",
                                 options.size.x, options.size.y));
@@ -35,57 +35,54 @@ void render(const RenderOptions& options) {
                                 options.size.x, options.size.y));
     if (options.image.empty() && options.depth.empty() && options.report.empty() && !options.json)
         throw Error("render writes nothing: give --image, --depth or --report");
-    const bool film = !options.keys.empty() || options.turntable > 0;
-    if (film && (options.image.empty() || !options.depth.empty() || !options.report.empty() || options.json))
+    if (is_film(options) &&
+        (options.image.empty() || !options.depth.empty() || !options.report.empty() || options.json))
         throw Error(
             "--keys and --turntable write frames alone: give --image, and neither --depth nor a report");
     if (!options.image.empty() && io::ending_of(options.image) != ".png")
         throw Error(fmt::format("cannot write the picture '{}': its ending must be .png", options.image));
     if (!options.depth.empty() && io::ending_of(options.depth) != ".exr")
         throw Error(fmt::format("cannot write the depth '{}': its ending must be .exr", options.depth));
+}
+
+}  // namespace
+
+void render(const RenderOptions& options) {
+    check(options);
     const gpu::Context context(options.gpu);
     say(gpu::describe(context.device()));
-    const Scene scene = make_scene(options.scene);
-    for (const std::string& note : scene.document.notes) say("note: " + note);
-    const Grid& grid = scene.document.state.grid;
-    const std::vector<float> ground = scene.document.state.ground();
-    const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
-    render::Camera camera = render::overview(grid, *low, *high,
-                                             {static_cast<double>(options.size.x) / options.size.y,
-                                              scene.view.number("camera.fov_deg"), options.turntable > 0});
+    Sitter sitter = make_sitter(options.scene, options.tiled, context.device());
+    for (const std::string& note : sitter.notes) say("note: " + note);
+    const Grid& grid = sitter.grid;
+    render::Camera camera = render::overview(
+        grid, sitter.lowest_m, sitter.highest_m,
+        {static_cast<double>(options.size.x) / options.size.y, sitter.fov_deg, options.turntable > 0});
     if (options.eye) camera.eye = *options.eye;
     if (options.target) camera.target = *options.target;
     if (camera.eye == camera.target)
         throw Error("--eye and --target are the same point, so there is no direction to look in");
-    const render::ViewSettings settings = render::view_settings(scene.view, scene.simulation);
-    Terrain terrain(scene.document.state);
-    render::Renderer renderer(terrain, patch_pixels(context.device()));
-    drape(renderer, scene);
-    const std::vector<render::Legend> legends = render::legend_of(settings, *low, *high);
-    const int samples = scene.view.whole("render.samples");
-    if (film) {
+    if (is_film(options)) {
         const glm::dvec2 middle(grid.width_m() / 2, grid.height_m() / 2);
         const std::vector<render::Camera> way =
             options.keys.empty() ? turn_around(camera, middle, options.turntable)
                                  : fly_along(read_keys(options.keys, camera.fov_deg), options.frames);
         for (std::size_t i = 0; i < way.size(); ++i) {
             const Still still =
-                draw_still(renderer, terrain, way[i], settings, legends, options.size, samples);
+                draw_still(sitter.painter, way[i], sitter.legends, options.size, sitter.samples);
             io::write_rgb(numbered(options.image, i), options.size.x, options.size.y, still.rgb);
         }
         return;
     }
     const double cpu_start = process_cpu_s();
-    const Still still = draw_still(renderer, terrain, camera, settings, legends, options.size,
-                                   options.image.empty() ? 1 : samples);
+    const int samples = options.image.empty() ? 1 : sitter.samples;
+    const Still still = draw_still(sitter.painter, camera, sitter.legends, options.size, samples);
     const double cpu_s = process_cpu_s() - cpu_start;
     const std::vector<float>& depth = still.depth_m;
     if (!options.image.empty()) io::write_rgb(options.image, options.size.x, options.size.y, still.rgb);
     if (!options.depth.empty()) io::write_depth(options.depth, options.size.x, options.size.y, depth);
-    if (options.report.empty() && !options.json) return;
     nlohmann::ordered_json report;
     report["device"] = gpu::describe(context.device());
-    report["method"] = settings.method;
+    report["method"] = sitter.method;
     report["width"] = options.size.x;
     report["height"] = options.size.y;
     report["eye"] = {camera.eye.x, camera.eye.y, camera.eye.z};
@@ -93,8 +90,19 @@ void render(const RenderOptions& options) {
     report["fov_deg"] = camera.fov_deg;
     report["pixels_hit"] =
         std::count_if(depth.begin(), depth.end(), [](float d) { return std::isfinite(d); });
-    report["samples"] = options.image.empty() ? 1 : samples;
+    report["samples"] = samples;
     report["cpu_s"] = cpu_s;
+    const TiledFigures tiles = sitter.tiles ? sitter.tiles() : TiledFigures();
+    if (tiles.tolerance_px > tiles.asked_px)
+        say(
+            fmt::format("note: tiles within {:.2f} pixels would not fit into tiles.gpu_mib, those that do "
+                        "are within {:.2f} "
+                        "pixels",
+                        tiles.asked_px, tiles.tolerance_px));
+    if (sitter.tiles)
+        report["tiles"] = {{"drawn", tiles.drawn},
+                           {"tolerance_px", tiles.tolerance_px},
+                           {"device_bytes", tiles.device_bytes}};
     if (!options.report.empty()) io::write_atomically(options.report, report.dump(2) + "\n");
     if (options.json) fmt::print("{}\n", report.dump(2));
 }

@@ -83,6 +83,11 @@ std::vector<Parameter> app_parameters() {
         number("time.speed", 1, 1e-3, 1e6, "s/s", "Simulated seconds a second of play."),
         number("autosave.interval_s", 120, 1, 86400, "s",
                "Unsaved work is kept by itself so often, for the case that Talus ends unexpectedly."),
+        whole(
+            "tiles.gpu_mib", 128, 32, 1 << 16, "MiB",
+            "Memory of the device that heights in tiles may take; where the view needs more, it is coarser."),
+        whole("tiles.host_mib", 512, 16, 1 << 20, "MiB",
+              "Memory that reading files in tiles may keep of them."),
         whole("undo.memory_mib", 1024, 1, 1 << 20, "MiB",
               "Memory that the history may take, packed; the oldest acts go first."),
     };

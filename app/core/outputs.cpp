@@ -35,9 +35,9 @@ void write_overview(const std::string& path, const Scene& scene, Simulation& sim
         render::overview(scene.document.state.grid, *low, *high,
                          {static_cast<double>(width) / height, scene.view.number("camera.fov_deg")});
     drape(renderer, scene);
-    const Still still =
-        draw_still(renderer, simulation.terrain(), camera, settings, render::legend_of(settings, *low, *high),
-                   {width, height}, scene.view.whole("render.samples"));
+    const Still still = draw_still(painter_of(renderer, simulation.terrain(), settings), camera,
+                                   render::legend_of(settings, *low, *high), {width, height},
+                                   scene.view.whole("render.samples"));
     io::write_rgb(path, width, height, still.rgb);
 }
 

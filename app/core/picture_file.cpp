@@ -16,9 +16,10 @@ std::string save_picture(Session& session, glm::ivec2 size) {
     const render::ViewSettings settings =
         render::view_settings(session.view(), session.simulation().parameters());
     const glm::dvec2 bounds = session.renderer().bounds();
-    const Still still = draw_still(session.renderer(), session.simulation().terrain(), session.camera(),
-                                   settings, render::legend_of(settings, bounds.x, bounds.y), size,
+    const Still still = draw_still(painter_of(session.renderer(), session.simulation().terrain(), settings),
+                                   session.camera(), render::legend_of(settings, bounds.x, bounds.y), size,
                                    session.view().whole("render.samples"));
+    session.renderer().forget();
     io::write_rgb(path, size.x, size.y, still.rgb);
     return path;
 }

@@ -40,18 +40,28 @@ TerrainState generated(const Parameters& p, const Grid& grid) {
     return state;
 }
 
-Scene assemble(const Parameters& all, io::Document document) {
+SceneParameters split(const Parameters& all) {
     std::vector<Parameter> view = render::render_parameters();
     const std::vector<Parameter> app = app_parameters();
     view.insert(view.end(), app.begin(), app.end());
-    Scene scene{
-        std::move(document), part_of(all, simulation_parameters()), part_of(all, view), {}, {}, {}, {}};
+    return {part_of(all, simulation_parameters()), part_of(all, view)};
+}
+
+Scene assemble(const Parameters& all, io::Document document) {
+    auto [simulation, view] = split(all);
+    Scene scene{std::move(document), std::move(simulation), std::move(view), {}, {}, {}, {}};
     scene.start.parameters = to_toml(scene.simulation);
     scene.view.suggest("render.level_m", scene.simulation.number("water.sea_level_m"));
     return scene;
 }
 
 }  // namespace
+
+SceneParameters make_scene_parameters(const SceneRequest& request) {
+    Parameters all(all_parameters());
+    for (const std::string& assignment : request.assignments) all.set_assignment(assignment);
+    return split(all);
+}
 
 Scene make_scene(const SceneRequest& request) {
     Parameters all(all_parameters());

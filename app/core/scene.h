@@ -31,6 +31,15 @@ struct Scene {
     io::ColourImage texture;         ///< draped over the terrain; without pixels: none
 };
 
+/// The parameters of a scene.
+struct SceneParameters {
+    Parameters simulation;  ///< terrain.*, time.tick_s, thermal.*
+    Parameters view;        ///< render.*, brush.*, camera.*, tiles.*, time.speed, undo.*
+};
+/// Those that a request sets, of a terrain that is not held as a whole. Throws talus::Error where one cannot
+/// be set.
+SceneParameters make_scene_parameters(const SceneRequest& request);
+
 /// Throws talus::Error when the request cannot be met.
 Scene make_scene(const SceneRequest& request);
 

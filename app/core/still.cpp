@@ -7,7 +7,7 @@
 namespace talus::app {
 namespace {
 
-constexpr int largest_tile = 2048;
+constexpr int largest_part = 2048;
 
 }  // namespace
 
@@ -15,31 +15,40 @@ void drape(render::Renderer& renderer, const Scene& scene) {
     renderer.drape(scene.texture.width, scene.texture.height, std::as_bytes(std::span(scene.texture.rgba)));
 }
 
-Still draw_still(render::Renderer& renderer, const Terrain& terrain, const render::Camera& camera,
-                 const render::ViewSettings& settings, const std::vector<render::Legend>& legends,
-                 glm::ivec2 size, int samples) {
+StillPainter painter_of(render::Renderer& renderer, const Terrain& terrain,
+                        const render::ViewSettings& settings) {
+    return {[&, settings](const render::Camera& camera, glm::ivec2 size) {
+                renderer.forget();
+                renderer.draw(terrain, camera, settings, size.x, size.y);
+            },
+            [&](int samples) { return renderer.refine(terrain, samples); },
+            [&](glm::ivec2 size) { return renderer.read_rgb(size.x, size.y); },
+            [&](glm::ivec2 size) { return renderer.read_depth(size.x, size.y); }};
+}
+
+Still draw_still(const StillPainter& painter, const render::Camera& camera,
+                 const std::vector<render::Legend>& legends, glm::ivec2 size, int samples) {
     const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     Still still{std::vector<std::uint8_t>(3 * pixels), std::vector<float>(pixels)};
-    for (int top = 0; top < size.y; top += largest_tile)
-        for (int left = 0; left < size.x; left += largest_tile) {
-            const glm::ivec2 tile = glm::min(size - glm::ivec2(left, top), glm::ivec2(largest_tile));
+    for (int top = 0; top < size.y; top += largest_part)
+        for (int left = 0; left < size.x; left += largest_part) {
+            const glm::ivec2 part = glm::min(size - glm::ivec2(left, top), glm::ivec2(largest_part));
             render::Camera here = camera;
-            here.window_share = glm::dvec2(tile) / glm::dvec2(size);
+            here.window_share = glm::dvec2(part) / glm::dvec2(size);
             // Pictures are numbered from the top, the view's window from below.
             here.window_middle =
-                glm::dvec2(2 * left + tile.x - size.x, size.y - 2 * top - tile.y) / glm::dvec2(size);
-            renderer.draw(terrain, here, settings, tile.x, tile.y);
-            while (renderer.refine(terrain, samples)) {
+                glm::dvec2(2 * left + part.x - size.x, size.y - 2 * top - part.y) / glm::dvec2(size);
+            painter.draw(here, part);
+            while (painter.refine(samples)) {
             }
-            const std::vector<std::uint8_t> rgb = renderer.read_rgb(tile.x, tile.y);
-            const std::vector<float> depth = renderer.read_depth(tile.x, tile.y);
-            renderer.forget();
-            for (int y = 0; y < tile.y; ++y) {
-                const std::size_t from = static_cast<std::size_t>(y) * tile.x;
+            const std::vector<std::uint8_t> rgb = painter.read_rgb(part);
+            const std::vector<float> depth = painter.read_depth(part);
+            for (int y = 0; y < part.y; ++y) {
+                const std::size_t from = static_cast<std::size_t>(y) * part.x;
                 const std::size_t to = static_cast<std::size_t>(top + y) * size.x + left;
-                std::copy_n(rgb.begin() + static_cast<std::ptrdiff_t>(3 * from), 3 * tile.x,
+                std::copy_n(rgb.begin() + static_cast<std::ptrdiff_t>(3 * from), 3 * part.x,
                             still.rgb.begin() + static_cast<std::ptrdiff_t>(3 * to));
-                std::copy_n(depth.begin() + static_cast<std::ptrdiff_t>(from), tile.x,
+                std::copy_n(depth.begin() + static_cast<std::ptrdiff_t>(from), part.x,
                             still.depth_m.begin() + static_cast<std::ptrdiff_t>(to));
             }
         }

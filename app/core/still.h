@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -17,10 +18,19 @@ struct Still {
 /// Drapes the scene's picture over the terrain, or none.
 void drape(render::Renderer& renderer, const Scene& scene);
 
-/// Draws a picture of any size, in tiles where it is larger than 2048 pixels, with as many samples a pixel,
+/// What draws the parts of a still: a terrain held as a whole, or one in tiles.
+struct StillPainter {
+    std::function<void(const render::Camera&, glm::ivec2 size)> draw;  ///< afresh
+    std::function<bool(int samples)> refine;                           ///< false: the picture has so many
+    std::function<std::vector<std::uint8_t>(glm::ivec2 size)> read_rgb;
+    std::function<std::vector<float>(glm::ivec2 size)> read_depth;
+};
+StillPainter painter_of(render::Renderer& renderer, const Terrain& terrain,
+                        const render::ViewSettings& settings);
+
+/// Draws a picture of any size, in parts where it is larger than 2048 pixels, with as many samples a pixel,
 /// and legends in its lower right corner. The same terrain, camera and settings give the same picture.
-Still draw_still(render::Renderer& renderer, const Terrain& terrain, const render::Camera& camera,
-                 const render::ViewSettings& settings, const std::vector<render::Legend>& legends,
-                 glm::ivec2 size, int samples);
+Still draw_still(const StillPainter& painter, const render::Camera& camera,
+                 const std::vector<render::Legend>& legends, glm::ivec2 size, int samples);
 
 }  // namespace talus::app

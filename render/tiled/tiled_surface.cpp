@@ -37,9 +37,13 @@ TiledSurface::TiledSurface(TileTree tree, std::vector<TileBounds> bounds, int sl
         throw Error(
             fmt::format("{} x {} tiles are more than the device's largest image holds", finest.x, finest.y));
     nodes_ = gpu::Texture("nodes of tiles", gpu::Format::rg32f, finest.x, rows);
-    places_ = gpu::Texture("places in tiles", gpu::Format::rgba32f, 2, pool_.slots());
+    places_ = gpu::Texture("places in tiles", gpu::Format::rgba32f, 3, pool_.slots());
     highest_m_ = bounds_.front().highest_m;
-    for (const TileBounds& one : bounds_) highest_m_ = std::max(highest_m_, one.highest_m);
+    lowest_m_ = bounds_.front().lowest_m;
+    for (const TileBounds& one : bounds_) {
+        highest_m_ = std::max(highest_m_, one.highest_m);
+        lowest_m_ = std::min(lowest_m_, one.lowest_m);
+    }
 }
 
 std::size_t TiledSurface::bytes() const {
@@ -113,10 +117,10 @@ void TiledSurface::tell_places(const Camera& camera) {
     const Grid& grid = tree_.grid();
     const CastOrigin origin = cast_origin(grid, camera.eye);
     std::vector<glm::vec4> texels;
-    texels.reserve(2 * slots_.size());
+    texels.reserve(3 * slots_.size());
     for (const Slot& slot : slots_) {
         if (slot.tile.level < 0) {
-            texels.resize(texels.size() + 2);
+            texels.resize(texels.size() + 3);
             continue;
         }
         // Among the finest samples the fraction is the one that exact rays have, to the bit.
@@ -131,6 +135,12 @@ void TiledSurface::tell_places(const Camera& camera) {
         const glm::dvec2 scale = 1.0 / tree_.level(slot.tile.level).ratio;
         texels.emplace_back(glm::dvec4(cell, fraction));
         texels.emplace_back(glm::dvec4(scale, slot.tile.level, 0));
+        const TileSamples held = tree_.samples_of(slot.tile);
+        const glm::ivec2 first = glm::max(held.first, glm::ivec2(0));
+        const glm::ivec2 last =
+            glm::min(held.first + held.count - 2, tree_.level(slot.tile.level).samples - 2);
+        const glm::ivec2 from = tree_.first_level_patch(slot.tile);
+        texels.emplace_back(glm::vec2(first - from), glm::vec2(glm::max(first, last) - from));
     }
     places_.write(places_.whole(), std::as_bytes(std::span(texels)));
 }
@@ -144,6 +154,8 @@ void TiledSurface::bind(gpu::Program& program, const Camera& camera, glm::ivec2 
     program.set("tile_top_level", tree_.top_level());
     program.set("tile_rows", tree_.level(0).tiles.y);
     program.set("tile_highest_m", highest_m_);
+    program.set("tile_lowest_m", lowest_m_);
+    program.set("tile_off_m", static_cast<float>(choice_.tolerance_px * pixel_at_one_metre(camera, size.y)));
 }
 
 }  // namespace talus::render

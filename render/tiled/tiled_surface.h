@@ -18,6 +18,8 @@ class TiledSurface {
     const std::vector<TileBounds>& bounds() const { return bounds_; }
     int slots() const { return pool_.slots(); }
     std::size_t bytes() const;
+    float lowest_m() const { return lowest_m_; }    ///< of all samples
+    float highest_m() const { return highest_m_; }  ///< likewise
     /// The slot that a tile is in, or -1.
     int slot_of(const TileId& tile) const { return slot_of_tile_[tree_.index_of(tile)]; }
     /// Puts a tile's samples (TileTree::samples_of()) into a free slot, or into the one whose tile was not
@@ -44,6 +46,7 @@ class TiledSurface {
 
     TileTree tree_;
     std::vector<TileBounds> bounds_;
+    float lowest_m_ = 0;
     float highest_m_ = 0;
     TilePool pool_;
     std::vector<Slot> slots_;

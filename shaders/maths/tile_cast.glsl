@@ -23,7 +23,7 @@ const int tile_step_limit = 65536;
 struct TileHit {
     real distance_m;  // along the ray; < 0: nothing hit
     int steps;        // of both walks
-    int level;        // of the tile that was hit
+    int slot;         // of the tile that was hit
 };
 
 // Parameters as of cast_ray(), of the finest level.
@@ -31,7 +31,7 @@ TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_
     TileHit hit;
     hit.distance_m = real(-1);
     hit.steps = 0;
-    hit.level = 0;
+    hit.slot = 0;
 
     real2 inverse = real2(cast_inverse(direction.x), cast_inverse(direction.y));
     real inverse_z = cast_inverse(direction.z);
@@ -90,6 +90,7 @@ TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_
         } while (walking);
 
         inside = slot >= 0;
+        hit.slot = inside && hit.distance_m < real(0) ? slot : hit.slot;
         if (inside) {
             TilePlace place = load_tile(slot);
             int across = tile_side << level;
@@ -108,7 +109,6 @@ TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_
             bool beyond = place.level > 0 && here.distance_m > tile_end;
             hit.distance_m = beyond ? real(-1) : here.distance_m;
             hit.steps += here.steps;
-            hit.level = place.level;
 
             bool by_x = far.x <= far.y;
             int2 next = int2(cell.x + (by_x ? forward.x : 0), cell.y + (by_x ? 0 : forward.y));

@@ -25,6 +25,9 @@ vec3 draped(vec2 place, Footprint footprint) {
     return 0.45 * filtered_along(drape, place * scale, footprint).rgb;
 }
 
+#ifdef TILED
+float regolith_at(vec2 place) { return 0.0; }
+#else
 float regolith_at(vec2 place) {
     ivec2 cell = clamp(ivec2(floor(place)), ivec2(0), patches - 1);
     vec2 w = clamp(place - vec2(cell), 0.0, 1.0);
@@ -32,6 +35,7 @@ float regolith_at(vec2 place) {
     float b = mix(texelFetch(solid, cell + ivec2(0, 1), 0).b, texelFetch(solid, cell + 1, 0).b, w.x);
     return mix(a, b, w.y);
 }
+#endif
 
 // place: absolute columns and rows; share: of the terrain's relief that lies below.
 vec3 material(vec2 place, Footprint footprint, float share, float height_m, Relief relief) {

@@ -1,14 +1,13 @@
 // Colours what a method hit, by the view's own file: shaders/render/views, one for each (render/view.h). Software runs all
-// branches of a shader, so each view is a program of its own; VIEW_FILE names its file.
+// branches of a shader, so each view is a program of its own; VIEW_FILE names its file, GROUND_FILE the one of the ground:
+// whole_ground.glsl or tile_ground.glsl.
 const bool count_steps = false;
-#include "render/surface.glsl"
 #include "render/picture.glsl"
-#include "maths/cast.glsl"
+#include GROUND_FILE
 #include "maths/colour_map.glsl"
 
 layout(location = 0) out vec4 colour_out;
 
-uniform sampler2D bottoms;
 uniform sampler2D solid;  // bedrock, its low word, regolith, its low word
 uniform sampler2D hits;
 uniform sampler2D start;  // the ground when the terrain was made, two words
@@ -85,21 +84,22 @@ void main() {
     point.absolute = point.place + vec2(origin_cell);
     point.above_eye_m = point.distance_m * point.ray.z;
     point.height_m = origin_height_m.x + point.above_eye_m;
+    vec2 relief_place = relief_place_of(point.place, point.hit.y);
 #ifdef NATURAL
-    float reach = clamp(point.distance_m * pixel_angle / min(cell_m.x, cell_m.y), 1.0, 12.0);
+    float reach = clamp(point.distance_m * pixel_angle / min(relief_cell_m().x, relief_cell_m().y), 1.0, 12.0);
 #else
     float reach = 1.0;
 #endif
-    point.relief = relief_at(point.place, point.above_eye_m, reach);
+    point.relief = relief_at(relief_place, point.above_eye_m, reach);
     point.normal = normalize(vec3(-point.relief.gradient, 1.0));
     point.highest_m = load_highest();
-    point.lowest_m = (texelFetch(bottoms, whole_texel(), 0).r - origin_height_m.x) - origin_height_m.y;
+    point.lowest_m = load_lowest();
     point.share = (point.above_eye_m - point.lowest_m) / max(point.highest_m - point.lowest_m, 1e-3);
     point.lit = 0.55 + 0.45 * max(dot(point.normal, sun), 0.0);
     // The terrain's cut side: below the surface on the rectangle's edge, or seen from inside the ground.
     bool on_edge =
         point.hit.x == 0.0 || any(lessThan(point.absolute, vec2(2e-3))) || any(greaterThan(point.absolute, vec2(patches) - 2e-3));
-    bool cut = on_edge && point.above_eye_m < height_at(point.place) - 1e-3 * extent_m * 0.05 - 1e-4 * point.distance_m;
+    bool cut = on_edge && point.above_eye_m < height_at(relief_place) - 1e-3 * extent_m * 0.05 - 1e-4 * point.distance_m;
 #ifdef ABSENT
     vec3 colour = bare * point.lit;
 #else

@@ -6,18 +6,25 @@
 uniform sampler2D tile_heights;
 uniform sampler2D tile_tops;
 uniform sampler2D tile_nodes;   // highest point, slot (maths/tile_cast.glsl); levels one below the other
-uniform sampler2D tile_places;  // a row a slot: the eye's patch and where in it; samples for one of the finest level, level
+uniform sampler2D tile_places;  // a row a slot: the eye's patch and where in it; samples for one of the finest level, level;
+                                // the first and the last patch between its samples
 
 uniform int tile_side;
 uniform int tile_top_level;
 uniform int tile_rows;  // of tiles of the finest level
 uniform real tile_highest_m;
 uniform int2 patches;
+uniform real2 cell_m;
 uniform int2 origin_cell;       // the eye's patch (column, row) of the finest level, and where in it
 uniform real2 origin_fraction;
 uniform real2 origin_height_m;  // the eye's height, two words
 
 int tile_slot = 0;  // loaded last
+
+#ifdef FROM_ELSEWHERE
+// Where rays start: columns and rows of the finest level from the eye.
+real2 tile_start = real2(0.0, 0.0);
+#endif
 
 // As first_node_row() of render/tiled/tiled_surface.cpp.
 int2 tile_node_texel(int2 tile, int level) { return int2(tile.x, tile.y + 2 * tile_rows - ((2 * tile_rows) >> level) + level); }
@@ -42,6 +49,17 @@ TilePlace load_tile(int slot) {
     tile_slot = slot;
     vec4 eye = texelFetch(tile_places, ivec2(0, slot), 0);
     vec4 level = texelFetch(tile_places, ivec2(1, slot), 0);
-    return TilePlace(int2(eye.xy), eye.zw, level.xy, int(level.z));
+    int2 cell = int2(eye.xy);
+    real2 fraction = eye.zw;
+#ifdef FROM_ELSEWHERE
+    fraction += tile_start * level.xy;
+    real2 whole = floor(fraction);
+    cell += int2(whole);
+    fraction -= whole;
+#endif
+    return TilePlace(cell, fraction, level.xy, int(level.z));
 }
+// The first and the last patch between samples of a slot's level that it holds.
+ivec4 tile_patches(int slot) { return ivec4(texelFetch(tile_places, ivec2(2, slot), 0)); }
+
 #include "maths/tile_cast.glsl"

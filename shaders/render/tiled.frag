@@ -13,7 +13,7 @@ void main() {
     real2 at = picture_position();
     TileHit hit = cast_tiles(origin_cell, origin_fraction, pixel_ray(at), 0.0, 0.0);
     hit_out = vec2(hit.distance_m < 0.0 ? uintBitsToFloat(0x7f800000u) : hit.distance_m, float(hit.steps));
-#ifdef TELL_KIND
-    hit_out.y = hit.distance_m < 0.0 ? 0.0 : 1.0 + float(hit.level);
+#ifdef TELL_SLOT
+    hit_out.y = float(hit.slot);
 #endif
 }

@@ -1,12 +1,10 @@
 // Water over the picture of the ground: what the eye sees of the bed through it, and what it reflects.
 const bool count_steps = false;
-#include "render/surface.glsl"
 #include "render/picture.glsl"
-#include "maths/cast.glsl"
+#include "render/whole_ground.glsl"
 
 layout(location = 0) out vec4 colour_out;
 
-uniform sampler2D bottoms;
 uniform sampler2D level;
 uniform sampler2D hits;
 uniform sampler2D water_hits;
@@ -56,7 +54,7 @@ vec2 level_gradient(vec2 place, float here, float reach) {
 vec3 reflected_ground(vec2 place, float above_eye) {
     Relief relief = relief_at(place, above_eye, 2.0);
     vec3 normal = normalize(vec3(-relief.gradient, 1.0));
-    float lowest = (texelFetch(bottoms, whole_texel(), 0).r - origin_height_m.x) - origin_height_m.y;
+    float lowest = load_lowest();
     float share = (above_eye - lowest) / max(load_highest() - lowest, 1e-3);
     vec3 albedo = mix(vec3(0.07, 0.09, 0.035), vec3(0.17, 0.155, 0.14), smoothstep(0.25, 0.6, share + 0.4 * length(relief.gradient) - 0.2));
     return albedo * (max(dot(normal, sun), 0.0) * vec3(3.5, 3.2, 2.75) + vec3(0.30, 0.36, 0.46));

@@ -51,6 +51,10 @@ mode_t mode_for(const fs::path& path) {
     return 0666U & ~mask;
 }
 
+fs::path folder_of(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
 bool write_all(int file, std::span<const std::byte> content) {
     while (!content.empty()) {
         const ssize_t written = ::write(file, content.data(), content.size());
@@ -63,43 +67,52 @@ bool write_all(int file, std::span<const std::byte> content) {
 
 }  // namespace
 
-void write_atomically(const fs::path& path, std::span<const std::byte> content) {
+AtomicFile::AtomicFile(const fs::path& path) : path_(path) {
     // Past a size limit the signal would end the program; the write's own error says it better.
     std::signal(SIGXFSZ, SIG_IGN);
     std::error_code ignored;
-    const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
-    if (fs::is_directory(target, ignored))
+    target_ = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
+    if (fs::is_directory(target_, ignored))
         throw Error(fmt::format("cannot write '{}': it is a folder, give a file's name", path.string()));
+    if (fs::exists(target_, ignored) && !fs::is_regular_file(target_, ignored))
+        throw Error(fmt::format("cannot write '{}': it is no file", path.string()));
+    if (fs::exists(target_, ignored) && ::access(target_.c_str(), W_OK) != 0)
+        throw Error(fmt::format("cannot write '{}': {}", path.string(), reason(errno)));
+    std::string temporary = (folder_of(target_) / ("." + target_.filename().string() + ".XXXXXX")).string();
+    const Descriptor file(::mkstemp(temporary.data()));
+    if (file.get() < 0) throw Error(fmt::format("cannot write '{}': {}", path.string(), reason(errno)));
+    temporary_ = temporary;
+}
+
+AtomicFile::~AtomicFile() {
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void AtomicFile::commit() {
+    Descriptor file(::open(temporary_.c_str(), O_RDWR | O_CLOEXEC));
+    if (file.get() < 0 || ::fchmod(file.get(), mode_for(target_)) != 0 || ::fsync(file.get()) != 0 ||
+        file.close() != 0 || ::rename(temporary_.c_str(), target_.c_str()) != 0)
+        throw Error(fmt::format("cannot write '{}': {}", path_.string(), reason(errno)));
+    temporary_.clear();
+    const Descriptor directory(::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY));
+    if (directory.get() >= 0) ::fsync(directory.get());
+}
+
+void write_atomically(const fs::path& path, std::span<const std::byte> content) {
+    std::error_code ignored;
     // A pipe or a device is no file to be replaced: it takes the bytes as they come.
-    if (fs::exists(target, ignored) && !fs::is_regular_file(target, ignored)) {
-        Descriptor sink(::open(target.c_str(), O_WRONLY | O_CLOEXEC));
+    if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored) &&
+        !fs::is_directory(path, ignored)) {
+        const Descriptor sink(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
         if (sink.get() < 0 || !write_all(sink.get(), content))
             throw Error(fmt::format("cannot write '{}': {}", path.string(), reason(errno)));
         return;
     }
-    if (fs::exists(target, ignored) && ::access(target.c_str(), W_OK) != 0)
+    AtomicFile file(path);
+    Descriptor written(::open(file.temporary().c_str(), O_WRONLY | O_CLOEXEC));
+    if (written.get() < 0 || !write_all(written.get(), content) || written.close() != 0)
         throw Error(fmt::format("cannot write '{}': {}", path.string(), reason(errno)));
-    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-    std::string temporary = (folder / ("." + target.filename().string() + ".XXXXXX")).string();
-    Descriptor file(::mkstemp(temporary.data()));
-    if (file.get() < 0) throw Error(fmt::format("cannot write '{}': {}", path.string(), reason(errno)));
-    bool ok = ::fchmod(file.get(), mode_for(target)) == 0 && write_all(file.get(), content) &&
-              ::fsync(file.get()) == 0;
-    int code = errno;
-    if (file.close() != 0 && ok) {
-        ok = false;
-        code = errno;
-    }
-    if (ok && ::rename(temporary.c_str(), target.c_str()) != 0) {
-        ok = false;
-        code = errno;
-    }
-    if (!ok) {
-        ::unlink(temporary.c_str());
-        throw Error(fmt::format("cannot write '{}': {}", path.string(), reason(code)));
-    }
-    const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY));
-    if (directory.get() >= 0) ::fsync(directory.get());
+    file.commit();
 }
 
 void write_atomically(const fs::path& path, std::string_view content) {

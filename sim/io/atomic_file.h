@@ -7,6 +7,28 @@
 
 namespace talus::io {
 
+/// A file that another library writes by its name: it is written beside its place, under a hidden name, and
+/// moved there when it is whole (fsync, rename, fsync of the folder). Until then, and where it never is, its
+/// place holds what was there.
+class AtomicFile {
+  public:
+    /// Makes an empty file beside the path. Throws talus::Error naming the path and the reason.
+    explicit AtomicFile(const std::filesystem::path& path);
+    /// Removes what was not committed.
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    const std::filesystem::path& temporary() const { return temporary_; }
+    /// Moves what was written to its place; nothing may have the file open any more. Throws talus::Error.
+    void commit();
+
+  private:
+    std::filesystem::path path_;    // as it was given
+    std::filesystem::path target_;  // where it leads
+    std::filesystem::path temporary_;
+};
+
 /// Writes a whole file so that the path holds either what was there or all of the new content, also across a
 /// crash: temporary file beside it, fsync, rename, fsync of the folder. Throws talus::Error naming the path
 /// and the reason; nothing is left behind then.

@@ -1,59 +1,21 @@
 // GeoTIFF, HGT and ESRI ASC by GDAL, the one reader of geographic formats.
-#include <cpl_conv.h>
 #include <fmt/format.h>
 #include <gdal_alg.h>
-#include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <memory>
-#include <mutex>
-#include <numbers>
 
 #include "sim/error.h"
 #include "sim/io/atomic_file.h"
+#include "sim/io/gdal_dataset.h"
 #include "sim/io/heightmap_formats.h"
 
 namespace talus::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct CloseDataset {
-    void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
-
-void start_gdal() {
-    static std::once_flag once;
-    std::call_once(once, [] {
-        CPLSetErrorHandler(CPLQuietErrorHandler);
-        CPLSetConfigOption("GDAL_PAM_ENABLED", "NO");
-        GDALAllRegister();
-    });
-    CPLErrorReset();
-}
-
-// GDAL's last message as part of a sentence.
-std::string gdal_says() {
-    std::string message = CPLGetLastErrorMsg();
-    std::replace(message.begin(), message.end(), '\n', ' ');
-    while (!message.empty() && (message.back() == '.' || message.back() == ' ')) message.pop_back();
-    return message.empty() ? "the file is damaged or of another kind" : message;
-}
-
-// Metres of a degree of longitude and of latitude on WGS 84 at a latitude (NIMA TR8350.2, radii of
-// curvature).
-glm::dvec2 metres_per_degree(double latitude_deg) {
-    constexpr double a = 6378137.0;
-    constexpr double e2 = 6.69437999014e-3;
-    const double phi = latitude_deg * std::numbers::pi / 180;
-    const double w2 = 1 - e2 * std::sin(phi) * std::sin(phi);
-    return glm::dvec2(a * std::cos(phi) / std::sqrt(w2), a * (1 - e2) / (w2 * std::sqrt(w2))) *
-           (std::numbers::pi / 180);
-}
 
 // Fills what is not `valid`, by inverse distance (GDALFillNodata), and notes how many.
 void fill_voids(const fs::path& path, Heightmap& heightmap, const std::vector<GByte>& valid) {
@@ -112,60 +74,20 @@ void read_samples(const fs::path& path, GDALRasterBand& band, Heightmap& heightm
         throw Error(fmt::format("'{}' cannot be read: {}", path.string(), gdal_says()));
 }
 
-// Talus keeps the north row first, and columns that run eastwards.
-void turn_northwards(Heightmap& heightmap, std::array<double, 6>& t) {
+// Brings the samples into the order of Talus, and takes the file's place.
+void place(const RasterPlace& place, Heightmap& heightmap) {
     const int nx = heightmap.grid.nx;
     const int ny = heightmap.grid.ny;
     const auto row = [&](int number) {
         return heightmap.heights.begin() + static_cast<std::ptrdiff_t>(number) * nx;
     };
-    if (t[5] > 0) {
-        for (int at = 0; at < ny / 2; ++at) std::swap_ranges(row(at), row(at + 1), row(ny - 1 - at));
-        t[3] += t[5] * ny;
-        t[0] += t[2] * ny;
-        t[5] = -t[5];
-        t[2] = -t[2];
-        heightmap.notes.push_back("the file stores its south row first, its rows were turned round");
-    }
-    if (t[1] < 0) {
-        for (int at = 0; at < ny; ++at) std::reverse(row(at), row(at + 1));
-        t[0] += t[1] * nx;
-        t[3] += t[4] * nx;
-        t[1] = -t[1];
-        t[4] = -t[4];
-        heightmap.notes.push_back("the file's columns run westwards, they were turned round");
-    }
-}
-
-// Takes the file's place on Earth, where it says one, and its spacing from that.
-void place(GDALDataset& dataset, Heightmap& heightmap) {
-    Georeference georeference;
-    if (dataset.GetGeoTransform(georeference.transform.data()) != CE_None) return;
-    const OGRSpatialReference* system = dataset.GetSpatialRef();
-    if (system) {
-        char* wkt = nullptr;
-        system->exportToWkt(&wkt);
-        georeference.wkt = wkt ? wkt : "";
-        CPLFree(wkt);
-    }
-    std::array<double, 6>& t = georeference.transform;
-    turn_northwards(heightmap, t);
-    heightmap.grid.dx = std::hypot(t[1], t[4]);
-    heightmap.grid.dy = std::hypot(t[2], t[5]);
-    if (system && system->IsGeographic()) {
-        const double latitude = std::clamp(t[3] + 0.5 * heightmap.grid.ny * t[5], -89.9, 89.9);
-        const glm::dvec2 degree = metres_per_degree(latitude);
-        heightmap.grid.dx *= degree.x;
-        heightmap.grid.dy *= degree.y;
-        heightmap.notes.push_back(
-            fmt::format("degrees became metres at latitude {:.3f}: {:.2f} x {:.2f} m a sample", latitude,
-                        heightmap.grid.dx, heightmap.grid.dy));
-    } else if (system) {
-        const double unit = system->GetLinearUnits();
-        heightmap.grid.dx *= unit;
-        heightmap.grid.dy *= unit;
-    }
-    heightmap.georeference = georeference;
+    for (int at = 0; place.south_first && at < ny / 2; ++at)
+        std::swap_ranges(row(at), row(at + 1), row(ny - 1 - at));
+    for (int at = 0; place.east_first && at < ny; ++at) std::reverse(row(at), row(at + 1));
+    heightmap.grid.dx = place.dx_m;
+    heightmap.grid.dy = place.dy_m;
+    heightmap.georeference = place.georeference;
+    heightmap.notes.insert(heightmap.notes.end(), place.notes.begin(), place.notes.end());
 }
 
 }  // namespace
@@ -200,7 +122,7 @@ Heightmap read_geographic(const fs::path& path, const ImportSettings& settings) 
         fill_voids(path, heightmap, valid);
     }
 
-    place(*dataset, heightmap);
+    place(place_of(*dataset), heightmap);
     // Whole numbers that lie nowhere are a picture's brightness.
     const bool picture = (type == GDT_Byte || type == GDT_UInt16) && !heightmap.georeference && !has_nodata &&
                          !dataset->GetSpatialRef();

@@ -9,8 +9,9 @@
 
 #include "render/hits_target.h"
 #include "render/measure.h"
+#include "render/renderer.h"
 #include "render/survey.h"
-#include "render/tiled/tiled_surface.h"
+#include "render/tiled/tiled_renderer.h"
 #include "sim/error.h"
 #include "sim/gpu/context.h"
 #include "tests/scenes/easel.h"
@@ -62,13 +63,16 @@ class TiledEasel {
         program_.draw_fullscreen();
         return target_.read_distances(size.x, size.y);
     }
+    // Slots of the tiles that its pixels hit.
+    std::vector<float> hit_slots() { return target_.read_details(size.x, size.y); }
 
     render::TiledSurface surface;
 
   private:
     const scenes::MemoryTiles& tiles_;
     render::HitsTarget target_;
-    gpu::Program program_{std::vector<std::string>{"render/fullscreen.vert", "render/tiled.frag"}};
+    gpu::Program program_{std::vector<std::string>{"render/fullscreen.vert", "render/tiled.frag"},
+                          {"TELL_SLOT"}};
 };
 
 // Whatever sizes the levels of a file have, and also where the coarsest one is several tiles: the samples of
@@ -322,6 +326,7 @@ TEST_P(Tiled, DrawsWhatIsThereAsItsTwin) {
         fallen_back += static_cast<int>(choice.wanted.size());
         for (const TileId& tile : choice.wanted) finer += choice.slots[tree.index_of(tile)] == -1 ? 1 : 0;
         const std::vector<float> shown = easel.distances(view.camera);
+        const std::vector<float> slots = easel.hit_slots();
         maths::TileCastTwin<float> twin(tiles);
         twin.look(choice, easel.surface, view.camera, size.x, size.y);
         int different = 0;
@@ -330,8 +335,9 @@ TEST_P(Tiled, DrawsWhatIsThereAsItsTwin) {
             missed += std::isinf(shown[i]) ? 1 : 0;
             if (i % 7 != 0) return;
             const glm::vec2 at = place_of(pixel);
-            const float expected = twin.cast_pixel(at.x, at.y).distance_m;
-            different += (expected < 0 ? std::isinf(shown[i]) : shown[i] == expected) ? 0 : 1;
+            const maths::TileCastTwin<float>::TileHit hit = twin.cast_pixel(at.x, at.y);
+            const bool same = shown[i] == hit.distance_m && slots[i] == static_cast<float>(hit.slot);
+            different += (hit.distance_m < 0 ? std::isinf(shown[i]) : same) ? 0 : 1;
         });
         EXPECT_EQ(different, 0) << view.name;
         if (view.name == "down") {
@@ -340,6 +346,54 @@ TEST_P(Tiled, DrawsWhatIsThereAsItsTwin) {
     }
     EXPECT_GT(fallen_back, 100);
     EXPECT_EQ(finer > 0, GetParam() != "spikes");
+}
+
+// Where all tiles are of the finest level, each view colours them as it colours the whole, but for rounding.
+TEST_P(Tiled, LooksAsTheWhole) {
+    const gpu::Context context;
+    const scenes::Scene scene = scenes::make(GetParam());
+    const scenes::MemoryTiles tiles(scene.grid, scene.heights, 64);
+    TiledEasel easel(tiles, static_cast<int>(tiles.tree().count()));
+    const Terrain terrain(bedrock_terrain(scene.grid, scene.heights));
+    render::Renderer whole(terrain, 8);
+    render::TiledRenderer tiled;
+    int most = 0;
+    for (const render::View& view : render::views()) {
+        render::ViewSettings settings;
+        settings.method = "exact";
+        settings.view = view.name;
+        settings.sun = glm::normalize(glm::dvec3(-0.6, 0.5, 0.45));
+        settings.occlusion = false;
+        for (const std::size_t which : {0U, 4U, 9U}) {
+            const render::Camera camera = render::survey(scene.grid, scene.heights)[which].camera;
+            easel.load(camera, 0);
+            if (!render::is_of_tiles(view)) {
+                EXPECT_THROW(tiled.draw(easel.surface, camera, settings, size.x, size.y), Error);
+                continue;
+            }
+            tiled.draw(easel.surface, camera, settings, size.x, size.y);
+            whole.draw(terrain, camera, settings, size.x, size.y);
+            for (const int samples : {1, 3}) {
+                while (tiled.refine(easel.surface, samples)) {
+                }
+                while (whole.refine(terrain, samples)) {
+                }
+                const std::vector<std::uint8_t> expected = whole.read_rgb(size.x, size.y);
+                const std::vector<std::uint8_t> shown = tiled.read_rgb(size.x, size.y);
+                int different = 0;
+                for (std::size_t i = 0; i < shown.size(); ++i)
+                    different += std::abs(shown[i] - expected[i]) > 2 ? 1 : 0;
+                // Steps and kinds are another walk's.
+                if (view.detail == render::Detail::none) {
+                    EXPECT_LT(different, 3 * size.x * size.y / 1000) << view.name << " " << which;
+                }
+                most = std::max(most, view.detail == render::Detail::none ? different : 0);
+            }
+            EXPECT_EQ(tiled.read_depth(size.x, size.y), whole.read_depth(size.x, size.y)) << view.name;
+        }
+    }
+    std::printf("%s: at most %d of %d colours differ by more than 2\n", GetParam().c_str(), most,
+                3 * size.x * size.y);
 }
 
 INSTANTIATE_TEST_SUITE_P(Terrains, Tiled, ::testing::ValuesIn(scenes::names()),

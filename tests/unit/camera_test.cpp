@@ -164,7 +164,8 @@ TEST(Still, IsTheSameInTiles) {
         renderer.draw(terrain, camera, settings, size.x, size.y);
         const std::vector<std::uint8_t> whole = renderer.read_rgb(size.x, size.y);
         const std::vector<float> depth = renderer.read_depth(size.x, size.y);
-        const app::Still still = app::draw_still(renderer, terrain, camera, settings, {}, size, 1);
+        const app::Still still =
+            app::draw_still(app::painter_of(renderer, terrain, settings), camera, {}, size, 1);
         ASSERT_EQ(still.rgb.size(), whole.size());
         std::size_t far_off = 0;
         std::size_t hits = 0;

@@ -10,7 +10,7 @@
 #include "render/ground_depth.h"
 #include "render/overview.h"
 #include "render/renderer.h"
-#include "render/tiled/tile_pool.h"
+#include "render/tiled/tiled_renderer.h"
 #include "sim/gpu/context.h"
 #include "sim/gpu/embedded_text.h"
 #include "sim/gpu/shader_text.h"
@@ -89,11 +89,25 @@ void draw_everything(Terrain& terrain) {
 }
 
 // What terrain in tiles is drawn with.
-void assemble_tiles() {
-    const render::TilePool pool(TileTree(grid, 16, halved_levels({grid.nx, grid.ny})), 4);
-    for (const std::vector<std::string>& defines :
-         {std::vector<std::string>{}, {"COUNT_STEPS"}, {"TELL_KIND"}})
-        const gpu::Program rays({"render/fullscreen.vert", "render/tiled.frag"}, defines);
+void draw_tiles() {
+    const TileTree tree(grid, 16, halved_levels({grid.nx, grid.ny}));
+    render::TiledSurface surface(tree, std::vector<TileBounds>(tree.count()), 4);
+    const TileId coarsest = {tree.top_level(), 0, 0};
+    const glm::ivec2 count = tree.samples_of(coarsest).count;
+    surface.put(coarsest, std::vector<float>(static_cast<std::size_t>(count.x) * count.y));
+    const std::vector<std::uint32_t> photo(4, 0xff808080U);
+    const render::Camera camera = render::overview(grid, 0, 300);
+    surface.look(camera, {64, 48}, 1);
+    for (const render::View& view : render::views())
+        for (int choice = 0; choice < (view.natural ? 4 : 1); ++choice) {
+            if (!render::is_of_tiles(view)) continue;
+            render::TiledRenderer renderer;
+            render::ViewSettings settings;
+            settings.view = view.name;
+            settings.shadows = (choice & 1) == 0;
+            if ((choice & 2) != 0) renderer.drape(2, 2, std::as_bytes(std::span(photo)));
+            renderer.draw(surface, camera, settings, 64, 48);
+        }
 }
 
 TEST(Shaders, AreGlslForTheReferenceCompiler) {
@@ -119,7 +133,7 @@ TEST(Shaders, AreGlslForTheReferenceCompiler) {
         draw_everything(simulation.terrain());
         static_cast<void>(claims::arithmetic_of_device());
         const render::GroundDepth depth;
-        assemble_tiles();
+        draw_tiles();
         for (const ThermalScheme scheme : {ThermalScheme::olsen, ThermalScheme::olsen_fast}) {
             ThermalSettings settings;
             settings.scheme = scheme;

@@ -2,13 +2,10 @@
 // What of the sun's light comes here, past what stands between; 0 or 1.
 float sunlight_at(vec2 place, vec3 ray, float above_eye, float distance_m) {
 #ifdef SHADOWS
-    // From a little above the ground, towards the eye, so that a hill does not shade its own patch by rounding.
-    float lift = 1e-3 * min(cell_m.x, cell_m.y) + 2e-5 * distance_m;
-    vec2 from = place - ray.xy * lift;
-    ivec2 from_cell = ivec2(floor(from));
+    // From a little above the ground, towards the eye.
+    float lift = shadow_lift_m(distance_m);
     vec3 to_sun = vec3(sun.x / cell_m.x, -sun.y / cell_m.y, sun.z);
-    CastHit shade = cast_ray(origin_cell + from_cell, from - vec2(from_cell), to_sun, 0.0, 2, above_eye + 2.0 * lift);
-    return shade.distance_m > lift ? 0.0 : 1.0;
+    return shadow_distance_m(place - ray.xy * lift, above_eye + 2.0 * lift, to_sun) > lift ? 0.0 : 1.0;
 #else
     return 1.0;
 #endif

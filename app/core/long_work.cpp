@@ -1,0 +1,59 @@
+#include "app/core/long_work.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <utility>
+
+namespace talus::app {
+namespace {
+
+std::atomic<bool> interrupted = false;
+
+// Work that ends sooner needs no words.
+constexpr double quiet_s = 2;
+
+std::string in_words(double seconds) {
+    if (seconds < 90) return fmt::format("{:.0f} s", seconds);
+    if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
+    return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+}  // namespace
+
+LongWork::LongWork(std::string what)
+    : what_(std::move(what)),
+      start_(std::chrono::steady_clock::now()),
+      told_(start_),
+      on_terminal_(::isatty(STDERR_FILENO) == 1) {
+    interrupted = false;
+    before_ = std::signal(SIGINT, [](int) { interrupted = true; });
+}
+
+LongWork::~LongWork() {
+    if (told_once_ && on_terminal_) fmt::print(stderr, "\r\033[K");
+    std::signal(SIGINT, before_);
+}
+
+bool LongWork::operator()(double share) {
+    if (interrupted) return false;
+    const auto now = std::chrono::steady_clock::now();
+    const double passed_s = std::chrono::duration<double>(now - start_).count();
+    const double since_s = std::chrono::duration<double>(now - told_).count();
+    // Line after line where nothing can be written over.
+    if (passed_s < quiet_s || share <= 0 || since_s < (on_terminal_ ? 0.5 : 10)) return true;
+    told_ = now;
+    told_once_ = true;
+    const std::string told =
+        fmt::format("{}: {:.0f} %, {} left", what_, 100 * share, in_words(passed_s * (1 - share) / share));
+    if (on_terminal_)
+        fmt::print(stderr, "\r{}\033[K", told);
+    else
+        fmt::print(stderr, "{}\n", told);
+    std::fflush(stderr);
+    return true;
+}
+
+}  // namespace talus::app

@@ -1,0 +1,29 @@
+#pragma once
+#include <chrono>
+#include <string>
+
+namespace talus::app {
+
+/// Tells on stderr how far long work is and how long it will take, and hears Ctrl+C: while one of these
+/// lives, Ctrl+C ends the work instead of the program. One at a time.
+class LongWork {
+  public:
+    /// what: of the work, e.g. "writing 'alps.tif'".
+    explicit LongWork(std::string what);
+    ~LongWork();
+    LongWork(const LongWork&) = delete;
+    LongWork& operator=(const LongWork&) = delete;
+
+    /// share: of the work that is done, 0 to 1. False: it is to end.
+    bool operator()(double share);
+
+  private:
+    std::string what_;
+    std::chrono::steady_clock::time_point start_;
+    std::chrono::steady_clock::time_point told_;
+    bool told_once_ = false;
+    bool on_terminal_;
+    void (*before_)(int);
+};
+
+}  // namespace talus::app

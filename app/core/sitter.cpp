@@ -1,0 +1,101 @@
+#include "app/core/sitter.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/core/calibration.h"
+#include "app/core/tiled_terrain.h"
+#include "render/tiled/tile_loading.h"
+#include "render/tiled/tiled_renderer.h"
+#include "sim/terrain/terrain.h"
+
+namespace talus::app {
+namespace {
+
+Sitter whole_sitter(const SceneRequest& request, const gpu::Device& device) {
+    struct Held {
+        Scene scene;
+        Terrain terrain;
+        render::Renderer renderer;
+        Held(Scene made, double patch_px)
+            : scene(std::move(made)), terrain(scene.document.state), renderer(terrain, patch_px) {}
+    };
+    auto held = std::make_shared<Held>(make_scene(request), patch_pixels(device));
+    const Scene& scene = held->scene;
+    const std::vector<float> ground = scene.document.state.ground();
+    const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
+    const render::ViewSettings settings = render::view_settings(scene.view, scene.simulation);
+    drape(held->renderer, scene);
+    Sitter sitter;
+    sitter.grid = scene.document.state.grid;
+    sitter.lowest_m = *low;
+    sitter.highest_m = *high;
+    sitter.method = settings.method;
+    sitter.fov_deg = scene.view.number("camera.fov_deg");
+    sitter.samples = scene.view.whole("render.samples");
+    sitter.legends = render::legend_of(settings, *low, *high);
+    sitter.notes = scene.document.notes;
+    sitter.painter = painter_of(held->renderer, held->terrain, settings);
+    sitter.held = held;
+    return sitter;
+}
+
+Sitter tiled_sitter(const SceneRequest& request) {
+    struct Held {
+        TiledTerrain terrain;
+        render::TiledSurface surface;
+        render::TileLoading loading;
+        render::TiledRenderer renderer;
+        render::ViewSettings settings;
+        TiledFigures figures;
+        Held(TiledTerrain opened, int slots)
+            : terrain(std::move(opened)),
+              surface(terrain.tree, terrain.bounds, slots),
+              loading([this] { return terrain.file.make_reader(); }) {}
+    };
+    const SceneParameters parameters = make_scene_parameters(request);
+    io::limit_read_memory(static_cast<std::size_t>(parameters.view.whole("tiles.host_mib")) << 20);
+    TiledTerrain terrain = open_tiled(request.input, request.import);
+    const std::size_t room = static_cast<std::size_t>(parameters.view.whole("tiles.gpu_mib")) << 20;
+    const std::size_t slots =
+        std::min(room / render::TilePool::bytes_of_slot(terrain.tree), terrain.tree.count() + 1);
+    auto held = std::make_shared<Held>(std::move(terrain), static_cast<int>(slots));
+    held->settings = render::view_settings(parameters.view, parameters.simulation);
+    held->loading.begin(held->surface);
+    if (!request.texture.empty()) {
+        const io::ColourImage image = io::read_colour_image(request.texture);
+        held->renderer.drape(image.width, image.height, std::as_bytes(std::span(image.rgba)));
+    }
+    Sitter sitter;
+    sitter.grid = held->terrain.tree.grid();
+    sitter.lowest_m = held->terrain.lowest_m;
+    sitter.highest_m = held->terrain.highest_m;
+    sitter.method = "tiled";
+    sitter.fov_deg = parameters.view.number("camera.fov_deg");
+    sitter.samples = parameters.view.whole("render.samples");
+    sitter.legends = render::tiled_legend_of(held->settings, held->surface);
+    sitter.notes = held->terrain.notes;
+    Held& here = *held;
+    sitter.painter = {
+        [&here](const render::Camera& camera, glm::ivec2 size) {
+            const double asked_px = here.settings.tolerance_px;
+            const render::TileChoice& choice = here.loading.load(here.surface, camera, size, asked_px);
+            here.figures = {choice.drawn.size(), asked_px, choice.tolerance_px, here.surface.bytes()};
+            here.renderer.draw(here.surface, camera, here.settings, size.x, size.y);
+        },
+        [&here](int samples) { return here.renderer.refine(here.surface, samples); },
+        [&here](glm::ivec2 size) { return here.renderer.read_rgb(size.x, size.y); },
+        [&here](glm::ivec2 size) { return here.renderer.read_depth(size.x, size.y); }};
+    sitter.tiles = [&here] { return here.figures; };
+    sitter.held = held;
+    return sitter;
+}
+
+}  // namespace
+
+Sitter make_sitter(const SceneRequest& request, bool tiled, const gpu::Device& device) {
+    if (tiled || io::is_larger_than_a_terrain(request.input)) return tiled_sitter(request);
+    return whole_sitter(request, device);
+}
+
+}  // namespace talus::app

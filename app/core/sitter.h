@@ -1,0 +1,39 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/core/still.h"
+#include "sim/gpu/context.h"
+
+namespace talus::app {
+
+/// What the last picture of terrain in tiles was made of.
+struct TiledFigures {
+    std::size_t drawn = 0;         ///< tiles
+    double asked_px = 0;           ///< error that was asked for
+    double tolerance_px = 0;       ///< and the one that there is room for
+    std::size_t device_bytes = 0;  ///< that tiles hold, whether drawn or not
+};
+
+/// A terrain that sits for stills: held as a whole, or in tiles.
+struct Sitter {
+    Grid grid;
+    float lowest_m = 0;
+    float highest_m = 0;
+    std::string method;
+    double fov_deg = 0;
+    int samples = 1;  ///< a pixel
+    std::vector<render::Legend> legends;
+    std::vector<std::string> notes;
+    StillPainter painter;
+    std::function<TiledFigures()> tiles;  ///< null: it is held as a whole
+    std::shared_ptr<void> held;           ///< what the painter draws from
+};
+
+/// Opens what is asked for: in tiles where `tiled` says so or the file is too large to be held as a whole.
+/// Throws talus::Error where that cannot be.
+Sitter make_sitter(const SceneRequest& request, bool tiled, const gpu::Device& device);
+
+}  // namespace talus::app

@@ -1,0 +1,54 @@
+#include "app/core/tiled_terrain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/core/long_work.h"
+#include "sim/error.h"
+#include "sim/io/tile_sidecar.h"
+
+namespace talus::app {
+namespace {
+
+// Patches of the finest level in a row of a tile.
+constexpr int tile_patches = 256;
+
+// Tiles of the coarsest level, which are held always.
+constexpr int most_coarsest_tiles = 64;
+
+}  // namespace
+
+TiledTerrain open_tiled(const std::string& path, const io::ImportSettings& import) {
+    io::TiledFile file(path, import);
+    TileTree tree(file.grid(), tile_patches, file.levels());
+    const glm::ivec2 coarsest = tree.levels().back().tiles;
+    if (static_cast<std::int64_t>(coarsest.x) * coarsest.y > most_coarsest_tiles)
+        throw Error(
+            fmt::format("'{}' has too few overviews to be shown as a whole: 'talus tile {} OUT.tif' writes a "
+                        "file that has them",
+                        path, path));
+    std::vector<std::string> notes = file.notes();
+    std::optional<std::vector<TileBounds>> bounds = io::read_tile_sidecar(file, tree);
+    if (!bounds) {
+        LongWork work(fmt::format("measuring '{}'", path));
+        bounds = measure_tile_bounds(
+            tree, [&] { return file.make_reader(); }, [&](double share) { return work(share); });
+        if (bounds->empty()) throw Error(fmt::format("interrupted while '{}' was measured", path));
+        try {
+            io::write_tile_sidecar(file, tree, *bounds);
+        } catch (const Error& error) {
+            notes.push_back(fmt::format("the bounds of its tiles are measured each time: {}", error.what()));
+        }
+    }
+    TiledTerrain terrain{std::move(file), std::move(tree), std::move(*bounds), std::move(notes)};
+    const auto by_lowest = [](const TileBounds& a, const TileBounds& b) { return a.lowest_m < b.lowest_m; };
+    const auto by_highest = [](const TileBounds& a, const TileBounds& b) {
+        return a.highest_m < b.highest_m;
+    };
+    terrain.lowest_m = std::min_element(terrain.bounds.begin(), terrain.bounds.end(), by_lowest)->lowest_m;
+    terrain.highest_m = std::max_element(terrain.bounds.begin(), terrain.bounds.end(), by_highest)->highest_m;
+    return terrain;
+}
+
+}  // namespace talus::app

@@ -1,0 +1,35 @@
+#pragma once
+#include <gdal_priv.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/terrain/georeference.h"
+
+namespace talus::io {
+
+struct CloseDataset {
+    void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
+
+/// Makes GDAL ready, once, and forgets its last message. Call it before GDAL is used.
+void start_gdal();
+
+/// GDAL's last message of this thread as part of a sentence.
+std::string gdal_says();
+
+/// Where a raster lies, in the order of Talus: the north row first, columns eastwards.
+struct RasterPlace {
+    std::optional<Georeference> georeference;  ///< none: the file says none
+    double dx_m = 1;
+    double dy_m = 1;
+    bool south_first = false;        ///< the file's rows run northwards
+    bool east_first = false;         ///< its columns run westwards
+    std::vector<std::string> notes;  ///< on what was turned round or converted
+};
+RasterPlace place_of(GDALDataset& dataset);
+
+}  // namespace talus::io

@@ -1,0 +1,290 @@
+#include "sim/io/tiled_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/error.h"
+#include "sim/io/gdal_dataset.h"
+#include "sim/terrain/state_hash.h"
+
+namespace talus::io {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+
+Dataset open_raster(const fs::path& path) {
+    start_gdal();
+    Dataset dataset(static_cast<GDALDataset*>(
+        GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr)));
+    if (!dataset) throw Error(fmt::format("'{}' cannot be read: {}", path.string(), gdal_says()));
+    return dataset;
+}
+
+GDALRasterBand* band_of(GDALDataset& dataset, int level) {
+    GDALRasterBand* band = dataset.GetRasterBand(1);
+    return level == 0 ? band : band->GetOverview(level - 1);
+}
+
+// Whether a level's samples are half of the ones before, to within the rounding that writers of overviews do.
+bool halves(glm::ivec2 finer, glm::ivec2 coarser) {
+    const auto half = [](int fine, int coarse) {
+        return coarse >= 1 && std::abs(2 * coarse - fine) <= 2 && (coarse < fine || fine == 1);
+    };
+    return half(finer.x, coarser.x) && half(finer.y, coarser.y);
+}
+
+std::vector<glm::ivec2> levels_of(GDALDataset& dataset) {
+    GDALRasterBand* band = dataset.GetRasterBand(1);
+    std::vector<glm::ivec2> levels = {{band->GetXSize(), band->GetYSize()}};
+    for (int i = 0; i < band->GetOverviewCount(); ++i) {
+        GDALRasterBand* overview = band->GetOverview(i);
+        if (!overview || !halves(levels.back(), {overview->GetXSize(), overview->GetYSize()})) break;
+        levels.emplace_back(overview->GetXSize(), overview->GetYSize());
+    }
+    return levels;
+}
+
+SampleType type_of(GDALDataType type, bool scaled) {
+    if (scaled) return SampleType::float32;
+    return type == GDT_Byte     ? SampleType::byte
+           : type == GDT_UInt16 ? SampleType::uint16
+           : type == GDT_Int16  ? SampleType::int16
+                                : SampleType::float32;
+}
+
+// Of all files that the raster is made of: their names, sizes and times.
+std::string parts_of(GDALDataset& dataset) {
+    std::string told;
+    char** files = dataset.GetFileList();
+    for (char** file = files; file && *file; ++file) {
+        std::error_code failed;
+        const auto size = fs::file_size(*file, failed);
+        const auto time = fs::last_write_time(*file, failed).time_since_epoch().count();
+        told += fmt::format("{} {} {}\n", *file, size, time);
+    }
+    CSLDestroy(files);
+    return told;
+}
+
+}  // namespace
+
+// What readers of one file share.
+struct TiledFile::Reading {
+    fs::path path;
+    std::vector<glm::ivec2> levels;
+    bool south_first = false;
+    bool east_first = false;
+    std::optional<float> void_value;
+    float scale = 1;
+    float offset_m = 0;
+    float unknown_m = 0;  // of what no level knows
+
+    // A level's samples; all lie within the level.
+    void read_within(GDALDataset& dataset, int level, const TileSamples& samples, float* heights) const {
+        const glm::ivec2 size = levels[static_cast<std::size_t>(level)];
+        const glm::ivec2 count = samples.count;
+        glm::ivec2 first = samples.first;
+        if (east_first) first.x = size.x - first.x - count.x;
+        if (south_first) first.y = size.y - first.y - count.y;
+        // Errors on the way count too: GDAL reads some damaged files as zeros and only warns.
+        CPLErrorReset();
+        GDALRasterBand* band = band_of(dataset, level);
+        if (!band ||
+            band->RasterIO(GF_Read, first.x, first.y, count.x, count.y, heights, count.x, count.y,
+                           GDT_Float32, 0, 0) != CE_None ||
+            CPLGetLastErrorType() >= CE_Failure)
+            throw Error(fmt::format("'{}' cannot be read: {}", path.string(), gdal_says()));
+        const std::size_t all = static_cast<std::size_t>(count.x) * count.y;
+        for (int row = 0; east_first && row < count.y; ++row)
+            std::reverse(heights + static_cast<std::ptrdiff_t>(row) * count.x,
+                         heights + static_cast<std::ptrdiff_t>(row + 1) * count.x);
+        for (int row = 0; south_first && row < count.y / 2; ++row)
+            std::swap_ranges(heights + static_cast<std::ptrdiff_t>(row) * count.x,
+                             heights + static_cast<std::ptrdiff_t>(row + 1) * count.x,
+                             heights + static_cast<std::ptrdiff_t>(count.y - 1 - row) * count.x);
+        if (void_value)
+            for (std::size_t i = 0; i < all; ++i)
+                if (heights[i] == *void_value || std::isnan(heights[i])) heights[i] = unknown;
+        for (std::size_t i = 0; i < all; ++i) {
+            if (!std::isfinite(heights[i]) && !(void_value && std::isnan(heights[i])))
+                throw Error(fmt::format(
+                    "'{}' holds samples that are not finite numbers, declare them as nodata or mend them",
+                    path.string()));
+            heights[i] = offset_m + scale * heights[i];
+        }
+    }
+
+    // Those beside the level are its edge's.
+    void read(GDALDataset& dataset, int level, const TileSamples& samples,
+              std::vector<float>& heights) const {
+        const glm::ivec2 last = levels[static_cast<std::size_t>(level)] - 1;
+        const glm::ivec2 from = glm::clamp(samples.first, glm::ivec2(0), last);
+        const glm::ivec2 to = glm::clamp(samples.first + samples.count - 1, glm::ivec2(0), last);
+        const glm::ivec2 count = to - from + 1;
+        heights.resize(static_cast<std::size_t>(samples.count.x) * samples.count.y);
+        if (count == samples.count) return read_within(dataset, level, samples, heights.data());
+        std::vector<float> within(static_cast<std::size_t>(count.x) * count.y);
+        read_within(dataset, level, {from, count}, within.data());
+        std::size_t at = 0;
+        for (int y = 0; y < samples.count.y; ++y)
+            for (int x = 0; x < samples.count.x; ++x) {
+                const glm::ivec2 place = glm::clamp(samples.first + glm::ivec2(x, y), from, to) - from;
+                heights[at++] = within[static_cast<std::size_t>(place.y) * count.x + place.x];
+            }
+    }
+
+    // Gives samples that are not known the height of the next coarser level.
+    void fill(GDALDataset& dataset, int level, const TileSamples& samples,
+              std::vector<float>& heights) const {
+        if (std::none_of(heights.begin(), heights.end(), [](float h) { return std::isnan(h); })) return;
+        if (level + 1 == static_cast<int>(levels.size())) {
+            for (float& h : heights) h = std::isnan(h) ? unknown_m : h;
+            return;
+        }
+        const glm::dvec2 ratio = glm::dvec2(levels[static_cast<std::size_t>(level)]) /
+                                 glm::dvec2(levels[static_cast<std::size_t>(level) + 1]);
+        const auto place_of_sample = [&](glm::dvec2 sample) { return (sample + 0.5) / ratio - 0.5; };
+        TileSamples coarser;
+        coarser.first = glm::floor(place_of_sample(samples.first));
+        coarser.count =
+            glm::ivec2(glm::floor(place_of_sample(samples.first + samples.count - 1))) + 2 - coarser.first;
+        std::vector<float> above;
+        read(dataset, level + 1, coarser, above);
+        fill(dataset, level + 1, coarser, above);
+        std::size_t at = 0;
+        for (int y = 0; y < samples.count.y; ++y)
+            for (int x = 0; x < samples.count.x; ++x, ++at) {
+                if (!std::isnan(heights[at])) continue;
+                const glm::dvec2 place =
+                    place_of_sample(samples.first + glm::ivec2(x, y)) - glm::dvec2(coarser.first);
+                const glm::ivec2 cell = glm::floor(place);
+                const glm::dvec2 share = place - glm::dvec2(cell);
+                const float* corner =
+                    above.data() + static_cast<std::ptrdiff_t>(cell.y) * coarser.count.x + cell.x;
+                const float* below = corner + coarser.count.x;
+                heights[at] =
+                    static_cast<float>(glm::mix(glm::mix<double>(corner[0], corner[1], share.x),
+                                                glm::mix<double>(below[0], below[1], share.x), share.y));
+            }
+    }
+};
+
+TiledFile::TiledFile(const fs::path& path, const ImportSettings& settings) : path_(path) {
+    const Dataset dataset = open_raster(path);
+    const int nx = dataset->GetRasterXSize();
+    const int ny = dataset->GetRasterYSize();
+    if (dataset->GetRasterCount() < 1)
+        throw Error(fmt::format("'{}' holds no band of samples", path.string()));
+    if (nx < min_samples || ny < min_samples)
+        throw Error(fmt::format("'{}' holds {} x {} samples, each side must have at least {}", path.string(),
+                                nx, ny, min_samples));
+    GDALRasterBand* band = dataset->GetRasterBand(1);
+    const GDALDataType type = band->GetRasterDataType();
+    if (GDALDataTypeIsComplex(type))
+        throw Error(fmt::format("'{}' holds complex numbers, heights are real", path.string()));
+    kind_ = fmt::format("{}, {}", dataset->GetDriver()->GetDescription(), GDALGetDataTypeName(type));
+    if (dataset->GetRasterCount() > 1)
+        notes_.push_back(fmt::format("the file has {} bands, the first was read", dataset->GetRasterCount()));
+
+    auto reading = std::make_shared<Reading>();
+    reading->path = path;
+    reading->levels = levels_ = levels_of(*dataset);
+    int has_nodata = 0;
+    const double nodata = band->GetNoDataValue(&has_nodata);
+    if (has_nodata) reading->void_value = static_cast<float>(nodata);
+
+    const RasterPlace place = place_of(*dataset);
+    notes_.insert(notes_.end(), place.notes.begin(), place.notes.end());
+    reading->south_first = place.south_first;
+    reading->east_first = place.east_first;
+    source_.grid = {nx, ny, place.dx_m, place.dy_m};
+    source_.georeference = place.georeference;
+    if (settings.spacing_m) {
+        source_.grid.dx = source_.grid.dy = *settings.spacing_m;
+        source_.georeference.reset();
+        if (place.georeference)
+            notes_.emplace_back(
+                "--spacing overrides the file's own, so its coordinate system no longer holds and is "
+                "dropped");
+    } else if (!place.georeference) {
+        notes_.emplace_back("the file says no spacing, 1 m a sample was taken: --spacing sets it");
+    }
+
+    // Whole numbers that lie nowhere are a picture's brightness.
+    const bool picture = (type == GDT_Byte || type == GDT_UInt16) && !place.georeference && !has_nodata;
+    if (picture) {
+        Range range(0, std::max(source_.grid.width_m(), source_.grid.height_m()) / 8);
+        if (settings.range_m)
+            range = *settings.range_m;
+        else
+            notes_.push_back(fmt::format(
+                "heights guessed as 0 to {:.6g} m, an eighth of the longer side: --range lo,hi sets them",
+                range.y));
+        reading->offset_m = static_cast<float>(range.x);
+        reading->scale = static_cast<float>((range.y - range.x) / (type == GDT_Byte ? 255 : 65535));
+    } else if (settings.range_m) {
+        notes_.emplace_back(range_unused);
+    }
+    source_.samples = type_of(type, picture);
+    if (has_nodata) source_.void_value = nodata;
+    int block_x = 0;
+    int block_y = 0;
+    band->GetBlockSize(&block_x, &block_y);
+    source_.in_rows = block_x >= nx;
+
+    // The coarsest level is small where there are levels at all.
+    if (has_nodata && levels_.size() > 1) {
+        std::vector<float> coarsest;
+        reading->read(*dataset, static_cast<int>(levels_.size()) - 1, {glm::ivec2(0), levels_.back()},
+                      coarsest);
+        double sum = 0;
+        double known = 0;
+        for (const float h : coarsest) {
+            if (std::isnan(h)) continue;
+            sum += h;
+            known += 1;
+        }
+        if (known == 0)
+            throw Error(fmt::format("'{}' holds nothing but nodata, heights were expected", path.string()));
+        reading->unknown_m = static_cast<float>(sum / known);
+    }
+    const std::string told = fmt::format("{}{} {} {} {}", parts_of(*dataset), reading->scale,
+                                         reading->offset_m, has_nodata, nodata);
+    fingerprint_ = bytes_hash(std::as_bytes(std::span(told)));
+    reading_ = reading;
+    source_.make_reader = [reading]() -> ReadSamples {
+        const std::shared_ptr<GDALDataset> own(open_raster(reading->path).release(), CloseDataset());
+        return [reading, own](int level, const TileSamples& samples, std::vector<float>& heights) {
+            reading->read(*own, level, samples, heights);
+        };
+    };
+}
+
+ReadSamples TiledFile::make_reader() const {
+    const std::shared_ptr<GDALDataset> own(open_raster(path_).release(), CloseDataset());
+    return [reading = reading_, own](int level, const TileSamples& samples, std::vector<float>& heights) {
+        reading->read(*own, level, samples, heights);
+        reading->fill(*own, level, samples, heights);
+    };
+}
+
+void limit_read_memory(std::size_t bytes) {
+    GDALSetCacheMax64(static_cast<GIntBig>(bytes));
+}
+
+bool is_larger_than_a_terrain(const fs::path& path) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(path, ignored)) return false;
+    start_gdal();
+    const Dataset dataset(static_cast<GDALDataset*>(
+        GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr)));
+    return dataset && std::max(dataset->GetRasterXSize(), dataset->GetRasterYSize()) > max_samples;
+}
+
+}  // namespace talus::io

@@ -1,0 +1,70 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/io/heightmap.h"
+#include "sim/tiled/tile_bounds.h"
+
+namespace talus::io {
+
+/// Types that tiled files are written with.
+enum class SampleType { byte, uint16, int16, float32 };
+
+/// Heights of any number, to be read in parts.
+struct TiledSource {
+    Grid grid;
+    std::optional<Georeference> georeference;
+    SampleType samples = SampleType::float32;
+    std::optional<double> void_value;  ///< stands in a file for samples that are not known
+    bool in_rows = false;              ///< whole rows are read at the least cost
+    /// Makes a reader of level 0; samples that are not known are NaN. Each belongs to one thread.
+    std::function<ReadSamples()> make_reader;
+};
+
+/// A raster of any size and format that GDAL reads, its overviews the levels of a tiled terrain.
+class TiledFile {
+  public:
+    /// Opens it and reads what it says of itself. Throws talus::Error naming the file and what is wrong.
+    TiledFile(const std::filesystem::path& path, const ImportSettings& settings);
+
+    const std::filesystem::path& path() const { return path_; }
+    const Grid& grid() const { return source_.grid; }
+    const std::optional<Georeference>& georeference() const { return source_.georeference; }
+    /// Samples of the levels, the finest first: its overviews as far as each halves the one before.
+    const std::vector<glm::ivec2>& levels() const { return levels_; }
+    const std::string& kind() const { return kind_; }  ///< e.g. "GTiff, Int16"
+    const std::vector<std::string>& notes() const { return notes_; }
+    /// Changes with the file's content, as its folder tells it: of sizes and times of all files that it is
+    /// made of, and how its numbers become heights.
+    std::uint64_t fingerprint() const { return fingerprint_; }
+
+    /// A reader of all levels for one thread. Samples that are not known lie as high as the next coarser
+    /// level where that knows them, else as high as the mean of the coarsest. It throws talus::Error naming
+    /// the file.
+    ReadSamples make_reader() const;
+    /// Its finest level as it is.
+    const TiledSource& source() const { return source_; }
+
+  private:
+    std::filesystem::path path_;
+    TiledSource source_;
+    std::vector<glm::ivec2> levels_;
+    std::string kind_;
+    std::vector<std::string> notes_;
+    std::uint64_t fingerprint_ = 0;
+    struct Reading;
+    std::shared_ptr<const Reading> reading_;
+};
+
+/// Memory that reading may keep of rasters, all files and threads together, bytes.
+void limit_read_memory(std::size_t bytes);
+
+/// Whether a file is a raster of more samples than a terrain that is held as a whole may have
+/// (sim/terrain/grid.h). False where GDAL does not open it.
+bool is_larger_than_a_terrain(const std::filesystem::path& path);
+
+}  // namespace talus::io

@@ -1,0 +1,333 @@
+// Files in tiles: what is written is read again, whatever their size, and nothing else is believed.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <random>
+
+#include "sim/error.h"
+#include "sim/io/atomic_file.h"
+#include "sim/io/tile_sidecar.h"
+#include "sim/io/tile_writer.h"
+
+namespace talus::tiled_file_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr float not_known = std::numeric_limits<float>::quiet_NaN();
+
+// A source whose samples are a function of their places.
+template <typename Height>
+io::TiledSource source_of(glm::ivec2 size, const Height& height) {
+    io::TiledSource source;
+    source.grid = {size.x, size.y, 30, 20};
+    source.make_reader = [height]() -> ReadSamples {
+        return [height](int, const TileSamples& samples, std::vector<float>& heights) {
+            heights.clear();
+            for (int y = 0; y < samples.count.y; ++y)
+                for (int x = 0; x < samples.count.x; ++x)
+                    heights.push_back(height(samples.first.x + x, samples.first.y + y));
+        };
+    };
+    return source;
+}
+
+// Hills with a little noise.
+float hilly(int x, int y) {
+    const auto mixed = static_cast<unsigned>(x) * 2654435761U ^ static_cast<unsigned>(y) * 2246822519U;
+    return static_cast<float>(800 + 300 * std::sin(0.013 * x) * std::cos(0.021 * y) +
+                              1e-3 * ((mixed >> 8) % 1000));
+}
+
+class TiledFiles : public ::testing::Test {
+  protected:
+    void SetUp() override { fs::create_directories(folder_); }
+    void TearDown() override { fs::remove_all(folder_); }
+    fs::path path(const std::string& name) const { return folder_ / name; }
+    void write(const std::string& name, const std::string& content) const {
+        std::ofstream(path(name), std::ios::binary) << content;
+    }
+    std::size_t files() const {
+        return static_cast<std::size_t>(
+            std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+    }
+    std::string refusal(const std::string& name) const {
+        try {
+            const io::TiledFile file(path(name), {});
+            std::vector<float> heights;
+            file.make_reader()(0, {glm::ivec2(0), glm::ivec2(file.grid().nx, file.grid().ny)}, heights);
+        } catch (const Error& error) {
+            std::string message = error.what();
+            EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+            EXPECT_NE(message.find(name), std::string::npos) << message;
+            return message;
+        }
+        ADD_FAILURE() << name << " was taken";
+        return "";
+    }
+
+    // A mosaic's description, of one file from its sample (0, 0) on.
+    std::string mosaic(const std::string& part, glm::ivec2 size, const std::string& transform) const {
+        const std::string x = std::to_string(size.x);
+        const std::string y = std::to_string(size.y);
+        const std::string rectangle = "xOff=\"0\" yOff=\"0\" xSize=\"" + x + "\" ySize=\"" + y + "\"/>";
+        return "<VRTDataset rasterXSize=\"" + x + "\" rasterYSize=\"" + y + "\"><GeoTransform>" + transform +
+               "</GeoTransform><VRTRasterBand dataType=\"Float32\" band=\"1\"><SimpleSource>"
+               "<SourceFilename relativeToVRT=\"1\">" +
+               part + "</SourceFilename><SourceBand>1</SourceBand><SrcRect " + rectangle + "<DstRect " +
+               rectangle + "</SimpleSource></VRTRasterBand></VRTDataset>";
+    }
+
+  private:
+    fs::path folder_ = fs::temp_directory_path() / ("talus_tiled_" + std::to_string(::getpid()));
+};
+
+std::vector<float> whole_level(const io::TiledFile& file, int level) {
+    std::vector<float> heights;
+    file.make_reader()(level, {glm::ivec2(0), file.levels()[static_cast<std::size_t>(level)]}, heights);
+    return heights;
+}
+
+TEST_F(TiledFiles, HoldWhatWasWritten) {
+    for (const glm::ivec2 size : {glm::ivec2(1300, 900), glm::ivec2(513, 2), glm::ivec2(2, 2)}) {
+        ASSERT_TRUE(io::write_tiled(path("a.tif"), source_of(size, hilly), {}));
+        const io::TiledFile file(path("a.tif"), {});
+        EXPECT_EQ(file.grid(), (Grid{size.x, size.y, 30, 20}));
+        EXPECT_LE(std::max(file.levels().back().x, file.levels().back().y), 256);
+        const ReadSamples read = file.make_reader();
+        std::mt19937 random(3);
+        const auto any = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
+        std::vector<float> heights;
+        for (int k = 0; k < 40; ++k) {
+            // Partly beside the level, where the edge's samples stand.
+            const glm::ivec2 first(any(size.x + 8) - 4, any(size.y + 8) - 4);
+            const glm::ivec2 count(1 + any(300), 1 + any(300));
+            read(0, {first, count}, heights);
+            ASSERT_EQ(heights.size(), static_cast<std::size_t>(count.x) * count.y);
+            for (int y = 0; y < count.y; y += 7)
+                for (int x = 0; x < count.x; ++x) {
+                    const glm::ivec2 at = glm::clamp(first + glm::ivec2(x, y), glm::ivec2(0), size - 1);
+                    ASSERT_EQ(heights[static_cast<std::size_t>(y) * count.x + x], hilly(at.x, at.y));
+                }
+        }
+    }
+}
+
+// Each level is the mean of the one before, also where a file is wider and higher than what is written at a
+// time.
+TEST_F(TiledFiles, HoldLevelsOfMeans) {
+    for (const glm::ivec2 size :
+         {glm::ivec2(1300, 901), glm::ivec2(33500, 70), glm::ivec2(45, 33500), glm::ivec2(600, 513)}) {
+        ASSERT_TRUE(io::write_tiled(path("a.tif"), source_of(size, hilly), {}));
+        const io::TiledFile file(path("a.tif"), {});
+        ASSERT_EQ(file.levels().front(), size);
+        ASSERT_GE(file.levels().size(), 3U);
+        std::vector<float> finer = whole_level(file, 0);
+        for (int level = 1; level < static_cast<int>(file.levels().size()); ++level) {
+            const glm::ivec2 below = file.levels()[static_cast<std::size_t>(level) - 1];
+            const glm::ivec2 here = file.levels()[static_cast<std::size_t>(level)];
+            EXPECT_EQ(here, (below + 1) / 2);
+            std::vector<float> coarser = whole_level(file, level);
+            for (int y = 0; y < here.y; ++y)
+                for (int x = 0; x < here.x; ++x) {
+                    double sum = 0;
+                    for (int k = 0; k < 4; ++k) {
+                        const glm::ivec2 at =
+                            glm::min(2 * glm::ivec2(x, y) + glm::ivec2(k % 2, k / 2), below - 1);
+                        sum += finer[static_cast<std::size_t>(at.y) * below.x + at.x];
+                    }
+                    ASSERT_NEAR(coarser[static_cast<std::size_t>(y) * here.x + x], sum / 4, 2e-4)
+                        << size.x << " x " << size.y << " level " << level << " at " << x << ", " << y;
+                }
+            finer = std::move(coarser);
+        }
+    }
+}
+
+TEST_F(TiledFiles, KeepWholeNumbersAndRows) {
+    io::TiledSource source = source_of(
+        {700, 530}, [](int x, int y) { return static_cast<float>((x * 31 + y * 17) % 4000 - 500); });
+    source.samples = io::SampleType::int16;
+    // By rows and by tiles alike.
+    for (const bool in_rows : {false, true}) {
+        source.in_rows = in_rows;
+        ASSERT_TRUE(io::write_tiled(path("a.tif"), source, {}));
+        const io::TiledFile file(path("a.tif"), {});
+        EXPECT_EQ(file.kind(), "GTiff, Int16");
+        const std::vector<float> heights = whole_level(file, 0);
+        std::size_t i = 0;
+        for (int y = 0; y < 530; ++y)
+            for (int x = 0; x < 700; ++x)
+                ASSERT_EQ(heights[i++], static_cast<float>((x * 31 + y * 17) % 4000 - 500));
+    }
+}
+
+// What is not known stays so in the file, and lies among what is around it where heights are needed.
+TEST_F(TiledFiles, FillWhatIsNotKnown) {
+    const auto in_hole = [](int x, int y) { return x > 300 && x < 700 && y > 200 && y < 450; };
+    io::TiledSource source =
+        source_of({1000, 800}, [=](int x, int y) { return in_hole(x, y) ? not_known : hilly(x, y); });
+    source.void_value = -9999;
+    ASSERT_TRUE(io::write_tiled(path("a.tif"), source, {}));
+    const io::TiledFile file(path("a.tif"), {});
+    std::vector<float> raw;
+    file.source().make_reader()(0, {glm::ivec2(0), glm::ivec2(1000, 800)}, raw);
+    const std::vector<float> filled = whole_level(file, 0);
+    float jump = 0;
+    for (int y = 0; y < 800; ++y)
+        for (int x = 0; x < 1000; ++x) {
+            const std::size_t i = static_cast<std::size_t>(y) * 1000 + x;
+            ASSERT_EQ(std::isnan(raw[i]), in_hole(x, y));
+            if (!in_hole(x, y)) {
+                ASSERT_EQ(filled[i], hilly(x, y));
+            }
+            ASSERT_TRUE(filled[i] > 490 && filled[i] < 1110) << filled[i];
+            if (x > 0) jump = std::max(jump, std::abs(filled[i] - filled[i - 1]));
+        }
+    std::printf("largest step beside and in the hole: %.1f m\n", jump);
+    // A cliff down to the value that stands for nothing would be thousands high.
+    EXPECT_LT(jump, 300);
+    const TileTree tree(file.grid(), 128, file.levels());
+    for (const TileBounds& one : measure_tile_bounds(tree, [&] { return file.make_reader(); })) {
+        EXPECT_GT(one.lowest_m, 490);
+        EXPECT_LT(one.highest_m, 1110);
+    }
+    source = source_of({600, 600}, [](int, int) { return not_known; });
+    source.void_value = -9999;
+    ASSERT_TRUE(io::write_tiled(path("nothing.tif"), source, {}));
+    EXPECT_NE(refusal("nothing.tif").find("nodata"), std::string::npos);
+}
+
+TEST_F(TiledFiles, AreReadFromMosaicsAndTurnedNorthwards) {
+    ASSERT_TRUE(io::write_tiled(path("part.tif"), source_of({640, 480}, hilly), {}));
+    write("north.vrt", mosaic("part.tif", {640, 480}, "500000, 30, 0, 4000000, 0, -30"));
+    write("south.vrt", mosaic("part.tif", {640, 480}, "500000, 30, 0, 4000000, 0, 30"));
+    write("west.vrt", mosaic("part.tif", {640, 480}, "500000, -30, 0, 4000000, 0, -30"));
+    const std::vector<float> north = whole_level(io::TiledFile(path("north.vrt"), {}), 0);
+    const io::TiledFile south(path("south.vrt"), {});
+    const io::TiledFile west(path("west.vrt"), {});
+    const std::vector<float> from_south = whole_level(south, 0);
+    const std::vector<float> from_west = whole_level(west, 0);
+    for (int y = 0; y < 480; ++y)
+        for (int x = 0; x < 640; ++x) {
+            const std::size_t i = static_cast<std::size_t>(y) * 640 + x;
+            ASSERT_EQ(north[i], hilly(x, y));
+            ASSERT_EQ(from_south[i], hilly(x, 479 - y));
+            ASSERT_EQ(from_west[i], hilly(639 - x, y));
+        }
+    // As the turned file lies.
+    ASSERT_TRUE(south.georeference());
+    EXPECT_EQ(south.georeference()->transform[3], 4000000 + 480 * 30);
+    EXPECT_EQ(south.georeference()->transform[5], -30);
+    ASSERT_TRUE(io::write_tiled(path("turned.tif"), south.source(), {}));
+    const io::TiledFile turned(path("turned.tif"), {});
+    EXPECT_EQ(whole_level(turned, 0), from_south);
+    EXPECT_EQ(turned.georeference()->transform, south.georeference()->transform);
+    write("lost.vrt", mosaic("gone.tif", {640, 480}, "500000, 30, 0, 4000000, 0, -30"));
+    refusal("lost.vrt");
+}
+
+TEST_F(TiledFiles, RefuseWhatIsNoTerrain) {
+    write("text.tif", "this is no raster");
+    refusal("text.tif");
+    refusal("absent.tif");
+    write("thin.asc", "ncols 1\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 1\n1\n2\n3\n");
+    EXPECT_NE(refusal("thin.asc").find("at least 2"), std::string::npos);
+    ASSERT_TRUE(io::write_tiled(path("whole.tif"), source_of({1500, 1500}, hilly), {}));
+    const std::string content = io::read_text(path("whole.tif"));
+    // Cut where heights are: what is there is read, the rest is refused.
+    write("cut.tif", content.substr(0, content.size() / 2));
+    refusal("cut.tif");
+    io::TiledSource source =
+        source_of({600, 600}, [](int x, int y) { return x == 300 && y == 20 ? not_known : 5; });
+    ASSERT_TRUE(io::write_tiled(path("unsound.tif"), source, {}));
+    EXPECT_NE(refusal("unsound.tif").find("not finite"), std::string::npos);
+}
+
+// Until all is written the name keeps what it had, and nothing is left beside it.
+TEST_F(TiledFiles, LeaveNoHalfFile) {
+    write("a.tif", "what was there");
+    int told = 0;
+    const io::TiledSource large = source_of({3000, 3000}, hilly);
+    EXPECT_FALSE(io::write_tiled(path("a.tif"), large, [&](double share) {
+        EXPECT_GT(share, 0);
+        EXPECT_LE(share, 1);
+        return ++told < 3;
+    }));
+    EXPECT_EQ(told, 3);
+    EXPECT_EQ(io::read_text(path("a.tif")), "what was there");
+    EXPECT_EQ(files(), 1U);
+    io::TiledSource broken = large;
+    broken.make_reader = [] {
+        return [](int, const TileSamples& samples, std::vector<float>& heights) {
+            if (samples.first.y > 1000) throw Error("the source is gone");
+            heights.assign(static_cast<std::size_t>(samples.count.x) * samples.count.y, 1);
+        };
+    };
+    EXPECT_THROW(io::write_tiled(path("a.tif"), broken, {}), Error);
+    EXPECT_EQ(io::read_text(path("a.tif")), "what was there");
+    EXPECT_EQ(files(), 1U);
+    // No space: as a limit on a file's size has it.
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    rlimit small = before;
+    small.rlim_cur = 300000;
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    std::string said;
+    try {
+        io::write_tiled(path("a.tif"), large, {});
+    } catch (const Error& error) {
+        said = error.what();
+    }
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+    EXPECT_NE(said.find("cannot write"), std::string::npos) << said;
+    EXPECT_NE(said.find("a.tif"), std::string::npos) << said;
+    EXPECT_EQ(io::read_text(path("a.tif")), "what was there");
+    EXPECT_EQ(files(), 1U);
+    EXPECT_TRUE(io::write_tiled(path("a.tif"), large, {}));
+    EXPECT_THROW(io::write_tiled(path("nowhere/a.tif"), large, {}), Error);
+}
+
+// Bounds are believed of the file that they were measured of alone, and of no damaged sidecar.
+TEST_F(TiledFiles, KnowTheirBounds) {
+    ASSERT_TRUE(io::write_tiled(path("a.tif"), source_of({1100, 700}, hilly), {}));
+    const io::TiledFile file(path("a.tif"), {});
+    const TileTree tree(file.grid(), 64, file.levels());
+    EXPECT_FALSE(io::read_tile_sidecar(file, tree));
+    const auto bounds = measure_tile_bounds(tree, [&] { return file.make_reader(); });
+    io::write_tile_sidecar(file, tree, bounds);
+    ASSERT_TRUE(io::read_tile_sidecar(file, tree));
+    EXPECT_EQ(*io::read_tile_sidecar(file, tree), bounds);
+    EXPECT_EQ(*io::read_tile_sidecar(io::TiledFile(path("a.tif"), {}), tree), bounds);
+    EXPECT_FALSE(io::read_tile_sidecar(file, TileTree(file.grid(), 128, file.levels())));
+
+    const std::string sound = io::read_text(io::tile_sidecar_path(path("a.tif")));
+    std::mt19937 random(5);
+    for (int k = 0; k < 400; ++k) {
+        std::string damaged = sound;
+        if (k % 4 == 0)
+            damaged.resize(random() % damaged.size());
+        else
+            for (unsigned i = 0; i <= random() % 3; ++i)
+                damaged[random() % damaged.size()] ^= static_cast<char>(1 + random() % 255);
+        if (k % 50 == 0) damaged += "more";
+        write("a.tif.tiles", damaged);
+        const auto read = io::read_tile_sidecar(file, tree);
+        ASSERT_TRUE(!read || damaged == sound) << k;
+    }
+    write("a.tif.tiles", sound);
+    EXPECT_TRUE(io::read_tile_sidecar(file, tree));
+    // Other content of the same size.
+    ASSERT_TRUE(
+        io::write_tiled(path("a.tif"), source_of({1100, 700}, [](int x, int y) { return hilly(y, x); }), {}));
+    EXPECT_FALSE(io::read_tile_sidecar(io::TiledFile(path("a.tif"), {}), tree));
+}
+
+}  // namespace
+}  // namespace talus::tiled_file_test
