@@ -192,14 +192,39 @@ Command convert_command(CLI::App& app, Texts& t) {
 
 Command tile_command(CLI::App& app, Texts& t) {
     auto options = std::make_shared<TileOptions>();
+    auto generate = std::make_shared<std::string>();
     CLI::App* command = app.add_subcommand("tile",
                                            "write a raster of any size as a GeoTIFF in tiles with overviews, "
                                            "to be drawn without loading all of it");
-    command->add_option("IN", options->input, "any raster that GDAL reads, mosaics (.vrt) too")->required();
-    command->add_option("OUT", options->output, "the GeoTIFF")->required()->type_name("OUT.tif");
+    auto files = std::make_shared<std::vector<std::string>>();
+    command
+        ->add_option("FILES", *files,
+                     "any raster that GDAL reads, mosaics (.vrt) too, and the GeoTIFF to write; that alone "
+                     "with --generate")
+        ->required()
+        ->expected(1, 2)
+        ->type_name("[IN] OUT.tif");
+    command->add_option("--generate", *generate,
+                        "KIND,NXxNY: terrain of that many samples instead of IN, as terrain.kind has them");
+    command->add_option("--seed", options->seed, "of generated terrain, 1 unless given");
+    command->add_option("--relief", options->relief_m, "of generated terrain, in metres, 2000 unless given");
     add_import(*command, t);
-    return {command, [&t, options] {
+    return {command, [&t, options, files, generate] {
                 options->import = t.import();
+                options->output = files->back();
+                if (generate->empty() != (files->size() == 2))
+                    throw Error("talus tile takes IN and OUT, or --generate and OUT alone");
+                if (!generate->empty()) {
+                    const auto comma = generate->find(',');
+                    options->kind = generate->substr(0, comma);
+                    options->size = size_from(comma == std::string::npos ? "" : generate->substr(comma + 1),
+                                              "--generate");
+                } else {
+                    options->input = files->front();
+                }
+                if (!(options->relief_m >= 0 && options->relief_m <= 1e5))
+                    throw Error(fmt::format("--relief {} cannot be made, it must be 0 to 100000 m",
+                                            options->relief_m));
                 tile(*options);
             }};
 }

@@ -84,7 +84,11 @@ struct ConvertOptions {
 void convert(const ConvertOptions& options);
 
 struct TileOptions {
-    std::string input;
+    std::string input;   ///< empty: generated
+    std::string kind;    ///< of generated terrain
+    glm::ivec2 size{0};  ///< its samples
+    std::uint32_t seed = 1;
+    double relief_m = 2000;
     std::string output;
     io::ImportSettings import;
 };

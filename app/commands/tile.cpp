@@ -9,12 +9,40 @@
 #include "sim/error.h"
 #include "sim/io/endings.h"
 #include "sim/io/tile_writer.h"
+#include "sim/terrain/generate.h"
 
 namespace talus::app {
 namespace {
 
 // What is read comes once; more than a row of blocks for each thread gains nothing.
 constexpr std::size_t read_memory_bytes = std::size_t{256} << 20;
+
+io::TiledSource file_source(const TileOptions& options) {
+    const io::TiledFile file(options.input, options.import);
+    for (const std::string& note : file.notes()) say("note: " + note);
+    return file.source();
+}
+
+io::TiledSource generated_source(const TileOptions& options) {
+    if (glm::any(glm::lessThan(options.size, glm::ivec2(2))))
+        throw Error(fmt::format("--generate {},{}x{} cannot be made, each side must have at least 2 samples",
+                                options.kind, options.size.x, options.size.y));
+    const double spacing_m = options.import.spacing_m.value_or(1);
+    io::TiledSource source;
+    source.grid = {options.size.x, options.size.y, spacing_m, spacing_m};
+    const auto height =
+        generate_sample_by_sample(source.grid, {options.kind, options.seed, options.relief_m});
+    source.make_reader = [height]() -> ReadSamples {
+        return [height](int, const TileSamples& samples, std::vector<float>& heights) {
+            heights.resize(static_cast<std::size_t>(samples.count.x) * samples.count.y);
+            std::size_t at = 0;
+            for (int y = 0; y < samples.count.y; ++y)
+                for (int x = 0; x < samples.count.x; ++x)
+                    heights[at++] = height(samples.first.x + x, samples.first.y + y);
+        };
+    };
+    return source;
+}
 
 }  // namespace
 
@@ -24,11 +52,10 @@ void tile(const TileOptions& options) {
         throw Error(fmt::format("cannot write '{}': its ending must be .tif or .tiff", options.output));
     check_folder(options.output);
     io::limit_read_memory(read_memory_bytes);
-    const io::TiledFile input(options.input, options.import);
-    for (const std::string& note : input.notes()) say("note: " + note);
+    const io::TiledSource source = options.input.empty() ? generated_source(options) : file_source(options);
     {
         LongWork work(fmt::format("writing '{}'", options.output));
-        if (!io::write_tiled(options.output, input.source(), [&](double share) { return work(share); }))
+        if (!io::write_tiled(options.output, source, [&](double share) { return work(share); }))
             throw Error(fmt::format("interrupted, '{}' was not written", options.output));
     }
     const TiledTerrain terrain = open_tiled(options.output, {});

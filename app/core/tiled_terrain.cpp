@@ -11,13 +11,17 @@
 namespace talus::app {
 namespace {
 
-// Patches of the finest level in a row of a tile.
-constexpr int tile_patches = 256;
-
 // Tiles of the coarsest level, which are held always.
 constexpr int most_coarsest_tiles = 64;
 
 }  // namespace
+
+glm::vec2 heights_of(const std::vector<TileBounds>& bounds) {
+    glm::vec2 heights(bounds.front().lowest_m, bounds.front().highest_m);
+    for (const TileBounds& one : bounds)
+        heights = {std::min(heights.x, one.lowest_m), std::max(heights.y, one.highest_m)};
+    return heights;
+}
 
 TiledTerrain open_tiled(const std::string& path, const io::ImportSettings& import) {
     io::TiledFile file(path, import);
@@ -42,12 +46,9 @@ TiledTerrain open_tiled(const std::string& path, const io::ImportSettings& impor
         }
     }
     TiledTerrain terrain{std::move(file), std::move(tree), std::move(*bounds), std::move(notes)};
-    const auto by_lowest = [](const TileBounds& a, const TileBounds& b) { return a.lowest_m < b.lowest_m; };
-    const auto by_highest = [](const TileBounds& a, const TileBounds& b) {
-        return a.highest_m < b.highest_m;
-    };
-    terrain.lowest_m = std::min_element(terrain.bounds.begin(), terrain.bounds.end(), by_lowest)->lowest_m;
-    terrain.highest_m = std::max_element(terrain.bounds.begin(), terrain.bounds.end(), by_highest)->highest_m;
+    const glm::vec2 heights = heights_of(terrain.bounds);
+    terrain.lowest_m = heights.x;
+    terrain.highest_m = heights.y;
     return terrain;
 }
 

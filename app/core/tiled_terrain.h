@@ -6,6 +6,9 @@
 
 namespace talus::app {
 
+/// Patches of the finest level in a row of a tile.
+constexpr int tile_patches = 256;
+
 /// A file of tiles with what is known of them.
 struct TiledTerrain {
     io::TiledFile file;
@@ -15,6 +18,9 @@ struct TiledTerrain {
     float lowest_m = 0;
     float highest_m = 0;
 };
+
+/// Lowest and highest sample of all tiles.
+glm::vec2 heights_of(const std::vector<TileBounds>& bounds);
 
 /// Opens it; the bounds of its tiles come from the file beside it, or are measured and kept there. Throws
 /// talus::Error where it cannot be read, has no levels to fly over, or the work was ended by Ctrl+C.

@@ -18,9 +18,11 @@ const char* const range_unused =
     "the heights are metres already, so --range did not change how they were read";
 
 void check_file_size(const fs::path& path, std::int64_t nx, std::int64_t ny) {
+    const char* const larger =
+        nx > max_samples || ny > max_samples ? "; 'talus render' draws larger ones in tiles" : "";
     if (nx < min_samples || ny < min_samples || nx > max_samples || ny > max_samples)
-        throw Error(fmt::format("'{}' holds {} x {} samples, each side must have {} to {}", path.string(), nx,
-                                ny, min_samples, max_samples));
+        throw Error(fmt::format("'{}' holds {} x {} samples, each side must have {} to {}{}", path.string(),
+                                nx, ny, min_samples, max_samples, larger));
     check_grid({static_cast<int>(nx), static_cast<int>(ny), 1, 1});
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,13 @@ const std::vector<std::string>& generator_kinds();
 /// same extent, and the same bits on every machine: + - * / sqrt floor and whole numbers only. Throws
 /// talus::Error where there is no such kind.
 std::vector<float> generate_heights(const Grid& grid, const GeneratorSettings& settings);
+
+/// The same kinds of terrain for grids of any size, a sample at a time, from any thread. Beyond 8192 samples
+/// it has finer octaves, down to about two samples. Of 257 x 257 places all over it the lowest lies at 0 and
+/// the highest at relief_m; what lies between may go a little beyond. Throws talus::Error where there is no
+/// such kind.
+std::function<float(int column, int row)> generate_sample_by_sample(const Grid& grid,
+                                                                    const GeneratorSettings& settings);
 
 /// What water a generated terrain can start with: none; dam, to a level of 0.6 of the relief in the western
 /// third; bowl, Thacker's round wave (1981) in a bowl a quarter of the width wide, at its lowest spread;

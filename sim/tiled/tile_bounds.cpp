@@ -1,6 +1,7 @@
 #include "sim/tiled/tile_bounds.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <exception>
@@ -11,8 +12,12 @@
 namespace talus {
 namespace {
 
-// Tiles from one word to the next.
-constexpr std::size_t told_every = 16;
+// Tiles in a row and in a column that a thread takes at once: a file's own tiles reach over several, and are
+// read once then.
+constexpr int group_side = 8;
+
+// The largest difference is sought in so many places at once.
+constexpr std::size_t lanes = 16;
 
 // Along one axis: the places where the difference of two surfaces can be largest, and where each lies between
 // samples of both levels.
@@ -65,40 +70,50 @@ struct Samples {
     std::vector<float> heights;
 };
 
-// One thread's part: a tile of the finest level at a time.
+float largest_difference(const std::vector<float>& a, const std::vector<float>& b) {
+    std::array<float, lanes> most{};
+    const std::size_t even = a.size() / lanes * lanes;
+    for (std::size_t i = 0; i < even; i += lanes)
+        for (std::size_t k = 0; k < lanes; ++k) {
+            const float difference = std::abs(a[i + k] - b[i + k]);
+            most[k] = most[k] < difference ? difference : most[k];
+        }
+    float largest = *std::max_element(most.begin(), most.end());
+    for (std::size_t i = even; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+    return largest;
+}
+
+// One thread's part: a tile at a time.
 class Worker {
   public:
     Worker(const TileTree& tree, ReadSamples read) : tree_(tree), read_(std::move(read)) {}
 
     TileBounds extent_of(const TileId& tile) {
-        read_(tile.level, tree_.samples_of(tile), finest_.heights);
+        finest_.where = tree_.samples_of(tile);
+        read_(tile.level, finest_.where, finest_.heights);
         const auto [low, high] = std::minmax_element(finest_.heights.begin(), finest_.heights.end());
         return {*low, *high, 0};
     }
 
-    // Over a tile of the finest level: how far the level's surface is from the finest one.
+    // Over the tile of the finest level that extent_of() was asked for last: how far the level's surface is
+    // from the finest one.
     float error_over(const TileId& tile, int level) {
         const glm::ivec2 first = tree_.first_patch(tile);
         const glm::ivec2 last = tree_.last_patch(tile);
-        if (level == 1) {
-            finest_.where = {first, last - first + 1};
-            read_(0, finest_.where, finest_.heights);
-        }
         const glm::ivec2 low = glm::floor(tree_.place_in(level, first));
         const glm::ivec2 high = glm::floor(tree_.place_in(level, last));
         coarser_.where = {low, high - low + 2};
         read_(level, coarser_.where, coarser_.heights);
         const glm::dvec2 ratio = tree_.level(level).ratio;
-        const Crossings across = crossings_of(first.x, last.x, ratio.x, first.x, low.x);
-        const Crossings down = crossings_of(first.y, last.y, ratio.y, first.y, low.y);
+        const Crossings across = crossings_of(first.x, last.x, ratio.x, finest_.where.first.x, low.x);
+        const Crossings down = crossings_of(first.y, last.y, ratio.y, finest_.where.first.y, low.y);
         float most = 0;
         for (std::size_t y = 0; y < down.count(); ++y) {
             along_line(finest_.heights, finest_.where.count.x, down.finer[y], down.finer_share[y],
                        across.finer, across.finer_share, rows_, finest_line_);
             along_line(coarser_.heights, coarser_.where.count.x, down.coarser[y], down.coarser_share[y],
                        across.coarser, across.coarser_share, rows_, coarser_line_);
-            for (std::size_t x = 0; x < across.count(); ++x)
-                most = std::max(most, std::abs(finest_line_[x] - coarser_line_[x]));
+            most = std::max(most, largest_difference(finest_line_, coarser_line_));
         }
         return most;
     }
@@ -113,35 +128,62 @@ class Worker {
     std::vector<float> coarser_line_;
 };
 
+struct TileGroup {
+    int level;
+    glm::ivec2 first;  // column and row of its first tile
+    glm::ivec2 end;    // behind its last one
+};
+
+std::vector<TileGroup> groups_of(const TileTree& tree) {
+    std::vector<TileGroup> groups;
+    for (int level = 0; level <= tree.top_level(); ++level) {
+        const glm::ivec2 tiles = tree.level(level).tiles;
+        for (int row = 0; row < tiles.y; row += group_side)
+            for (int column = 0; column < tiles.x; column += group_side) {
+                const glm::ivec2 first(column, row);
+                groups.push_back({level, first, glm::min(first + group_side, tiles)});
+            }
+    }
+    return groups;
+}
+
 }  // namespace
 
 std::vector<TileBounds> measure_tile_bounds(const TileTree& tree,
                                             const std::function<ReadSamples()>& make_reader,
                                             const std::function<bool(double)>& told) {
     std::vector<TileBounds> bounds(tree.count());
+    const std::vector<TileGroup> groups = groups_of(tree);
     std::atomic<std::size_t> next = 0;
     std::atomic<bool> stopped = false;
     std::mutex merging;
+    std::size_t done = 0;
     std::exception_ptr failure;
+    const auto measure = [&](Worker& worker, const TileId& tile) {
+        const TileBounds extent = worker.extent_of(tile);
+        std::vector<float> errors;
+        for (int level = 1; tile.level == 0 && level <= tree.top_level(); ++level)
+            errors.push_back(worker.error_over(tile, level));
+        const std::lock_guard lock(merging);
+        TileBounds& here = bounds[tree.index_of(tile)];
+        here.lowest_m = extent.lowest_m;
+        here.highest_m = extent.highest_m;
+        for (int level = 1; level <= static_cast<int>(errors.size()); ++level) {
+            TileBounds& above = bounds[tree.index_of({level, tile.column >> level, tile.row >> level})];
+            above.error_m = std::max(above.error_m, errors[static_cast<std::size_t>(level) - 1]);
+        }
+        ++done;
+    };
     const auto work = [&] {
         try {
             Worker worker(tree, make_reader());
-            for (std::size_t index = next++; index < bounds.size() && !stopped; index = next++) {
-                const TileId tile = tree.tile_at(index);
-                const TileBounds extent = worker.extent_of(tile);
-                std::vector<float> errors;
-                for (int level = 1; tile.level == 0 && level <= tree.top_level(); ++level)
-                    errors.push_back(worker.error_over(tile, level));
+            for (std::size_t index = next++; index < groups.size() && !stopped; index = next++) {
+                const TileGroup& group = groups[index];
+                for (int row = group.first.y; row < group.end.y; ++row)
+                    for (int column = group.first.x; column < group.end.x && !stopped; ++column)
+                        measure(worker, {group.level, column, row});
                 const std::lock_guard lock(merging);
-                bounds[index].lowest_m = extent.lowest_m;
-                bounds[index].highest_m = extent.highest_m;
-                for (int level = 1; level <= static_cast<int>(errors.size()); ++level) {
-                    TileBounds& above =
-                        bounds[tree.index_of({level, tile.column >> level, tile.row >> level})];
-                    above.error_m = std::max(above.error_m, errors[static_cast<std::size_t>(level) - 1]);
-                }
-                if (told && index % told_every == 0 &&
-                    !told(static_cast<double>(index) / static_cast<double>(bounds.size())))
+                if (told && !stopped && !told(static_cast<double>(done) / static_cast<double>(bounds.size())))
                     stopped = true;
             }
         } catch (...) {

@@ -148,7 +148,7 @@ TEST(TileBounds, AreNeverTooSmallAndHardlyTooLarge) {
 }
 
 TEST(TileBounds, EndWhereTheyAreTold) {
-    const Grid grid{65, 65, 1, 1};
+    const Grid grid{1025, 257, 1, 1};
     const scenes::MemoryTiles tiles(grid, std::vector<float>(grid.count(), 3), 16);
     int told = 0;
     std::atomic<int> readings = 0;

@@ -147,6 +147,86 @@ TEST_F(Program, RendersWithDepthAndViews) {
     EXPECT_GT(fs::file_size(path("d.exr")), 1000U);
 }
 
+// A file in tiles is drawn as the whole is; what comes with it is made once and told.
+TEST_F(Program, DrawsFilesInTiles) {
+    ASSERT_EQ(talus("run --preset alpine --size 1100x900 --ticks 0 --out a.tif").code, 0);
+    const Outcome tiled = talus("tile a.tif b.tif");
+    ASSERT_EQ(tiled.code, 0) << tiled.output;
+    EXPECT_NE(tiled.output.find("1100 x 900 samples, 4 levels"), std::string::npos) << tiled.output;
+    EXPECT_TRUE(fs::exists(path("b.tif.tiles")));
+    EXPECT_EQ(json::parse(talus("info --json b.tif").output)["hash"],
+              json::parse(talus("info --json a.tif").output)["hash"]);
+    ASSERT_EQ(talus("render a.tif --size 480x270 --method exact --depth a.exr --image a.png --report a.json").code, 0);
+    const std::string draw = "render b.tif --size 480x270 --tiled --set render.tolerance_px=";
+    ASSERT_EQ(talus(draw + "0 --depth b.exr --report b.json").code, 0);
+    EXPECT_EQ(report("a.json")["pixels_hit"], report("b.json")["pixels_hit"]);
+    ASSERT_EQ(talus(draw + "2 --report c.json --image c.png").code, 0);
+    EXPECT_NEAR(report("c.json")["pixels_hit"].get<double>(), report("a.json")["pixels_hit"], 300);
+    EXPECT_LT(report("c.json")["tiles"]["drawn"], report("b.json")["tiles"]["drawn"]);
+    EXPECT_EQ(report("c.json")["tiles"]["tolerance_px"], 2);
+    ASSERT_EQ(talus("render b.tif --tiled --size 64x48 --turntable 2 --image turn.png").code, 0);
+    EXPECT_TRUE(fs::exists(path("turn-0001.png")));
+    ASSERT_EQ(
+        talus("render b.tif --tiled --size 64x48 --texture a.png --view shaded --image draped.png").code, 0);
+    // Its bounds are kept: where they are damaged or gone they are measured again.
+    std::ofstream(path("b.tif.tiles")) << "not these";
+    ASSERT_EQ(talus(draw + "2 --report d.json --image d.png").code, 0);
+    EXPECT_EQ(report("d.json")["pixels_hit"], report("c.json")["pixels_hit"]);
+    EXPECT_GT(fs::file_size(path("b.tif.tiles")), 100U);
+    // A mosaic, larger than what is held as a whole: it needs overviews.
+    std::ofstream(path("big.vrt"))
+        << "<VRTDataset rasterXSize=\"9000\" rasterYSize=\"1200\"><GeoTransform>0,5,0,0,0,-5</GeoTransform>"
+           "<VRTRasterBand dataType=\"Float32\" band=\"1\"><SimpleSource><SourceFilename "
+           "relativeToVRT=\"1\">a.tif"
+           "</SourceFilename><SourceBand>1</SourceBand><SrcRect xOff=\"0\" yOff=\"0\" xSize=\"1100\" "
+           "ySize=\"900\"/>"
+           "<DstRect xOff=\"0\" yOff=\"0\" xSize=\"9000\" "
+           "ySize=\"1200\"/></SimpleSource></VRTRasterBand></VRTDataset>";
+    EXPECT_NE(refusal("render big.vrt --size 64x48 --image x.png").find("talus tile"), std::string::npos);
+    EXPECT_NE(talus("info big.vrt").output.find("no overviews"), std::string::npos);
+    ASSERT_EQ(talus("tile big.vrt big.tif").code, 0);
+    EXPECT_EQ(json::parse(talus("info --json big.tif").output)["levels"].size(), 7U);
+    // Large files need no word to be drawn in tiles.
+    ASSERT_EQ(talus("render big.tif --size 64x48 --report big.json --image big.png").code, 0);
+    EXPECT_TRUE(report("big.json").contains("tiles"));
+    EXPECT_NE(refusal("run --in big.tif --ticks 1").find("talus render"), std::string::npos);
+    ASSERT_EQ(talus("tile --generate hills,700x600 --spacing 2 --relief 300 --seed 4 made.tif").code, 0);
+    const json made = json::parse(talus("info --json made.tif").output);
+    EXPECT_EQ(made["dx"], 2);
+    EXPECT_NEAR(made["height_max"].get<double>() - made["height_min"].get<double>(), 300, 40);
+}
+
+TEST_F(Program, RefusesWhatCannotBeTiled) {
+    ASSERT_EQ(talus("run --preset alpine --size 65x65 --ticks 0 --out a.tif").code, 0);
+    for (const char* arguments :
+         {"tile a.tif", "tile absent.tif b.tif", "tile a.tif b.png", "tile a.tif nowhere/b.tif",
+          "tile . b.tif", "tile --generate mountains,70x70 a.tif b.tif", "tile --generate mountains b.tif",
+          "tile --generate sea,70x70 b.tif", "tile --generate hills,1x1000000 b.tif",
+          "tile --generate hills,70x70 --relief -1 b.tif", "tile --generate hills,70x70 --spacing 0 b.tif",
+          "render a.tif --tiled --view depth --image b.png",
+          "render a.tif --tiled --view regolith --image b.png", "render absent.tif --tiled --image b.png",
+          "render --tiled --image b.png", "render a.tif --tiled --set tiles.gpu_mib=1 --image b.png"})
+        refusal(arguments);
+    EXPECT_FALSE(fs::exists(path("b.tif")));
+    EXPECT_FALSE(fs::exists(path("b.png")));
+    // Ctrl+C, and an end without a word: nothing stands under the name.
+    std::ofstream(path("large.vrt"))
+        << "<VRTDataset rasterXSize=\"60000\" rasterYSize=\"60000\"><GeoTransform>0,5,0,0,0,-5</GeoTransform>"
+           "<VRTRasterBand dataType=\"Float32\" band=\"1\"><SimpleSource><SourceFilename "
+           "relativeToVRT=\"1\">a.tif"
+           "</SourceFilename><SourceBand>1</SourceBand><SrcRect xOff=\"0\" yOff=\"0\" xSize=\"65\" "
+           "ySize=\"65\"/>"
+           "<DstRect xOff=\"0\" yOff=\"0\" xSize=\"60000\" "
+           "ySize=\"60000\"/></SimpleSource></VRTRasterBand></VRTDataset>";
+    EXPECT_NE(refusal("tile large.vrt b.tif", "timeout --preserve-status -s INT 2").find("interrupted"),
+              std::string::npos);
+    EXPECT_FALSE(fs::exists(path("b.tif")));
+    for (const fs::directory_entry& file : fs::directory_iterator(path("")))
+        EXPECT_EQ(file.path().filename().string().find(".b.tif"), std::string::npos) << file.path();
+    talus("tile large.vrt b.tif", "timeout -s KILL 2");
+    EXPECT_FALSE(fs::exists(path("b.tif")));
+}
+
 TEST_F(Program, RendersLargePicturesAndDrapedOnes) {
     ASSERT_EQ(talus(small + "--ticks 0 --out a.exr").code, 0);
     // Wider than a tile.
