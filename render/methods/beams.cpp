@@ -7,16 +7,16 @@ namespace {
 
 }  // namespace
 
-glm::ivec2 Beams::count(const Frame& frame) {
-    return (glm::ivec2(frame.width, frame.height) + beam_pixels - 1) / beam_pixels;
+glm::ivec2 Beams::count(glm::ivec2 picture) {
+    return (picture + beam_pixels - 1) / beam_pixels;
 }
 
 Beams::Beams(const std::vector<std::string>& defines)
     : program_({"render/fullscreen.vert", "render/beam.frag"}, defines),
       changes_("render/beam_changes.comp") {}
 
-void Beams::cast(const Frame& frame, double flatness, const std::function<void(gpu::Program&)>& bind) {
-    const glm::ivec2 size = count(frame);
+void Beams::cast(const RayPicture& picture, double flatness, const std::function<void(gpu::Program&)>& bind) {
+    const glm::ivec2 size = count(picture.size);
     newest_ = 1 - newest_;
     Set& set = sets_[newest_];
     if (set.texture.width() < size.x || set.texture.height() < size.y) {
@@ -25,19 +25,18 @@ void Beams::cast(const Frame& frame, double flatness, const std::function<void(g
         const std::array<const gpu::Texture*, 1> colours = {&set.texture};
         set.buffer = gpu::Framebuffer("beams", colours);
     }
-    frame.pyramid.bind(program_, frame.terrain);
-    set_camera(program_, frame.terrain.grid(), frame.camera, frame.width, frame.height);
+    picture.bind(program_);
     if (bind) bind(program_);
     program_.set("flatness", static_cast<float>(flatness));
     set.buffer.bind({0, 0, size.x, size.y});
     program_.draw_fullscreen();
 }
 
-void Beams::mark_changes(const Frame& frame) {
-    const glm::ivec2 size = count(frame);
+void Beams::mark_changes(const RayPicture& picture) {
+    const glm::ivec2 size = count(picture.size);
     changes_.bind_sampled("beams_now", sets_[newest_].texture);
     changes_.bind_sampled("beams_before", sets_[1 - newest_].texture);
-    frame.redraw->bind(changes_);
+    picture.redraw->bind(changes_);
     changes_.set("beam_count", size);
     changes_.dispatch((size.x + 15) / 16, (size.y + 15) / 16);
     gpu::barrier({gpu::Use::storage});

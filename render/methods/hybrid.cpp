@@ -143,7 +143,8 @@ void draw(Hybrid& hybrid, const Frame& frame) {
     hybrid.choose.set("cell_count", cells.count);
     hybrid.choose.dispatch(1);
     gpu::barrier({gpu::Use::storage, gpu::Use::indirect, gpu::Use::buffer_transfer});
-    hybrid.rays.cast_beams(frame, std::min(largest_flatness, frame.tolerance_px * pixel_m));
+    const RayPicture rays = ray_picture(frame);
+    hybrid.rays.cast_beams(rays, std::min(largest_flatness, frame.tolerance_px * pixel_m));
 
     const gpu::Region picture{0, 0, frame.width, frame.height};
     if (frame.redraw) {
@@ -152,7 +153,7 @@ void draw(Hybrid& hybrid, const Frame& frame) {
         frame.redraw->bind(hybrid.reach_changes);
         hybrid.reach_changes.dispatch((sector_count + 63) / 64);
         gpu::barrier({gpu::Use::storage});
-        hybrid.rays.beams().mark_changes(frame);
+        hybrid.rays.beams().mark_changes(rays);
         frame.redraw->list();
         frame.redraw->draw(hybrid.reset_blocks, frame.hits, gpu::Depth::reset);
     } else if (cells.count.x > 0) {
@@ -165,7 +166,7 @@ void draw(Hybrid& hybrid, const Frame& frame) {
     prepare(hybrid.patches_behind_rays);
     hybrid.patches_behind_rays.set("second_half", 1);
     hybrid.patches_behind_rays.draw_indirect(hybrid.cells, 4 * sizeof(std::uint32_t), gpu::Depth::nearest);
-    hybrid.rays.draw(frame);
+    hybrid.rays.draw(rays);
 }
 
 }  // namespace

@@ -6,10 +6,10 @@
 namespace talus::render {
 namespace {
 
-// The coarsest level whose cells fill a slot: its patches are a multiple of 16.
+// The level with one cell.
 int top_level_of(int patches) {
     int level = 1;
-    while (patches % (2 << level) == 0 && (patches >> level) > 2) ++level;
+    while (1 << level < patches) ++level;
     return level;
 }
 
@@ -69,6 +69,7 @@ void TilePool::build() {
     if (list_.bytes() < bytes) list_ = gpu::Buffer("written slots", bytes);
     list_.write(0, std::as_bytes(std::span(written_)));
     set_layout(pyramid_);
+    pyramid_.set("slots_in_row", in_row_);
     pyramid_.bind_sampled("tile_heights", heights_);
     pyramid_.bind_storage("SlotList", list_);
     pyramid_.bind_image("tile_tops", tops_);
@@ -78,7 +79,6 @@ void TilePool::build() {
 }
 
 void TilePool::set_layout(gpu::Program& program) const {
-    program.set("slots_in_row", in_row_);
     program.set("room_patches", glm::ivec2(room_patches_));
     program.set("slot_top_level", top_level_);
 }

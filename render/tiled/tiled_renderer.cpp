@@ -8,15 +8,6 @@
 #include "sim/error.h"
 
 namespace talus::render {
-namespace {
-
-gpu::Program cast_program(Detail detail) {
-    const char* told = detail == Detail::steps ? "COUNT_STEPS" : "TELL_SLOT";
-    return gpu::Program(std::vector<std::string>{"render/fullscreen.vert", "render/tiled.frag"}, {told});
-}
-
-}  // namespace
-
 bool is_of_tiles(const View& view) {
     return !view.layer && !view.whole;
 }
@@ -69,11 +60,8 @@ void TiledRenderer::resize(int width, int height) {
 
 void TiledRenderer::cast(const TiledSurface& surface, const Picture& picture, const gpu::Framebuffer& hits) {
     const Detail detail = view_named(picture.settings.view).detail;
-    auto found = casts_.find(detail);
-    if (found == casts_.end()) found = casts_.emplace(detail, cast_program(detail)).first;
-    surface.bind(found->second, picture.camera, {picture.width, picture.height});
-    hits.bind({0, 0, picture.width, picture.height});
-    found->second.draw_fullscreen();
+    TiledRays& rays = rays_.try_emplace(detail, detail).first->second;
+    rays.cast(surface, picture.camera, {picture.width, picture.height}, hits);
 }
 
 void TiledRenderer::colour(const TiledSurface& surface, const Picture& picture, const gpu::Texture& hits,

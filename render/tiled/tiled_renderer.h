@@ -9,7 +9,7 @@
 #include "render/hits_target.h"
 #include "render/refinement.h"
 #include "render/shading.h"
-#include "render/tiled/tiled_surface.h"
+#include "render/tiled/tiled_rays.h"
 #include "render/view.h"
 
 namespace talus::render {
@@ -52,7 +52,7 @@ class TiledRenderer {
                 const gpu::Framebuffer& target);
     bool is_refined() const { return refinement_.samples() > 1; }
 
-    std::map<Detail, gpu::Program> casts_;
+    std::map<Detail, TiledRays> rays_;
     Shading shading_;
     HitsTarget target_;
     gpu::Texture colour_;

@@ -16,6 +16,12 @@ int first_node_row(int rows, int level) {
     return 2 * rows - ((2 * rows) >> level) + level;
 }
 
+int side_level(int side) {
+    int level = 0;
+    while (1 << level < side) ++level;
+    return level;
+}
+
 // Whole numbers that a float holds.
 constexpr double exact_float = 1 << 24;
 
@@ -134,7 +140,7 @@ void TiledSurface::tell_places(const Camera& camera) {
         cell = counted;
         const glm::dvec2 scale = 1.0 / tree_.level(slot.tile.level).ratio;
         texels.emplace_back(glm::dvec4(cell, fraction));
-        texels.emplace_back(glm::dvec4(scale, slot.tile.level, 0));
+        texels.emplace_back(glm::dvec4(scale, slot.tile.level, pool_.column_and_row(slot_of(slot.tile))));
         const TileSamples held = tree_.samples_of(slot.tile);
         const glm::ivec2 first = glm::max(held.first, glm::ivec2(0));
         const glm::ivec2 last =
@@ -150,8 +156,9 @@ void TiledSurface::bind(gpu::Program& program, const Camera& camera, glm::ivec2 
     pool_.bind(program);
     program.bind_sampled("tile_nodes", nodes_);
     program.bind_sampled("tile_places", places_);
-    program.set("tile_side", tree_.side());
+    program.set("tile_side_level", side_level(tree_.side()));
     program.set("tile_top_level", tree_.top_level());
+    program.set("top_level", tree_.top_level() + side_level(tree_.side()));
     program.set("tile_rows", tree_.level(0).tiles.y);
     program.set("tile_highest_m", highest_m_);
     program.set("tile_lowest_m", lowest_m_);

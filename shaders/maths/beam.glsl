@@ -1,10 +1,9 @@
 // How far a bundle of rays from one point may go before any of them can meet ground: a walk over blocks of 2 x 2 cells of
 // the max pyramid (docs/numerics.md, "Beams"). Everything grows linearly with depth: a ray of the bundle is, at depth w,
 // within spread * w of middle * w, in columns, rows and metres of height. The including side gives load_highest(), patches
-// and top_level as for maths/cast.glsl, and of a block of 2 x 2 cells from its first on, row by row, whatever number for
-// those beside the level:
-//   load_block_tops(int2 cell, int level)      highest corners of pyramid cells over the origin height
-//   load_block_bottoms(int2 cell, int level)   lowest ones
+// and top_level as for maths/cast.glsl, and of a block of 2 x 2 cells of a pyramid over the patches, from its first on:
+//   real block_top(int2 cell, int level)      over the origin height, no ground in it is higher; far below beside the terrain
+//   real block_bottom(int2 cell, int level)   none is lower; with flat_ends alone
 
 struct Beam {
     real depth;     // no ray of the bundle meets ground before it
@@ -15,24 +14,6 @@ struct Beam {
 
 // Beyond so many steps the bundle stops where it is: a shorter way is still a right one.
 const int beam_step_limit = 96;
-
-// Heights of a block's cells, far below beside the terrain.
-real4 block_heights(real4 heights_m, int2 cell, int level) {
-    bool left = cell.x >= 0 && (cell.x << level) < patches.x;
-    bool right = cell.x >= -1 && ((cell.x + 1) << level) < patches.x;
-    bool first = cell.y >= 0 && (cell.y << level) < patches.y;
-    bool second = cell.y >= -1 && ((cell.y + 1) << level) < patches.y;
-    return real4(left && first ? heights_m.x : real(-1e30), right && first ? heights_m.y : real(-1e30),
-                 left && second ? heights_m.z : real(-1e30), right && second ? heights_m.w : real(-1e30));
-}
-real block_top(int2 cell, int level) {
-    real4 top = block_heights(load_block_tops(cell, level), cell, level);
-    return max(max(top.x, top.y), max(top.z, top.w));
-}
-real block_bottom(int2 cell, int level) {
-    real4 bottom = block_heights(load_block_bottoms(cell, level), cell, level);
-    return min(min(bottom.x, bottom.y), min(bottom.z, bottom.w));
-}
 
 // Where an edge of the bundle reaches a plane, going that way; a great depth where it never does.
 real beam_reach(real way, real speed) { return speed > real(0) ? way / speed : real(1e30); }

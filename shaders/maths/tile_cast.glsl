@@ -11,7 +11,7 @@
 //                                                slot; load_top() and load_corners() are that tile's from then on
 //   real load_highest()   highest sample of all, over the origin height
 //   patches          int2, of the finest level
-//   tile_side        int, patches in a row of a tile of the finest level
+//   tile_side_level  int, a tile of the finest level has 2 to the power of it patches in a row
 //   tile_top_level   int, the coarsest level of the tree
 //   room_patches     int2, patches that a slot holds in a row and in a column
 //   slot_top_level   int, the coarsest level of a slot's pyramid
@@ -26,8 +26,12 @@ struct TileHit {
     int slot;         // of the tile that was hit
 };
 
-// Parameters as of cast_ray(), of the finest level.
-TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_m, real height_m) {
+// A walk through a tile that a ray comes into from another one starts at this level of its pyramid.
+const int tile_entry_level = 4;
+
+// Parameters as of cast_ray(), of the finest level. start_level: where in a pyramid over it to start; its levels from the size of
+// the finest tiles on are the tree's.
+TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_m, int start_level, real height_m) {
     TileHit hit;
     hit.distance_m = real(-1);
     hit.steps = 0;
@@ -44,9 +48,10 @@ TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_
     real fall = direction.z < real(0) ? inverse_z : real(-1e30);
 
     real at = max(span.x, from_m);
-    int level = tile_top_level;
+    int level = min(max(start_level - tile_side_level, 0), tile_top_level);
+    int entry_level = start_level;
     int2 cell = cast_cell(min(at, end), int2(patches.x - 1, patches.y - 1), origin_cell, fraction, direction, inverse, side);
-    cell = int2(cell.x / (tile_side << level), cell.y / (tile_side << level));
+    cell = int2(cell.x >> (tile_side_level + level), cell.y >> (tile_side_level + level));
     bool inside = at <= end;
 
     do {
@@ -61,7 +66,7 @@ TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_
             turns += 1;
             real2 node = load_tile_node(cell, level);
             real top = node.x - height_m;
-            int across = tile_side << level;
+            int across = 1 << (tile_side_level + level);
             int2 far_plane = int2((cell.x + side.x) * across, (cell.y + side.y) * across);
             real2 far = cast_planes(far_plane - origin_cell, fraction, inverse);
             real leave = min(far.x, far.y);
@@ -93,7 +98,7 @@ TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_
         hit.slot = inside && hit.distance_m < real(0) ? slot : hit.slot;
         if (inside) {
             TilePlace place = load_tile(slot);
-            int across = tile_side << level;
+            int across = 1 << (tile_side_level + level);
             int2 near_plane = int2((cell.x + 1 - side.x) * across, (cell.y + 1 - side.y) * across);
             int2 far_plane = int2((cell.x + side.x) * across, (cell.y + side.y) * across);
             real2 near = cast_planes(near_plane - origin_cell, fraction, inverse);
@@ -104,7 +109,8 @@ TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_
             real3 tile_direction = real3(direction.x * place.scale.x, direction.y * place.scale.y, direction.z);
             real2 tile_inverse = real2(cast_inverse(tile_direction.x), cast_inverse(tile_direction.y));
             CastHit here = cast_walk(begin, tile_end, place.origin_cell, place.fraction, tile_direction, tile_inverse, inverse_z, side,
-                                     room_patches, slot_top_level, at, slot_top_level, height_m);
+                                     room_patches, slot_top_level, at, max(entry_level - place.level, 1), height_m);
+            entry_level = tile_entry_level + place.level;
             // A patch of a coarser level reaches beyond the tile's edge; what is hit there belongs to the next tile.
             bool beyond = place.level > 0 && here.distance_m > tile_end;
             hit.distance_m = beyond ? real(-1) : here.distance_m;

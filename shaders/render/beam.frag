@@ -1,23 +1,15 @@
 // A beam of the rays of beam_pixels x beam_pixels pixels. Writes the depth along the view up to which none meets ground,
 // and the level of the pyramid to go on from; level 0: no ray meets ground at all. A flat end instead writes the height
-// at which all rays end, and minus the level of its cells.
-#include "render/surface.glsl"
+// at which all rays end, and minus the level of its cells. BEAM_FILE names the file of the ground: whole_beam.glsl or
+// tile_beam.glsl.
 #include "render/camera.glsl"
+#include BEAM_FILE
 #include "render/beam_pixels.glsl"
 #ifdef FLAT_ENDS
 const bool flat_ends = true;
 #else
 const bool flat_ends = false;
 #endif
-uniform sampler2D bottoms;
-// The point where four texels meet, so that one gather reads all four.
-vec2 block_place(int2 cell, int level) { return vec2(pyramid_texel(cell, level) + 1) / vec2(whole_texel() + 1); }
-real4 load_block_tops(int2 cell, int level) {
-    return (textureGather(tops, block_place(cell, level)).wzxy - origin_height_m.x) - origin_height_m.y;
-}
-real4 load_block_bottoms(int2 cell, int level) {
-    return (textureGather(bottoms, block_place(cell, level)).wzxy - origin_height_m.x) - origin_height_m.y;
-}
 #include "maths/beam.glsl"
 #ifdef BEHIND_MESH
 #include "render/hybrid_list.glsl"

@@ -6,10 +6,10 @@
 uniform sampler2D tile_heights;
 uniform sampler2D tile_tops;
 uniform sampler2D tile_nodes;   // highest point, slot (maths/tile_cast.glsl); levels one below the other
-uniform sampler2D tile_places;  // a row a slot: the eye's patch and where in it; samples for one of the finest level, level;
+uniform sampler2D tile_places;  // a row a slot: the eye's patch and where in it; samples for one of the finest level, level, the slot's column and 4096 times its row;
                                 // the first and the last patch between its samples
 
-uniform int tile_side;
+uniform int tile_side_level;
 uniform int tile_top_level;
 uniform int tile_rows;  // of tiles of the finest level
 uniform real tile_highest_m;
@@ -19,7 +19,7 @@ uniform int2 origin_cell;       // the eye's patch (column, row) of the finest l
 uniform real2 origin_fraction;
 uniform real2 origin_height_m;  // the eye's height, two words
 
-int tile_slot = 0;  // loaded last
+int2 tile_slot = int2(0, 0);  // column and row of the one that was loaded last
 
 #ifdef FROM_ELSEWHERE
 // Where rays start: columns and rows of the finest level from the eye.
@@ -46,9 +46,10 @@ real4 load_corners(int2 at) {
     return (z - origin_height_m.x) - origin_height_m.y;
 }
 TilePlace load_tile(int slot) {
-    tile_slot = slot;
     vec4 eye = texelFetch(tile_places, ivec2(0, slot), 0);
     vec4 level = texelFetch(tile_places, ivec2(1, slot), 0);
+    int in_pool = int(level.w);
+    tile_slot = int2(in_pool & 4095, in_pool >> 12);
     int2 cell = int2(eye.xy);
     real2 fraction = eye.zw;
 #ifdef FROM_ELSEWHERE
@@ -61,5 +62,3 @@ TilePlace load_tile(int slot) {
 }
 // The first and the last patch between samples of a slot's level that it holds.
 ivec4 tile_patches(int slot) { return ivec4(texelFetch(tile_places, ivec2(2, slot), 0)); }
-
-#include "maths/tile_cast.glsl"

@@ -1,4 +1,4 @@
-// Every pixel's ray over a tiled terrain.
+// Every pixel's ray over a tiled terrain, from where its beam ended.
 #ifdef COUNT_STEPS
 const bool count_steps = true;
 #else
@@ -6,12 +6,18 @@ const bool count_steps = false;
 #endif
 #include "render/picture.glsl"
 #include "render/tile_surface.glsl"
+#include "render/beam_pixels.glsl"
+#include "maths/tile_cast.glsl"
 
 layout(location = 0) out vec2 hit_out;  // distance along the ray in metres (infinity: nothing hit), detail
+uniform sampler2D beams;
 
 void main() {
+    real2 beam = texelFetch(beams, ivec2(gl_FragCoord.xy) / beam_pixels, 0).rg;
     real2 at = picture_position();
-    TileHit hit = cast_tiles(origin_cell, origin_fraction, pixel_ray(at), 0.0, 0.0);
+    real from_m = beam.x * length(ray_forward + at.x * ray_right + at.y * ray_up);
+    // Beams stop at cells some pixels wide; a ray does best to start two levels finer.
+    TileHit hit = cast_tiles(origin_cell, origin_fraction, pixel_ray(at), from_m, max(int(beam.y) - 2, 1), 0.0);
     hit_out = vec2(hit.distance_m < 0.0 ? uintBitsToFloat(0x7f800000u) : hit.distance_m, float(hit.steps));
 #ifdef TELL_SLOT
     hit_out.y = float(hit.slot);

@@ -10,8 +10,9 @@ namespace talus {
 
 TileTree::TileTree(const Grid& grid, int side, const std::vector<glm::ivec2>& level_samples)
     : grid_(grid), side_(side), room_patches_(0), first_of_level_{0} {
-    if (side < 16 || side % 16 != 0)
-        throw Error("a tile has " + std::to_string(side) + " patches a side, a multiple of 16 is needed");
+    if (side < 16 || (side & (side - 1)) != 0)
+        throw Error("a tile has " + std::to_string(side) +
+                    " patches a side, a power of two from 16 on is needed");
     if (level_samples.empty() || level_samples.front() != glm::ivec2(grid.nx, grid.ny) || grid.nx < 2 ||
         grid.ny < 2)
         throw Error("the finest level of a tiled terrain must have the terrain's samples, at least 2 x 2");

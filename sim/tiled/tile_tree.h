@@ -37,10 +37,10 @@ struct TileSamples {
 /// samples the surface is flat.
 class TileTree {
   public:
-    /// side: patches of the finest level in a row of a tile of level 0, a multiple of 16. level_samples: of
-    /// each level, the finest first; a level has about half as many in a row and in a column as the one
-    /// before. Levels beyond the one that is a single tile are left out.
-    /// Throws talus::Error where side or the finest level are not so.
+    /// side: patches of the finest level in a row of a tile of level 0, a power of two from 16 on.
+    /// level_samples: of each level, the finest first; a level has about half as many in a row and in a
+    /// column as the one before. Levels beyond the one that is a single tile are left out. Throws
+    /// talus::Error where side or the finest level are not so.
     TileTree(const Grid& grid, int side, const std::vector<glm::ivec2>& level_samples);
 
     const Grid& grid() const { return grid_; }

@@ -58,9 +58,7 @@ class TiledEasel {
 
     // Of what was looked at last.
     std::vector<float> distances(const render::Camera& camera) {
-        surface.bind(program_, camera, size);
-        target_.framebuffer().bind({0, 0, size.x, size.y});
-        program_.draw_fullscreen();
+        rays_.cast(surface, camera, size, target_.framebuffer());
         return target_.read_distances(size.x, size.y);
     }
     // Slots of the tiles that its pixels hit.
@@ -71,8 +69,7 @@ class TiledEasel {
   private:
     const scenes::MemoryTiles& tiles_;
     render::HitsTarget target_;
-    gpu::Program program_{std::vector<std::string>{"render/fullscreen.vert", "render/tiled.frag"},
-                          {"TELL_SLOT"}};
+    render::TiledRays rays_{render::Detail::none};
 };
 
 // Whatever sizes the levels of a file have, and also where the coarsest one is several tiles: the samples of

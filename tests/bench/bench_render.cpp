@@ -209,8 +209,8 @@ void bench_render() {
         render::ViewSettings unlit = lit;
         unlit.shadows = false;
         const auto shade = [&](const render::ViewSettings& settings) {
-            shading.draw({terrain, pyramid, camera, settings, width, height, target.hits(), colour_buffer},
-                         sky, nullptr);
+            shading.draw({camera, settings, width, height, target.hits(), colour_buffer},
+                         render::shaded_ground(terrain, pyramid, sky, settings.view), nullptr);
             std::array<std::byte, 4> wait{};
             colour.read({0, 0, 1, 1}, wait);
         };

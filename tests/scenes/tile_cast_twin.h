@@ -18,14 +18,13 @@ class TileCastTwin {
 
     explicit TileCastTwin(const scenes::MemoryTiles& tiles)
         : patches(tiles.tree().grid().nx - 1, tiles.tree().grid().ny - 1),
-          tile_side(tiles.tree().side()),
           tile_top_level(tiles.tree().top_level()),
           room_patches(tiles.tree().room_patches()),
           tiles_(tiles) {
         const Grid& grid = tiles.tree().grid();
         cells_per_m = real2(1 / grid.dx, 1 / grid.dy);
-        while (room_patches.x % (2 << slot_top_level) == 0 && (room_patches.x >> slot_top_level) > 2)
-            ++slot_top_level;
+        while (1 << tile_side_level < tiles.tree().side()) ++tile_side_level;
+        while (1 << slot_top_level < room_patches.x) ++slot_top_level;
     }
 
     /// The choice is one of this surface's.
@@ -69,8 +68,8 @@ class TileCastTwin {
 
     real load_top(int2 cell, int level) const {
         real top = -std::numeric_limits<real>::infinity();
-        for (int row = cell.y << level; row <= (cell.y + 1) << level; ++row)
-            for (int column = cell.x << level; column <= (cell.x + 1) << level; ++column)
+        for (int row = cell.y << level; row <= min((cell.y + 1) << level, room_patches.y); ++row)
+            for (int column = cell.x << level; column <= min((cell.x + 1) << level, room_patches.x); ++column)
                 top = max(top, sample(column, row));
         return top;
     }
@@ -84,11 +83,12 @@ class TileCastTwin {
 #include "maths/tile_cast.glsl"
 
     TileHit cast_pixel(real x, real y) {
-        return cast_tiles(origin_.cell, real2(origin_.fraction), pixel_ray(real2(x, y)), real(0), real(0));
+        return cast_tiles(origin_.cell, real2(origin_.fraction), pixel_ray(real2(x, y)), real(0), 30,
+                          real(0));
     }
 
     int2 patches;
-    int tile_side;
+    int tile_side_level = 0;
     int tile_top_level;
     int2 room_patches;
     int slot_top_level = 1;

@@ -4,7 +4,7 @@
 
 #include "render/hits_target.h"
 #include "render/survey.h"
-#include "render/tiled/tiled_surface.h"
+#include "render/tiled/tiled_rays.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/papers/easel.h"
 #include "tests/bench/papers/table.h"
@@ -34,12 +34,18 @@ class TiledPicture {
         }
     }
 
+    double mean_steps() {
+        render::TiledRays rays(render::Detail::steps);
+        rays.cast(surface_, camera_, whole_picture, target_.framebuffer());
+        double sum = 0;
+        for (float s : target_.read_details(whole_picture.x, whole_picture.y)) sum += s;
+        return sum / (whole_picture.x * whole_picture.y);
+    }
+
     // The choice of tiles and the rays. Waits for the device.
     void draw() {
         choice = surface_.look(camera_, whole_picture, choice.tolerance_px);
-        surface_.bind(program_, camera_, whole_picture);
-        target_.framebuffer().bind({0, 0, whole_picture.x, whole_picture.y});
-        program_.draw_fullscreen();
+        rays_.cast(surface_, camera_, whole_picture, target_.framebuffer());
         const std::vector<float> wait = target_.read_distances(1, 1);
     }
 
@@ -49,7 +55,7 @@ class TiledPicture {
     render::Camera camera_;
     render::TiledSurface surface_;
     render::HitsTarget target_;
-    gpu::Program program_{std::vector<std::string>{"render/fullscreen.vert", "render/tiled.frag"}};
+    render::TiledRays rays_{render::Detail::none};
 };
 
 }  // namespace
@@ -77,6 +83,7 @@ void tiled(const PaperRun& run) {
                 contestants.push_back(
                     {fmt::format("{:.2f} px", tolerance_px), [&picture] { picture.draw(); }});
             }
+            for (auto& p : pictures) fmt::print("steps {:.1f}\n", p.mean_steps());
             const std::vector<double> times = interleave(contestants, 9);
             for (std::size_t i = 0; i < times.size(); ++i)
                 table.row(fmt::format("{},{},{},{:.1f},{}", name, view.name, contestants[i].name,
