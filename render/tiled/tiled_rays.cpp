@@ -1,5 +1,4 @@
 #include "render/tiled/tiled_rays.h"
-#include <cstdlib>
 
 namespace talus::render {
 namespace {
@@ -19,7 +18,7 @@ void TiledRays::cast(const TiledSurface& surface, const Camera& camera, glm::ive
                      const gpu::Framebuffer& hits) {
     const RayPicture picture{size, hits, [&](gpu::Program& program) { surface.bind(program, camera, size); }};
     rays_.cast_beams(picture);
-    if (!getenv("NO_RAYS")) rays_.draw(picture);
+    rays_.draw(picture);
 }
 
 }  // namespace talus::render

@@ -35,6 +35,7 @@ const std::vector<NamedTable>& paper_tables() {
                                                    {"dick_pyramid", dick_pyramid},
                                                    {"dick_footprint", dick_footprint},
                                                    {"tiled", tiled},
+                                                   {"tiled_8192", tiled_8192},
                                                    {"ammann_boxes", ammann_boxes},
                                                    {"cameras", cameras},
                                                    {"changes", changes},

@@ -44,5 +44,7 @@ void dick_figure_6(const PaperRun& run);
 void dick_pyramid(const PaperRun& run);
 void dick_footprint(const PaperRun& run);
 void tiled(const PaperRun& run);
+/// A high view of 8192 x 8192 samples: all methods that hold the whole, and tiles.
+void tiled_8192(const PaperRun& run);
 
 }  // namespace talus::bench
