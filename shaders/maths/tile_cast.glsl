@@ -30,8 +30,8 @@ struct TileHit {
 const int tile_entry_level = 4;
 
 // Parameters as of cast_ray(), of the finest level. start_level: where in a pyramid over it to start; its levels from the size of
-// the finest tiles on are the tree's.
-TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_m, int start_level, real height_m) {
+// the finest tiles on are the tree's, but none finer than first_tile_level.
+TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_m, int start_level, int first_tile_level, real height_m) {
     TileHit hit;
     hit.distance_m = real(-1);
     hit.steps = 0;
@@ -48,7 +48,7 @@ TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_
     real fall = direction.z < real(0) ? inverse_z : real(-1e30);
 
     real at = max(span.x, from_m);
-    int level = min(max(start_level - tile_side_level, 0), tile_top_level);
+    int level = min(max(start_level - tile_side_level, first_tile_level), tile_top_level);
     int entry_level = start_level;
     int2 cell = cast_cell(min(at, end), int2(patches.x - 1, patches.y - 1), origin_cell, fraction, direction, inverse, side);
     cell = int2(cell.x >> (tile_side_level + level), cell.y >> (tile_side_level + level));

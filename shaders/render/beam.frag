@@ -1,6 +1,6 @@
 // A beam of the rays of beam_pixels x beam_pixels pixels. Writes the depth along the view up to which none meets ground,
 // and the level of the pyramid to go on from; level 0: no ray meets ground at all. A flat end instead writes the height
-// at which all rays end, and minus the level of its cells. BEAM_FILE names the file of the ground: whole_beam.glsl or
+// at which all rays end, and minus the level of its cells. A level carries a note for its rays in its fraction. BEAM_FILE names the file of the ground: whole_beam.glsl or
 // tile_beam.glsl.
 #include "render/camera.glsl"
 #include BEAM_FILE
@@ -34,5 +34,6 @@ void main() {
     real3 scale = real3(cells_per_m, 1.0);
     real3 middle = real3(way.x * scale.x, -way.y * scale.y, way.z);
     Beam beam = cast_beam(origin_cell, origin_fraction, middle, spread * scale, from, flatness);
-    beam_out = beam.flat_end ? vec2(beam.height_m, float(-beam.level)) : vec2(beam.depth * real(0.9999), float(beam.level));
+    float note = beam.level > 0 ? beam_note(beam.depth, middle) : 0.0;
+    beam_out = beam.flat_end ? vec2(beam.height_m, float(-beam.level)) : vec2(beam.depth * real(0.9999), float(beam.level) + note);
 }

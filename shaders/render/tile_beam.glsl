@@ -45,6 +45,12 @@ real drawn_top(int2 tile, int2 first, int2 end, int level) {
     return min(top, node.top);
 }
 
+// What rays are to know of where their beam stopped: the level of the tile that is drawn there, in 64ths.
+float beam_note(real depth, real3 middle) {
+    int2 cell = origin_cell + int2(floor(origin_fraction + depth * middle.xy));
+    return float(drawn_node(clamp(cell, int2(0, 0), patches - 1) >> tile_side_level, 0).level) / 64.0;
+}
+
 // What maths/beam.glsl needs.
 real block_top(int2 cell, int level) {
     int2 first = clamp(cell << level, int2(0, 0), patches);

@@ -38,6 +38,6 @@ real shadow_lift_m(real distance_m) { return 1e-3 * min(cell_m.x, cell_m.y) + ma
 real shadow_distance_m(real2 from, real height_m, real3 direction) {
     int2 from_cell = int2(floor(from));
     tile_start = from - origin_fraction;
-    return cast_tiles(origin_cell + from_cell, from - real2(from_cell), direction, 0.0, 30, height_m).distance_m;
+    return cast_tiles(origin_cell + from_cell, from - real2(from_cell), direction, 0.0, 30, 0, height_m).distance_m;
 }
 #endif

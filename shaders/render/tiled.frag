@@ -16,8 +16,9 @@ void main() {
     real2 beam = texelFetch(beams, ivec2(gl_FragCoord.xy) / beam_pixels, 0).rg;
     real2 at = picture_position();
     real from_m = beam.x * length(ray_forward + at.x * ray_right + at.y * ray_up);
-    // Beams stop at cells some pixels wide; a ray does best to start two levels finer.
-    TileHit hit = cast_tiles(origin_cell, origin_fraction, pixel_ray(at), from_m, max(int(beam.y) - 2, 1), 0.0);
+    // Beams stop at cells some pixels wide; a ray does best to start two levels finer, and from the tile that is drawn there.
+    TileHit hit = cast_tiles(origin_cell, origin_fraction, pixel_ray(at), from_m, max(int(beam.y) - 2, 1),
+                             int(64.0 * fract(beam.y)), 0.0);
     hit_out = vec2(hit.distance_m < 0.0 ? uintBitsToFloat(0x7f800000u) : hit.distance_m, float(hit.steps));
 #ifdef TELL_SLOT
     hit_out.y = float(hit.slot);

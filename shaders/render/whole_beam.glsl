@@ -22,6 +22,9 @@ real4 block_heights(real4 heights_m, int2 cell, int level) {
                  left && second ? heights_m.z : real(-1e30), right && second ? heights_m.w : real(-1e30));
 }
 
+// What rays are to know of where their beam stopped, below 1.
+float beam_note(real depth, real3 middle) { return 0.0; }
+
 // What maths/beam.glsl needs.
 real block_top(int2 cell, int level) {
     real4 top = block_heights(load_block_tops(cell, level), cell, level);

@@ -83,7 +83,7 @@ class TileCastTwin {
 #include "maths/tile_cast.glsl"
 
     TileHit cast_pixel(real x, real y) {
-        return cast_tiles(origin_.cell, real2(origin_.fraction), pixel_ray(real2(x, y)), real(0), 30,
+        return cast_tiles(origin_.cell, real2(origin_.fraction), pixel_ray(real2(x, y)), real(0), 30, 0,
                           real(0));
     }
 
