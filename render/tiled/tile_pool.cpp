@@ -32,7 +32,9 @@ std::size_t TilePool::bytes_of_slot(const TileTree& tree) {
 TilePool::TilePool(const TileTree& tree, int slots)
     : room_patches_(tree.room_patches()),
       top_level_(top_level_of(room_patches_)),
-      in_row_(std::min(static_cast<int>(std::ceil(std::sqrt(slots))), slots_across(room_patches_))),
+      // As few as can be: rows of a slot lie near each other then.
+      in_row_(std::min((slots + slots_across(room_patches_) - 1) / slots_across(room_patches_),
+                       slots_across(room_patches_))),
       slots_(std::min({slots, in_row_ * slots_across(room_patches_), gpu::widest_texture})),
       pyramid_("render/tile_pool.comp") {
     const int rows = (slots_ + in_row_ - 1) / in_row_;

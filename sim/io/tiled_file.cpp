@@ -16,6 +16,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// Samples in a row and a column that a coarsest level may have for its voids to be filled.
+constexpr int most_filled = 4096;
+
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
 Dataset open_raster(const fs::path& path) {
@@ -72,6 +75,60 @@ std::string parts_of(GDALDataset& dataset) {
     return told;
 }
 
+// Gives samples of a rectangle that are not known the height of another one, bilinear. place_of: where a
+// sample of the one lies among those of the other.
+template <typename Place>
+void fill_from(const std::vector<float>& other, glm::ivec2 other_size, std::vector<float>& heights,
+               glm::ivec2 size, const Place& place_of) {
+    std::size_t at = 0;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x, ++at) {
+            if (!std::isnan(heights[at])) continue;
+            const glm::dvec2 place =
+                glm::clamp(place_of(glm::ivec2(x, y)), glm::dvec2(0), glm::dvec2(other_size - 1));
+            const glm::ivec2 low = glm::floor(place);
+            const glm::ivec2 high = glm::min(low + 1, other_size - 1);
+            const glm::dvec2 share = place - glm::dvec2(low);
+            const auto sample = [&](int column, int row) -> double {
+                return other[static_cast<std::size_t>(row) * other_size.x + column];
+            };
+            heights[at] = static_cast<float>(
+                glm::mix(glm::mix(sample(low.x, low.y), sample(high.x, low.y), share.x),
+                         glm::mix(sample(low.x, high.y), sample(high.x, high.y), share.x), share.y));
+        }
+}
+
+// Of the known ones of 2 x 2 samples the mean.
+std::vector<float> halved(const std::vector<float>& heights, glm::ivec2 size, glm::ivec2 half) {
+    std::vector<float> means;
+    for (int y = 0; y < half.y; ++y)
+        for (int x = 0; x < half.x; ++x) {
+            double sum = 0;
+            double known = 0;
+            for (int row = 2 * y; row < std::min(2 * y + 2, size.y); ++row)
+                for (int column = 2 * x; column < std::min(2 * x + 2, size.x); ++column) {
+                    const float h = heights[static_cast<std::size_t>(row) * size.x + column];
+                    if (std::isnan(h)) continue;
+                    sum += h;
+                    known += 1;
+                }
+            means.push_back(known > 0 ? static_cast<float>(sum / known) : unknown);
+        }
+    return means;
+}
+
+// Fills voids by a pyramid of means of its own, down to a single one. False where nothing is known.
+bool fill_voids_by_means(std::vector<float>& heights, glm::ivec2 size) {
+    if (std::none_of(heights.begin(), heights.end(), [](float h) { return std::isnan(h); })) return true;
+    if (size == glm::ivec2(1)) return false;
+    const glm::ivec2 half = (size + 1) / 2;
+    std::vector<float> means = halved(heights, size, half);
+    if (!fill_voids_by_means(means, half)) return false;
+    fill_from(means, half, heights, size,
+              [](glm::ivec2 sample) { return (glm::dvec2(sample) + 0.5) / 2.0 - 0.5; });
+    return true;
+}
+
 }  // namespace
 
 // What readers of one file share.
@@ -83,7 +140,8 @@ struct TiledFile::Reading {
     std::optional<float> void_value;
     float scale = 1;
     float offset_m = 0;
-    float unknown_m = 0;  // of what no level knows
+    // The coarsest level without voids; empty where there are none, or where it is too large to be filled.
+    std::vector<float> coarsest;
 
     // A level's samples; all lie within the level.
     void read_within(GDALDataset& dataset, int level, const TileSamples& samples, float* heights) const {
@@ -139,14 +197,24 @@ struct TiledFile::Reading {
             }
     }
 
+    void fill_coarsest(const TileSamples& samples, std::vector<float>& heights) const {
+        const glm::ivec2 size = levels.back();
+        std::size_t at = 0;
+        for (int y = 0; y < samples.count.y; ++y)
+            for (int x = 0; x < samples.count.x; ++x, ++at) {
+                if (!std::isnan(heights[at])) continue;
+                const glm::ivec2 place =
+                    glm::clamp(samples.first + glm::ivec2(x, y), glm::ivec2(0), size - 1);
+                heights[at] =
+                    coarsest.empty() ? 0 : coarsest[static_cast<std::size_t>(place.y) * size.x + place.x];
+            }
+    }
+
     // Gives samples that are not known the height of the next coarser level.
     void fill(GDALDataset& dataset, int level, const TileSamples& samples,
               std::vector<float>& heights) const {
         if (std::none_of(heights.begin(), heights.end(), [](float h) { return std::isnan(h); })) return;
-        if (level + 1 == static_cast<int>(levels.size())) {
-            for (float& h : heights) h = std::isnan(h) ? unknown_m : h;
-            return;
-        }
+        if (level + 1 == static_cast<int>(levels.size())) return fill_coarsest(samples, heights);
         const glm::dvec2 ratio = glm::dvec2(levels[static_cast<std::size_t>(level)]) /
                                  glm::dvec2(levels[static_cast<std::size_t>(level) + 1]);
         const auto place_of_sample = [&](glm::dvec2 sample) { return (sample + 0.5) / ratio - 0.5; };
@@ -157,21 +225,9 @@ struct TiledFile::Reading {
         std::vector<float> above;
         read(dataset, level + 1, coarser, above);
         fill(dataset, level + 1, coarser, above);
-        std::size_t at = 0;
-        for (int y = 0; y < samples.count.y; ++y)
-            for (int x = 0; x < samples.count.x; ++x, ++at) {
-                if (!std::isnan(heights[at])) continue;
-                const glm::dvec2 place =
-                    place_of_sample(samples.first + glm::ivec2(x, y)) - glm::dvec2(coarser.first);
-                const glm::ivec2 cell = glm::floor(place);
-                const glm::dvec2 share = place - glm::dvec2(cell);
-                const float* corner =
-                    above.data() + static_cast<std::ptrdiff_t>(cell.y) * coarser.count.x + cell.x;
-                const float* below = corner + coarser.count.x;
-                heights[at] =
-                    static_cast<float>(glm::mix(glm::mix<double>(corner[0], corner[1], share.x),
-                                                glm::mix<double>(below[0], below[1], share.x), share.y));
-            }
+        fill_from(above, coarser.count, heights, samples.count, [&](glm::ivec2 sample) {
+            return place_of_sample(samples.first + sample) - glm::dvec2(coarser.first);
+        });
     }
 };
 
@@ -238,21 +294,12 @@ TiledFile::TiledFile(const fs::path& path, const ImportSettings& settings) : pat
     band->GetBlockSize(&block_x, &block_y);
     source_.in_rows = block_x >= nx;
 
-    // The coarsest level is small where there are levels at all.
-    if (has_nodata && levels_.size() > 1) {
-        std::vector<float> coarsest;
-        reading->read(*dataset, static_cast<int>(levels_.size()) - 1, {glm::ivec2(0), levels_.back()},
-                      coarsest);
-        double sum = 0;
-        double known = 0;
-        for (const float h : coarsest) {
-            if (std::isnan(h)) continue;
-            sum += h;
-            known += 1;
-        }
-        if (known == 0)
+    const glm::ivec2 size = levels_.back();
+    if (has_nodata && size.x <= most_filled && size.y <= most_filled) {
+        reading->read(*dataset, static_cast<int>(levels_.size()) - 1, {glm::ivec2(0), size},
+                      reading->coarsest);
+        if (!fill_voids_by_means(reading->coarsest, size))
             throw Error(fmt::format("'{}' holds nothing but nodata, heights were expected", path.string()));
-        reading->unknown_m = static_cast<float>(sum / known);
     }
     const std::string told = fmt::format("{}{} {} {} {}", parts_of(*dataset), reading->scale,
                                          reading->offset_m, has_nodata, nodata);

@@ -43,8 +43,8 @@ class TiledFile {
     std::uint64_t fingerprint() const { return fingerprint_; }
 
     /// A reader of all levels for one thread. Samples that are not known lie as high as the next coarser
-    /// level where that knows them, else as high as the mean of the coarsest. It throws talus::Error naming
-    /// the file.
+    /// level where that knows them; in the coarsest, as means of ever larger parts of it have it. It throws
+    /// talus::Error naming the file.
     ReadSamples make_reader() const;
     /// Its finest level as it is.
     const TiledSource& source() const { return source_; }

@@ -192,7 +192,7 @@ TEST_F(TiledFiles, FillWhatIsNotKnown) {
         }
     std::printf("largest step beside and in the hole: %.1f m\n", jump);
     // A cliff down to the value that stands for nothing would be thousands high.
-    EXPECT_LT(jump, 300);
+    EXPECT_LT(jump, 50);
     const TileTree tree(file.grid(), 128, file.levels());
     for (const TileBounds& one : measure_tile_bounds(tree, [&] { return file.make_reader(); })) {
         EXPECT_GT(one.lowest_m, 490);

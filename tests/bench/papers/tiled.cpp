@@ -18,12 +18,18 @@ namespace {
 
 constexpr glm::ivec2 whole_picture(1280, 720);
 
+// The room of tiles.gpu_mib unless set; without tolerance, for all tiles.
+int slots_for(const TileTree& tree, double tolerance_px) {
+    const std::size_t usual = (std::size_t{128} << 20) / render::TilePool::bytes_of_slot(tree);
+    return static_cast<int>(tolerance_px > 0 ? std::min(usual, tree.count()) : tree.count());
+}
+
 // One tolerance, with a surface of its own whose tiles are all there.
 class TiledPicture {
   public:
     TiledPicture(const scenes::MemoryTiles& tiles, const render::Camera& camera, double tolerance_px)
         : camera_(camera),
-          surface_(tiles.tree(), tiles.bounds(), static_cast<int>(tiles.tree().count())),
+          surface_(tiles.tree(), tiles.bounds(), slots_for(tiles.tree(), tolerance_px)),
           target_(whole_picture.x, whole_picture.y) {
         const int top = tiles.tree().top_level();
         for (int row = 0; row < tiles.tree().level(top).tiles.y; ++row)
