@@ -208,7 +208,9 @@ Command tile_command(CLI::App& app, Texts& t) {
                         "KIND,NXxNY: terrain of that many samples instead of IN, as terrain.kind has them");
     command->add_option("--seed", options->seed, "of generated terrain, 1 unless given");
     command->add_option("--relief", options->relief_m, "of generated terrain, in metres, 2000 unless given");
-    add_import(*command, t);
+    command->add_option("--spacing", t.spacing, "metres between samples");
+    command->add_option("--range", t.range,
+                        "lo,hi: heights of the smallest and largest value of whole numbers that lie nowhere");
     return {command, [&t, options, files, generate] {
                 options->import = t.import();
                 options->output = files->back();

@@ -43,7 +43,7 @@ void print_samples(const std::string& file, const std::string& kind, const Grid&
 // Of a raster that is too large to be held as a whole. Its heights are told where they were measured before.
 void tiled_info(const std::string& path, const io::ImportSettings& import, bool json) {
     const io::TiledFile file(path, import);
-    const TileTree tree(file.grid(), tile_patches, file.levels());
+    const TileTree tree(file.grid(), tile_patches, file.levels(), file.level_places());
     const std::optional<std::vector<TileBounds>> bounds = io::read_tile_sidecar(file, tree);
     const Grid& grid = file.grid();
     nlohmann::ordered_json about = {{"file", path},  {"kind", file.kind()}, {"nx", grid.nx},

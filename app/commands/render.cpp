@@ -6,6 +6,7 @@
 
 #include "app/commands/commands.h"
 #include "app/core/flight.h"
+#include "app/core/outputs.h"
 #include "app/core/report.h"
 #include "app/core/sitter.h"
 #include "render/overview.h"
@@ -26,7 +27,22 @@ bool is_film(const RenderOptions& options) {
     return !options.keys.empty() || options.turntable > 0;
 }
 
+// Where not all tiles fit that a picture asked for.
+void say_tolerance(const Sitter& sitter) {
+    if (!sitter.tiles) return;
+    const TiledFigures tiles = sitter.tiles();
+    if (tiles.tolerance_px > tiles.asked_px)
+        say(fmt::format(
+            "note: tiles within {:.2f} pixels would not fit into tiles.gpu_mib, those that do are within "
+            "{:.2f} pixels",
+            tiles.asked_px, tiles.tolerance_px));
+}
+
 void check(const RenderOptions& options) {
+    if (options.eye && options.target && *options.eye == *options.target)
+        throw Error("--eye and --target are the same point, so there is no direction to look in");
+    for (const std::string& file : {options.image, options.depth, options.report})
+        if (!file.empty()) check_folder(file);
     if (options.size.x < 1 || options.size.y < 1 || options.size.x > 32768 || options.size.y > 32768)
         throw Error(fmt::format("--size {}x{} cannot be drawn, each side must be 1 to 32768 pixels",
                                 options.size.x, options.size.y));
@@ -71,6 +87,7 @@ void render(const RenderOptions& options) {
                 draw_still(sitter.painter, way[i], sitter.legends, options.size, sitter.samples);
             io::write_rgb(numbered(options.image, i), options.size.x, options.size.y, still.rgb);
         }
+        say_tolerance(sitter);
         return;
     }
     const double cpu_start = process_cpu_s();
@@ -92,17 +109,13 @@ void render(const RenderOptions& options) {
         std::count_if(depth.begin(), depth.end(), [](float d) { return std::isfinite(d); });
     report["samples"] = samples;
     report["cpu_s"] = cpu_s;
-    const TiledFigures tiles = sitter.tiles ? sitter.tiles() : TiledFigures();
-    if (tiles.tolerance_px > tiles.asked_px)
-        say(
-            fmt::format("note: tiles within {:.2f} pixels would not fit into tiles.gpu_mib, those that do "
-                        "are within {:.2f} "
-                        "pixels",
-                        tiles.asked_px, tiles.tolerance_px));
-    if (sitter.tiles)
+    say_tolerance(sitter);
+    if (sitter.tiles) {
+        const TiledFigures tiles = sitter.tiles();
         report["tiles"] = {{"drawn", tiles.drawn},
                            {"tolerance_px", tiles.tolerance_px},
                            {"device_bytes", tiles.device_bytes}};
+    }
     if (!options.report.empty()) io::write_atomically(options.report, report.dump(2) + "\n");
     if (options.json) fmt::print("{}\n", report.dump(2));
 }

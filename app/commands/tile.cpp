@@ -19,6 +19,8 @@ constexpr std::size_t read_memory_bytes = std::size_t{256} << 20;
 
 io::TiledSource file_source(const TileOptions& options) {
     const io::TiledFile file(options.input, options.import);
+    if (file.is_made_of(options.output))
+        throw Error(fmt::format("'{}' is read from, give another name to write to", options.output));
     for (const std::string& note : file.notes()) say("note: " + note);
     return file.source();
 }

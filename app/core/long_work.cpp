@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <csignal>
 #include <utility>
@@ -11,6 +12,14 @@ namespace talus::app {
 namespace {
 
 std::atomic<bool> interrupted = false;
+
+// So that a second one ends the program at once.
+void interrupt(int signal) {
+    interrupted = true;
+    std::signal(signal, SIG_DFL);
+}
+
+constexpr std::array<int, 3> ending_signals = {SIGINT, SIGTERM, SIGHUP};
 
 // Work that ends sooner needs no words.
 constexpr double quiet_s = 2;
@@ -29,12 +38,13 @@ LongWork::LongWork(std::string what)
       told_(start_),
       on_terminal_(::isatty(STDERR_FILENO) == 1) {
     interrupted = false;
-    before_ = std::signal(SIGINT, [](int) { interrupted = true; });
+    for (std::size_t i = 0; i < ending_signals.size(); ++i)
+        before_[i] = std::signal(ending_signals[i], interrupt);
 }
 
 LongWork::~LongWork() {
     if (told_once_ && on_terminal_) fmt::print(stderr, "\r\033[K");
-    std::signal(SIGINT, before_);
+    for (std::size_t i = 0; i < ending_signals.size(); ++i) std::signal(ending_signals[i], before_[i]);
 }
 
 bool LongWork::operator()(double share) {

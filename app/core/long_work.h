@@ -1,11 +1,12 @@
 #pragma once
+#include <array>
 #include <chrono>
 #include <string>
 
 namespace talus::app {
 
-/// Tells on stderr how far long work is and how long it will take, and hears Ctrl+C: while one of these
-/// lives, Ctrl+C ends the work instead of the program. One at a time.
+/// Tells on stderr how far long work is and how long it will take. While one of these lives, Ctrl+C (and
+/// SIGTERM and SIGHUP) ends the work instead of the program; a second one ends the program. One at a time.
 class LongWork {
   public:
     /// what: of the work, e.g. "writing 'alps.tif'".
@@ -23,7 +24,7 @@ class LongWork {
     std::chrono::steady_clock::time_point told_;
     bool told_once_ = false;
     bool on_terminal_;
-    void (*before_)(int);
+    std::array<void (*)(int), 3> before_{};
 };
 
 }  // namespace talus::app

@@ -1,5 +1,7 @@
 #include "app/core/sitter.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -7,6 +9,7 @@
 #include "app/core/tiled_terrain.h"
 #include "render/tiled/tile_loading.h"
 #include "render/tiled/tiled_renderer.h"
+#include "sim/error.h"
 #include "sim/terrain/terrain.h"
 
 namespace talus::app {
@@ -40,6 +43,19 @@ Sitter whole_sitter(const SceneRequest& request, const gpu::Device& device) {
     return sitter;
 }
 
+// Slots that fit into so much memory of the device.
+int slots_within(const TiledTerrain& terrain, int gpu_mib) {
+    const std::size_t room = static_cast<std::size_t>(gpu_mib) << 20;
+    const std::size_t slots =
+        std::min(room / render::TilePool::bytes_of_slot(terrain.tree), terrain.tree.count() + 1);
+    const glm::ivec2 coarsest = terrain.tree.levels().back().tiles;
+    if (slots <= static_cast<std::size_t>(coarsest.x) * coarsest.y)
+        throw Error(fmt::format(
+            "tiles.gpu_mib = {} holds {} tiles, '{}' needs more than the {} of its coarsest level", gpu_mib,
+            slots, terrain.file.path().string(), coarsest.x * coarsest.y));
+    return static_cast<int>(slots);
+}
+
 Sitter tiled_sitter(const SceneRequest& request) {
     struct Held {
         TiledTerrain terrain;
@@ -48,24 +64,28 @@ Sitter tiled_sitter(const SceneRequest& request) {
         render::TiledRenderer renderer;
         render::ViewSettings settings;
         TiledFigures figures;
+        double tolerance_px = 0;  // of the still that is drawn
         Held(TiledTerrain opened, int slots)
             : terrain(std::move(opened)),
               surface(terrain.tree, terrain.bounds, slots),
               loading([this] { return terrain.file.make_reader(); }) {}
     };
     const SceneParameters parameters = make_scene_parameters(request);
+    const render::ViewSettings settings = render::view_settings(parameters.view, parameters.simulation);
+    render::check_view_of_tiles(settings);
+    if (parameters.view.is_given("render.method"))
+        throw Error(
+            "--method chooses how a terrain is drawn that is held as a whole; one in tiles has its own way");
+    const io::ColourImage texture =
+        request.texture.empty() ? io::ColourImage() : io::read_colour_image(request.texture);
     io::limit_read_memory(static_cast<std::size_t>(parameters.view.whole("tiles.host_mib")) << 20);
     TiledTerrain terrain = open_tiled(request.input, request.import);
-    const std::size_t room = static_cast<std::size_t>(parameters.view.whole("tiles.gpu_mib")) << 20;
-    const std::size_t slots =
-        std::min(room / render::TilePool::bytes_of_slot(terrain.tree), terrain.tree.count() + 1);
-    auto held = std::make_shared<Held>(std::move(terrain), static_cast<int>(slots));
-    held->settings = render::view_settings(parameters.view, parameters.simulation);
+    const int slots = slots_within(terrain, parameters.view.whole("tiles.gpu_mib"));
+    auto held = std::make_shared<Held>(std::move(terrain), slots);
+    held->settings = settings;
+    held->figures = {0, held->settings.tolerance_px, 0, held->surface.bytes()};
     held->loading.begin(held->surface);
-    if (!request.texture.empty()) {
-        const io::ColourImage image = io::read_colour_image(request.texture);
-        held->renderer.drape(image.width, image.height, std::as_bytes(std::span(image.rgba)));
-    }
+    held->renderer.drape(texture.width, texture.height, std::as_bytes(std::span(texture.rgba)));
     Sitter sitter;
     sitter.grid = held->terrain.tree.grid();
     sitter.lowest_m = held->terrain.lowest_m;
@@ -78,9 +98,14 @@ Sitter tiled_sitter(const SceneRequest& request) {
     Held& here = *held;
     sitter.painter = {
         [&here](const render::Camera& camera, glm::ivec2 size) {
-            const double asked_px = here.settings.tolerance_px;
-            const render::TileChoice& choice = here.loading.load(here.surface, camera, size, asked_px);
-            here.figures = {choice.drawn.size(), asked_px, choice.tolerance_px, here.surface.bytes()};
+            // One tolerance for all parts of a still, so that levels meet between them.
+            here.tolerance_px = here.surface.look(camera, size, here.settings.tolerance_px).tolerance_px;
+        },
+        [&here](const render::Camera& camera, glm::ivec2 size) {
+            const render::TileChoice& choice =
+                here.loading.load(here.surface, camera, size, here.tolerance_px);
+            here.figures.drawn = std::max(here.figures.drawn, choice.drawn.size());
+            here.figures.tolerance_px = std::max(here.figures.tolerance_px, choice.tolerance_px);
             here.renderer.draw(here.surface, camera, here.settings, size.x, size.y);
         },
         [&here](int samples) { return here.renderer.refine(here.surface, samples); },

@@ -9,11 +9,11 @@
 
 namespace talus::app {
 
-/// What the last picture of terrain in tiles was made of.
+/// What pictures of terrain in tiles were made of, all since it was opened.
 struct TiledFigures {
-    std::size_t drawn = 0;         ///< tiles
+    std::size_t drawn = 0;         ///< tiles, at most
     double asked_px = 0;           ///< error that was asked for
-    double tolerance_px = 0;       ///< and the one that there is room for
+    double tolerance_px = 0;       ///< the largest one that there was room for
     std::size_t device_bytes = 0;  ///< that tiles hold, whether drawn or not
 };
 

@@ -17,7 +17,8 @@ void drape(render::Renderer& renderer, const Scene& scene) {
 
 StillPainter painter_of(render::Renderer& renderer, const Terrain& terrain,
                         const render::ViewSettings& settings) {
-    return {[&, settings](const render::Camera& camera, glm::ivec2 size) {
+    return {{},
+            [&, settings](const render::Camera& camera, glm::ivec2 size) {
                 renderer.forget();
                 renderer.draw(terrain, camera, settings, size.x, size.y);
             },
@@ -30,6 +31,7 @@ Still draw_still(const StillPainter& painter, const render::Camera& camera,
                  const std::vector<render::Legend>& legends, glm::ivec2 size, int samples) {
     const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     Still still{std::vector<std::uint8_t>(3 * pixels), std::vector<float>(pixels)};
+    if (painter.begin) painter.begin(camera, size);
     for (int top = 0; top < size.y; top += largest_part)
         for (int left = 0; left < size.x; left += largest_part) {
             const glm::ivec2 part = glm::min(size - glm::ivec2(left, top), glm::ivec2(largest_part));

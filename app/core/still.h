@@ -20,6 +20,8 @@ void drape(render::Renderer& renderer, const Scene& scene);
 
 /// What draws the parts of a still: a terrain held as a whole, or one in tiles.
 struct StillPainter {
+    /// Told of each still before its parts. Null: it need not be told.
+    std::function<void(const render::Camera&, glm::ivec2 size)> begin;
     std::function<void(const render::Camera&, glm::ivec2 size)> draw;  ///< afresh
     std::function<bool(int samples)> refine;                           ///< false: the picture has so many
     std::function<std::vector<std::uint8_t>(glm::ivec2 size)> read_rgb;

@@ -25,13 +25,12 @@ glm::vec2 heights_of(const std::vector<TileBounds>& bounds) {
 
 TiledTerrain open_tiled(const std::string& path, const io::ImportSettings& import) {
     io::TiledFile file(path, import);
-    TileTree tree(file.grid(), tile_patches, file.levels());
+    TileTree tree(file.grid(), tile_patches, file.levels(), file.level_places());
     const glm::ivec2 coarsest = tree.levels().back().tiles;
     if (static_cast<std::int64_t>(coarsest.x) * coarsest.y > most_coarsest_tiles)
-        throw Error(
-            fmt::format("'{}' has too few overviews to be shown as a whole: 'talus tile {} OUT.tif' writes a "
-                        "file that has them",
-                        path, path));
+        throw Error(fmt::format(
+            "'{}' has too few overviews to be shown as a whole: 'talus tile' writes a file that has them",
+            path));
     std::vector<std::string> notes = file.notes();
     std::optional<std::vector<TileBounds>> bounds = io::read_tile_sidecar(file, tree);
     if (!bounds) {

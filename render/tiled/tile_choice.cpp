@@ -14,8 +14,12 @@ constexpr double unseen_divisor = 16;
 // A tolerance that needs too much room is multiplied by this.
 constexpr double coarsening_factor = 1.189207115;  // the fourth root of 2
 
-// Around the eye an error has no bound in pixels; this counts for it.
+// Around the eye an error has no bound in pixels; this counts for it, times its metres where they are more
+// than one: where not all tiles fit that lie there, those of the largest errors go first.
 constexpr double most_px = 1e6;
+
+// No tile is as far off: a tolerance that all tiles keep.
+constexpr double endless_px = 1e12;
 
 struct Box {
     glm::dvec3 low;  // metres from the eye
@@ -57,7 +61,7 @@ class Sight {
     double pixels(const Box& box, double metres) const {
         const glm::dvec3 nearest = glm::clamp(glm::dvec3(0), box.low, box.high);
         const double distance_m = glm::length(nearest) - metres;
-        if (distance_m <= metres / most_px) return most_px;
+        if (distance_m <= metres / most_px) return most_px * std::max(metres, 1.0);
         double widest = 1;
         for (int i = 0; i < 8; ++i) {
             const glm::dvec3 corner = box.corner(i);
@@ -147,8 +151,9 @@ class Chooser {
 
     void count_needed(const TileId& tile, double tolerance_px, std::size_t room, std::size_t& count) const {
         if (count > room) return;
+        // Tiles of the coarsest level have their own room.
         if (is_enough(tile, tolerance_px))
-            ++count;
+            count += tile.level < tree_.top_level() ? 1 : 0;
         else
             for_children(tile, [&](const TileId& child) { count_needed(child, tolerance_px, room, count); });
     }
@@ -204,7 +209,7 @@ TileChoice choose_tiles(const TileTree& tree, const std::vector<TileBounds>& bou
                         glm::ivec2 size, double tolerance_px, std::size_t room,
                         const std::function<int(const TileId&)>& slot_of) {
     Chooser chooser(tree, bounds, camera, size, slot_of);
-    while (tolerance_px < most_px && chooser.needed(tolerance_px, room) > room)
+    while (tolerance_px < endless_px && chooser.needed(tolerance_px, room) > room)
         tolerance_px = std::max(tolerance_px * coarsening_factor, 1.0 / 16);
     return chooser.choose(tolerance_px);
 }

@@ -37,6 +37,8 @@ TilePool::TilePool(const TileTree& tree, int slots)
                        slots_across(room_patches_))),
       slots_(std::min({slots, in_row_ * slots_across(room_patches_), gpu::widest_texture})),
       pyramid_("render/tile_pool.comp") {
+    // Whole rows, so that no more is held than was asked for.
+    slots_ = std::max(slots_ / in_row_ * in_row_, std::min(slots_, in_row_));
     const int rows = (slots_ + in_row_ - 1) / in_row_;
     const int half = room_patches_ / 2;
     heights_ = gpu::Texture("heights of tiles", gpu::Format::r32f, in_row_ * samples_across(room_patches_),

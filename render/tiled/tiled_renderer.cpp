@@ -12,6 +12,12 @@ bool is_of_tiles(const View& view) {
     return !view.layer && !view.whole;
 }
 
+void check_view_of_tiles(const ViewSettings& settings) {
+    if (!is_of_tiles(view_named(settings.view)))
+        throw Error(fmt::format("the view '{}' needs a terrain that is held as a whole, not one in tiles",
+                                settings.view));
+}
+
 std::vector<Legend> tiled_legend_of(const ViewSettings& settings, const TiledSurface& surface) {
     if (view_named(settings.view).detail == Detail::kind)
         return {{"Level of the tile", 0, static_cast<double>(std::max(surface.tree().top_level(), 1)),
@@ -21,9 +27,7 @@ std::vector<Legend> tiled_legend_of(const ViewSettings& settings, const TiledSur
 
 void TiledRenderer::draw(const TiledSurface& surface, const Camera& camera, const ViewSettings& settings,
                          int width, int height) {
-    if (!is_of_tiles(view_named(settings.view)))
-        throw Error(fmt::format("the view '{}' shows a layer, and terrain in tiles has none but the ground",
-                                settings.view));
+    check_view_of_tiles(settings);
     resize(width, height);
     drawn_ = {camera, settings, width, height};
     refinement_.restart();

@@ -16,6 +16,8 @@ namespace talus::render {
 
 /// Whether a view can be drawn of terrain in tiles, which has no layer but the ground.
 bool is_of_tiles(const View& view);
+/// Throws talus::Error where the settings' view cannot.
+void check_view_of_tiles(const ViewSettings& settings);
 
 /// Its legend there.
 std::vector<Legend> tiled_legend_of(const ViewSettings& settings, const TiledSurface& surface);

@@ -84,9 +84,10 @@ Beam cast_beam(int2 origin_cell, real2 fraction, real3 middle, real3 spread, rea
         bool free = block.fits && lowest > block.top;
         // Into the block: to where the lowest edge has come down to its top, then finer.
         real drop = block.fits && fall < real(0) && fall * depth > block.top ? max(depth, block.top / fall) : depth;
-        depth = free ? block.leave : drop;
-        level = free ? min(level + 1, top_level) : level - 1;
-        going = depth < end && level >= 1 && block.fits && ++steps < beam_step_limit;
+        // What is used behind the loop hangs on its value of the turn before (docs/devices.md).
+        depth = !going ? depth : free ? block.leave : drop;
+        level = !going ? level : free ? min(level + 1, top_level) : level - 1;
+        going = going && depth < end && level >= 1 && block.fits && ++steps < beam_step_limit;
     } while (going);
     beam.depth = depth >= end ? max(end, depth) : depth;
     bool nothing = depth >= end;

@@ -113,7 +113,7 @@ TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_
             entry_level = tile_entry_level + place.level;
             // A patch of a coarser level reaches beyond the tile's edge; what is hit there belongs to the next tile.
             bool beyond = place.level > 0 && here.distance_m > tile_end;
-            hit.distance_m = beyond ? real(-1) : here.distance_m;
+            hit.distance_m = hit.distance_m >= real(0) ? hit.distance_m : beyond ? real(-1) : here.distance_m;
             hit.steps += here.steps;
 
             bool by_x = far.x <= far.y;

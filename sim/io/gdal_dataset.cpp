@@ -31,6 +31,8 @@ void start_gdal() {
     std::call_once(once, [] {
         CPLSetErrorHandler(CPLQuietErrorHandler);
         CPLSetConfigOption("GDAL_PAM_ENABLED", "NO");
+        // Each reader of a mosaic opens its parts itself: readers belong to threads.
+        CPLSetConfigOption("VRT_SHARED_SOURCE", "0");
         GDALAllRegister();
     });
     CPLErrorReset();

@@ -19,7 +19,7 @@ const char* const range_unused =
 
 void check_file_size(const fs::path& path, std::int64_t nx, std::int64_t ny) {
     const char* const larger =
-        nx > max_samples || ny > max_samples ? "; 'talus render' draws larger ones in tiles" : "";
+        nx > max_samples || ny > max_samples ? "; 'talus tile' and 'talus render' take larger rasters" : "";
     if (nx < min_samples || ny < min_samples || nx > max_samples || ny > max_samples)
         throw Error(fmt::format("'{}' holds {} x {} samples, each side must have {} to {}{}", path.string(),
                                 nx, ny, min_samples, max_samples, larger));

@@ -26,9 +26,11 @@ struct TileSidecarHead {
 constexpr std::array<char, 8> tile_sidecar_magic = {'t', 'a', 'l', 'u', 's', ' ', 'T', '1'};
 
 std::uint64_t hash_of_levels(const TileTree& tree) {
-    std::vector<int> told = {tree.side()};
+    std::vector<std::int64_t> told = {tree.side()};
     for (const TileLevel& level : tree.levels())
-        told.insert(told.end(), {level.samples.x, level.samples.y, level.tiles.x, level.tiles.y});
+        told.insert(told.end(), {level.samples.x, level.samples.y, level.tiles.x, level.tiles.y,
+                                 static_cast<std::int64_t>(level.ratio.x * 65536),
+                                 static_cast<std::int64_t>(level.ratio.y * 65536)});
     return bytes_hash(std::as_bytes(std::span(told)));
 }
 

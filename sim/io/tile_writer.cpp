@@ -41,7 +41,7 @@ class TiledOutput {
   public:
     TiledOutput(const fs::path& path, const AtomicFile& file, const TiledSource& source,
                 const std::vector<glm::ivec2>& levels)
-        : path_(path) {
+        : path_(path), temporary_(file.temporary().string()) {
         const GDALDataType type = gdal_type(source.samples);
         const std::string predictor =
             fmt::format("PREDICTOR={}", source.samples == SampleType::float32 ? 3 : 2);
@@ -52,10 +52,11 @@ class TiledOutput {
             "COMPRESS=DEFLATE", predictor.c_str(),      "BIGTIFF=YES",
             "SPARSE_OK=TRUE",   "NUM_THREADS=ALL_CPUS", nullptr};
         GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
-        dataset_.reset(driver->Create(file.temporary().c_str(), source.grid.nx, source.grid.ny, 1, type,
+        dataset_.reset(driver->Create(temporary_.c_str(), source.grid.nx, source.grid.ny, 1, type,
                                       const_cast<char**>(options.data())));
         if (!dataset_) fail();
         place(source);
+        dataset_->SetMetadataItem(levels_item, levels_by_halves, levels_domain);
         if (source.void_value) dataset_->GetRasterBand(1)->SetNoDataValue(*source.void_value);
         std::vector<int> factors;
         for (std::size_t i = 1; i < levels.size(); ++i) factors.push_back(1 << i);
@@ -91,7 +92,11 @@ class TiledOutput {
 
   private:
     [[noreturn]] void fail() const {
-        throw Error(fmt::format("cannot write '{}': {}", path_.string(), gdal_says()));
+        // GDAL knows the file by the name that it has until it is whole.
+        std::string said = gdal_says();
+        for (std::size_t at = said.find(temporary_); at != std::string::npos; at = said.find(temporary_))
+            said.replace(at, temporary_.size(), path_.string());
+        throw Error(fmt::format("cannot write '{}': {}", path_.string(), said));
     }
 
     void place(const TiledSource& source) {
@@ -109,6 +114,7 @@ class TiledOutput {
     }
 
     fs::path path_;
+    std::string temporary_;
     Dataset dataset_;
     std::vector<GDALRasterBand*> bands_;
 };
@@ -142,9 +148,8 @@ class TileWriter {
                     LevelRows& rows = held_.front();
                     begin(rows, 0, left, y);
                     read(rows);
+                    if (stopped_) return false;
                     finish(0);
-                    done_ += static_cast<double>(rows.columns) * rows.rows;
-                    if (told_ && !told_(done_ / (static_cast<double>(size.x) * size.y))) return false;
                 }
         return true;
     }
@@ -174,6 +179,10 @@ class TileWriter {
             for (int y = 0; y < count.y; ++y)
                 std::copy_n(heights.data() + static_cast<std::ptrdiff_t>(y) * count.x, count.x,
                             rows.row(from.y + y) + from.x);
+            const std::lock_guard lock(telling_);
+            done_ += static_cast<double>(count.x) * count.y;
+            const double all = static_cast<double>(source_.grid.nx) * source_.grid.ny;
+            if (told_ && !stopped_ && !told_(done_ / all)) stopped_ = true;
         });
     }
 
@@ -191,8 +200,7 @@ class TileWriter {
                 std::copy_n(row, columns, to);
                 std::fill(to + columns, to + block, row[columns - 1]);
             }
-            if (source_.void_value)
-                for (float& h : samples) h = std::isnan(h) ? static_cast<float>(*source_.void_value) : h;
+            if (source_.void_value) set_voids(samples);
             const GDALDataType type = gdal_type(source_.samples);
             const int bytes = GDALGetDataTypeSizeBytes(type);
             std::vector<std::byte> packed(samples.size() * static_cast<std::size_t>(bytes));
@@ -212,6 +220,19 @@ class TileWriter {
         const bool last_rows = !first_half || rows.first_row + rows.rows == size.y;
         const bool last_columns = level + 1 <= square_levels || rows.first_column + rows.columns == size.x;
         if (last_rows && last_columns) finish(level + 1);
+    }
+
+    // A mean may be the number that stands for voids; it becomes the next one towards 0, or up from 0.
+    void set_voids(std::vector<float>& samples) const {
+        const float void_value = *source_.void_value;
+        const bool whole = source_.samples != SampleType::float32;
+        const float instead = void_value > 0
+                                  ? (whole ? void_value - 1 : std::nextafter(void_value, 0.0F))
+                                  : (whole ? void_value + 1 : std::nextafter(void_value, HUGE_VALF));
+        for (float& h : samples) {
+            const float held = whole ? std::round(h) : h;
+            h = std::isnan(h) ? void_value : held == void_value ? instead : h;
+        }
     }
 
     // Each sample above is the mean of those of 2 x 2 that are known.
@@ -251,7 +272,7 @@ class TileWriter {
         std::mutex failing;
         const auto work = [&](std::size_t thread) {
             try {
-                for (int i = next++; i < count; i = next++) part(thread, i);
+                for (int i = next++; i < count && !stopped_; i = next++) part(thread, i);
             } catch (...) {
                 const std::lock_guard lock(failing);
                 if (!failure) failure = std::current_exception();
@@ -273,6 +294,8 @@ class TileWriter {
     std::vector<ReadSamples> readers_;
     std::vector<LevelRows> held_;  // by level
     std::mutex writing_;
+    std::mutex telling_;
+    std::atomic<bool> stopped_ = false;
     double done_ = 0;
 };
 

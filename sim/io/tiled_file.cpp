@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "sim/error.h"
+#include "sim/io/endings.h"
 #include "sim/io/gdal_dataset.h"
 #include "sim/terrain/state_hash.h"
 
@@ -16,8 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Samples in a row and a column that a coarsest level may have for its voids to be filled.
-constexpr int most_filled = 4096;
+// Samples that a coarsest level may have for its voids to be filled.
+constexpr std::int64_t most_filled = std::int64_t{1} << 24;
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
@@ -61,17 +62,44 @@ SampleType type_of(GDALDataType type, bool scaled) {
                                 : SampleType::float32;
 }
 
-// Of all files that the raster is made of: their names, sizes and times.
-std::string parts_of(GDALDataset& dataset) {
-    std::string told;
+std::vector<std::string> files_of(GDALDataset& dataset) {
+    std::vector<std::string> all;
     char** files = dataset.GetFileList();
-    for (char** file = files; file && *file; ++file) {
-        std::error_code failed;
-        const auto size = fs::file_size(*file, failed);
-        const auto time = fs::last_write_time(*file, failed).time_since_epoch().count();
-        told += fmt::format("{} {} {}\n", *file, size, time);
-    }
+    for (char** file = files; file && *file; ++file) all.emplace_back(*file);
     CSLDestroy(files);
+    return all;
+}
+
+// Mosaics of mosaics are followed so far.
+constexpr int deepest_mosaic = 4;
+
+// Size and time of a file, also of those that GDAL alone can look into (/vsizip and the like).
+std::string stamp_of(const std::string& file) {
+    VSIStatBufL found{};
+    if (VSIStatExL(file.c_str(), &found, VSI_STAT_EXISTS_FLAG | VSI_STAT_SIZE_FLAG) != 0) return "absent";
+    std::error_code failed;
+    const auto time = fs::last_write_time(file, failed);
+    return fmt::format("{} {}", found.st_size,
+                       failed ? static_cast<std::int64_t>(found.st_mtime)
+                              : static_cast<std::int64_t>(time.time_since_epoch().count()));
+}
+
+// Of all files that the raster is made of: where they lie seen from its folder, sizes and times.
+std::string parts_of(GDALDataset& dataset, const fs::path& folder, int depth) {
+    std::string told;
+    for (const std::string& file : files_of(dataset)) {
+        std::error_code failed;
+        const fs::path full = fs::weakly_canonical(file, failed);
+        told +=
+            fmt::format("{} {}\n", failed ? file : full.lexically_relative(folder).string(), stamp_of(file));
+        // What a mosaic lists are its direct parts; a part's overviews, and parts of its own, are not among
+        // them.
+        told += fmt::format("{}\n", stamp_of(file + ".ovr"));
+        if (ending_of(file) != ".vrt" || depth == 0 || file == dataset.GetDescription()) continue;
+        const Dataset part(static_cast<GDALDataset*>(
+            GDALOpenEx(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr)));
+        if (part) told += parts_of(*part, folder, depth - 1);
+    }
     return told;
 }
 
@@ -135,12 +163,13 @@ bool fill_voids_by_means(std::vector<float>& heights, glm::ivec2 size) {
 struct TiledFile::Reading {
     fs::path path;
     std::vector<glm::ivec2> levels;
+    LevelPlaces places = LevelPlaces::by_count;
     bool south_first = false;
     bool east_first = false;
     std::optional<float> void_value;
     float scale = 1;
     float offset_m = 0;
-    // The coarsest level without voids; empty where there are none, or where it is too large to be filled.
+    // The coarsest level, its voids filled; empty where no voids are declared, or it is too large.
     std::vector<float> coarsest;
 
     // A level's samples; all lie within the level.
@@ -205,8 +234,12 @@ struct TiledFile::Reading {
                 if (!std::isnan(heights[at])) continue;
                 const glm::ivec2 place =
                     glm::clamp(samples.first + glm::ivec2(x, y), glm::ivec2(0), size - 1);
-                heights[at] =
-                    coarsest.empty() ? 0 : coarsest[static_cast<std::size_t>(place.y) * size.x + place.x];
+                if (coarsest.empty())
+                    throw Error(fmt::format(
+                        "'{}' has voids and no small overview to fill them from: 'talus tile' writes a file "
+                        "that has overviews",
+                        path.string()));
+                heights[at] = coarsest[static_cast<std::size_t>(place.y) * size.x + place.x];
             }
     }
 
@@ -215,8 +248,10 @@ struct TiledFile::Reading {
               std::vector<float>& heights) const {
         if (std::none_of(heights.begin(), heights.end(), [](float h) { return std::isnan(h); })) return;
         if (level + 1 == static_cast<int>(levels.size())) return fill_coarsest(samples, heights);
-        const glm::dvec2 ratio = glm::dvec2(levels[static_cast<std::size_t>(level)]) /
-                                 glm::dvec2(levels[static_cast<std::size_t>(level) + 1]);
+        const glm::dvec2 ratio = places == LevelPlaces::by_halves
+                                     ? glm::dvec2(2)
+                                     : glm::dvec2(levels[static_cast<std::size_t>(level)]) /
+                                           glm::dvec2(levels[static_cast<std::size_t>(level) + 1]);
         const auto place_of_sample = [&](glm::dvec2 sample) { return (sample + 0.5) / ratio - 0.5; };
         TileSamples coarser;
         coarser.first = glm::floor(place_of_sample(samples.first));
@@ -251,9 +286,15 @@ TiledFile::TiledFile(const fs::path& path, const ImportSettings& settings) : pat
     auto reading = std::make_shared<Reading>();
     reading->path = path;
     reading->levels = levels_ = levels_of(*dataset);
+    const char* const told_places = dataset->GetMetadataItem(levels_item, levels_domain);
+    if (told_places && std::string(told_places) == levels_by_halves)
+        reading->places = level_places_ = LevelPlaces::by_halves;
     int has_nodata = 0;
     const double nodata = band->GetNoDataValue(&has_nodata);
-    if (has_nodata) reading->void_value = static_cast<float>(nodata);
+    constexpr double largest = std::numeric_limits<float>::max();
+    if (has_nodata)
+        reading->void_value =
+            static_cast<float>(std::isfinite(nodata) ? std::clamp(nodata, -largest, largest) : nodata);
 
     const RasterPlace place = place_of(*dataset);
     notes_.insert(notes_.end(), place.notes.begin(), place.notes.end());
@@ -272,8 +313,17 @@ TiledFile::TiledFile(const fs::path& path, const ImportSettings& settings) : pat
         notes_.emplace_back("the file says no spacing, 1 m a sample was taken: --spacing sets it");
     }
 
+    const Grid& grid = source_.grid;
+    if (!(grid.dx > 0) || !(grid.dy > 0) || !std::isfinite(grid.dx) || !std::isfinite(grid.dy))
+        throw Error(fmt::format("'{}' has a spacing of {} x {} m, it must be positive: --spacing sets it",
+                                path.string(), grid.dx, grid.dy));
+
     // Whole numbers that lie nowhere are a picture's brightness.
-    const bool picture = (type == GDT_Byte || type == GDT_UInt16) && !place.georeference && !has_nodata;
+    const bool picture = (type == GDT_Byte || type == GDT_UInt16) && !place.georeference && !has_nodata &&
+                         !dataset->GetSpatialRef();
+    if (settings.range_m && GDALDataTypeIsFloating(type))
+        throw Error(fmt::format(
+            "'{}' holds floats, and --range spreads only whole numbers of rasters in tiles", path.string()));
     if (picture) {
         Range range(0, std::max(source_.grid.width_m(), source_.grid.height_m()) / 8);
         if (settings.range_m)
@@ -288,21 +338,22 @@ TiledFile::TiledFile(const fs::path& path, const ImportSettings& settings) : pat
         notes_.emplace_back(range_unused);
     }
     source_.samples = type_of(type, picture);
-    if (has_nodata) source_.void_value = nodata;
+    if (reading->void_value) source_.void_value = *reading->void_value;
     int block_x = 0;
     int block_y = 0;
     band->GetBlockSize(&block_x, &block_y);
     source_.in_rows = block_x >= nx;
 
     const glm::ivec2 size = levels_.back();
-    if (has_nodata && size.x <= most_filled && size.y <= most_filled) {
-        reading->read(*dataset, static_cast<int>(levels_.size()) - 1, {glm::ivec2(0), size},
-                      reading->coarsest);
-        if (!fill_voids_by_means(reading->coarsest, size))
+    if (has_nodata && static_cast<std::int64_t>(size.x) * size.y <= most_filled) {
+        std::vector<float>& coarsest = reading->coarsest;
+        reading->read(*dataset, static_cast<int>(levels_.size()) - 1, {glm::ivec2(0), size}, coarsest);
+        if (!fill_voids_by_means(coarsest, size))
             throw Error(fmt::format("'{}' holds nothing but nodata, heights were expected", path.string()));
     }
-    const std::string told = fmt::format("{}{} {} {} {}", parts_of(*dataset), reading->scale,
-                                         reading->offset_m, has_nodata, nodata);
+    const std::string told = fmt::format(
+        "{}{} {} {} {}", parts_of(*dataset, fs::weakly_canonical(path).parent_path(), deepest_mosaic),
+        reading->scale, reading->offset_m, has_nodata, nodata);
     fingerprint_ = bytes_hash(std::as_bytes(std::span(told)));
     reading_ = reading;
     source_.make_reader = [reading]() -> ReadSamples {
@@ -311,6 +362,15 @@ TiledFile::TiledFile(const fs::path& path, const ImportSettings& settings) : pat
             reading->read(*own, level, samples, heights);
         };
     };
+}
+
+bool TiledFile::is_made_of(const fs::path& file) const {
+    const Dataset dataset = open_raster(path_);
+    const std::vector<std::string> parts = files_of(*dataset);
+    return std::any_of(parts.begin(), parts.end(), [&](const std::string& part) {
+        std::error_code ignored;
+        return fs::equivalent(part, file, ignored);
+    });
 }
 
 ReadSamples TiledFile::make_reader() const {
@@ -326,9 +386,9 @@ void limit_read_memory(std::size_t bytes) {
 }
 
 bool is_larger_than_a_terrain(const fs::path& path) {
-    std::error_code ignored;
-    if (!fs::is_regular_file(path, ignored)) return false;
     start_gdal();
+    VSIStatBufL found{};
+    if (VSIStatL(path.c_str(), &found) != 0 || VSI_ISDIR(found.st_mode)) return false;
     const Dataset dataset(static_cast<GDALDataset*>(
         GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr)));
     return dataset && std::max(dataset->GetRasterXSize(), dataset->GetRasterYSize()) > max_samples;

@@ -11,6 +11,11 @@
 
 namespace talus::io {
 
+/// Metadata of a file, in a domain of Talus's own, that says where samples of its levels stand.
+constexpr const char* levels_domain = "TALUS";
+constexpr const char* levels_item = "LEVELS";
+constexpr const char* levels_by_halves = "means of 2 x 2";
+
 /// Types that tiled files are written with.
 enum class SampleType { byte, uint16, int16, float32 };
 
@@ -19,8 +24,8 @@ struct TiledSource {
     Grid grid;
     std::optional<Georeference> georeference;
     SampleType samples = SampleType::float32;
-    std::optional<double> void_value;  ///< stands in a file for samples that are not known
-    bool in_rows = false;              ///< whole rows are read at the least cost
+    std::optional<float> void_value;  ///< stands in a file for samples that are not known
+    bool in_rows = false;             ///< whole rows are read at the least cost
     /// Makes a reader of level 0; samples that are not known are NaN. Each belongs to one thread.
     std::function<ReadSamples()> make_reader;
 };
@@ -36,11 +41,18 @@ class TiledFile {
     const std::optional<Georeference>& georeference() const { return source_.georeference; }
     /// Samples of the levels, the finest first: its overviews as far as each halves the one before.
     const std::vector<glm::ivec2>& levels() const { return levels_; }
+    /// Where their samples stand: as `talus tile` wrote them, else as most writers of overviews do.
+    LevelPlaces level_places() const { return level_places_; }
     const std::string& kind() const { return kind_; }  ///< e.g. "GTiff, Int16"
     const std::vector<std::string>& notes() const { return notes_; }
-    /// Changes with the file's content, as its folder tells it: of sizes and times of all files that it is
-    /// made of, and how its numbers become heights.
+    /// Changes with the file's content, as its folder tells it: of names, sizes and times of all files that
+    /// it is made of, parts of parts too, and how its numbers become heights. How its path is written does
+    /// not matter.
     std::uint64_t fingerprint() const { return fingerprint_; }
+
+    /// Whether writing to this path would change the raster: it is the file, or one that it lists as its
+    /// part.
+    bool is_made_of(const std::filesystem::path& file) const;
 
     /// A reader of all levels for one thread. Samples that are not known lie as high as the next coarser
     /// level where that knows them; in the coarsest, as means of ever larger parts of it have it. It throws
@@ -53,6 +65,7 @@ class TiledFile {
     std::filesystem::path path_;
     TiledSource source_;
     std::vector<glm::ivec2> levels_;
+    LevelPlaces level_places_ = LevelPlaces::by_count;
     std::string kind_;
     std::vector<std::string> notes_;
     std::uint64_t fingerprint_ = 0;

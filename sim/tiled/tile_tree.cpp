@@ -8,7 +8,8 @@
 
 namespace talus {
 
-TileTree::TileTree(const Grid& grid, int side, const std::vector<glm::ivec2>& level_samples)
+TileTree::TileTree(const Grid& grid, int side, const std::vector<glm::ivec2>& level_samples,
+                   LevelPlaces places)
     : grid_(grid), side_(side), room_patches_(0), first_of_level_{0} {
     if (side < 16 || (side & (side - 1)) != 0)
         throw Error("a tile has " + std::to_string(side) +
@@ -19,8 +20,10 @@ TileTree::TileTree(const Grid& grid, int side, const std::vector<glm::ivec2>& le
     const glm::ivec2 patches(grid.nx - 1, grid.ny - 1);
     for (const glm::ivec2 samples : level_samples) {
         const int across = side << levels_.size();
-        const TileLevel level = {samples, glm::dvec2(grid.nx, grid.ny) / glm::dvec2(samples),
-                                 (patches + across - 1) / across};
+        const glm::dvec2 ratio = places == LevelPlaces::by_halves
+                                     ? glm::dvec2(std::ldexp(1.0, static_cast<int>(levels_.size())))
+                                     : glm::dvec2(grid.nx, grid.ny) / glm::dvec2(samples);
+        const TileLevel level = {samples, ratio, (patches + across - 1) / across};
         levels_.push_back(level);
         first_of_level_.push_back(first_of_level_.back() +
                                   static_cast<std::size_t>(level.tiles.x) * level.tiles.y);

@@ -29,6 +29,12 @@ struct TileSamples {
     glm::ivec2 count;
 };
 
+/// Where the samples of a level stand among those of the finest.
+enum class LevelPlaces {
+    by_count,  ///< evenly: as many of the finest for one of the level as there are more of them
+    by_halves  ///< each is the mean of 2 x 2 of the level before (halved_levels())
+};
+
 /// How a large terrain is cut into tiles (Dick, Krüger & Westermann 2009, section 4). A tile of level l
 /// covers side * 2^l patches of the finest level in a row and in a column, cut off at the terrain's edge, so
 /// four tiles of the level below lie in it. Sample i of level l stands for the area of the finest samples
@@ -41,7 +47,8 @@ class TileTree {
     /// level_samples: of each level, the finest first; a level has about half as many in a row and in a
     /// column as the one before. Levels beyond the one that is a single tile are left out. Throws
     /// talus::Error where side or the finest level are not so.
-    TileTree(const Grid& grid, int side, const std::vector<glm::ivec2>& level_samples);
+    TileTree(const Grid& grid, int side, const std::vector<glm::ivec2>& level_samples,
+             LevelPlaces places = LevelPlaces::by_count);
 
     const Grid& grid() const { return grid_; }
     int side() const { return side_; }

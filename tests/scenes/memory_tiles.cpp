@@ -6,7 +6,7 @@
 namespace talus::scenes {
 
 MemoryTiles::MemoryTiles(const Grid& grid, std::vector<float> heights, int side)
-    : tree_(grid, side, halved_levels({grid.nx, grid.ny})) {
+    : tree_(grid, side, halved_levels({grid.nx, grid.ny}), LevelPlaces::by_halves) {
     levels_.push_back(std::move(heights));
     for (int level = 1; level <= tree_.top_level(); ++level) {
         const glm::ivec2 size = tree_.level(level).samples;

@@ -193,7 +193,7 @@ TEST_F(TiledFiles, FillWhatIsNotKnown) {
     std::printf("largest step beside and in the hole: %.1f m\n", jump);
     // A cliff down to the value that stands for nothing would be thousands high.
     EXPECT_LT(jump, 50);
-    const TileTree tree(file.grid(), 128, file.levels());
+    const TileTree tree(file.grid(), 128, file.levels(), file.level_places());
     for (const TileBounds& one : measure_tile_bounds(tree, [&] { return file.make_reader(); })) {
         EXPECT_GT(one.lowest_m, 490);
         EXPECT_LT(one.highest_m, 1110);
@@ -298,14 +298,14 @@ TEST_F(TiledFiles, LeaveNoHalfFile) {
 TEST_F(TiledFiles, KnowTheirBounds) {
     ASSERT_TRUE(io::write_tiled(path("a.tif"), source_of({1100, 700}, hilly), {}));
     const io::TiledFile file(path("a.tif"), {});
-    const TileTree tree(file.grid(), 64, file.levels());
+    const TileTree tree(file.grid(), 64, file.levels(), file.level_places());
     EXPECT_FALSE(io::read_tile_sidecar(file, tree));
     const auto bounds = measure_tile_bounds(tree, [&] { return file.make_reader(); });
     io::write_tile_sidecar(file, tree, bounds);
     ASSERT_TRUE(io::read_tile_sidecar(file, tree));
     EXPECT_EQ(*io::read_tile_sidecar(file, tree), bounds);
     EXPECT_EQ(*io::read_tile_sidecar(io::TiledFile(path("a.tif"), {}), tree), bounds);
-    EXPECT_FALSE(io::read_tile_sidecar(file, TileTree(file.grid(), 128, file.levels())));
+    EXPECT_FALSE(io::read_tile_sidecar(file, TileTree(file.grid(), 128, file.levels(), file.level_places())));
 
     const std::string sound = io::read_text(io::tile_sidecar_path(path("a.tif")));
     std::mt19937 random(5);
@@ -327,6 +327,64 @@ TEST_F(TiledFiles, KnowTheirBounds) {
     ASSERT_TRUE(
         io::write_tiled(path("a.tif"), source_of({1100, 700}, [](int x, int y) { return hilly(y, x); }), {}));
     EXPECT_FALSE(io::read_tile_sidecar(io::TiledFile(path("a.tif"), {}), tree));
+}
+
+// Bounds belong to content: to no spelling of a path, and to the parts of parts too.
+TEST_F(TiledFiles, KnowTheirPartsHoweverTheyAreNamed) {
+    ASSERT_TRUE(io::write_tiled(path("part.tif"), source_of({640, 480}, hilly), {}));
+    write("inner.vrt", mosaic("part.tif", {640, 480}, "0, 30, 0, 0, 0, -30"));
+    write("outer.vrt", mosaic("inner.vrt", {640, 480}, "0, 30, 0, 0, 0, -30"));
+    const auto fingerprint = [&](const std::string& name) {
+        return io::TiledFile(path(name), {}).fingerprint();
+    };
+    const std::uint64_t part = fingerprint("part.tif");
+    const std::uint64_t outer = fingerprint("outer.vrt");
+    EXPECT_EQ(fingerprint("./part.tif"), part);
+    EXPECT_EQ(fingerprint("../" + path("").parent_path().filename().string() + "/part.tif"), part);
+    EXPECT_EQ(fingerprint("./outer.vrt"), outer);
+    const fs::path before = fs::current_path();
+    fs::current_path(path(""));
+    EXPECT_EQ(io::TiledFile("part.tif", {}).fingerprint(), part);
+    EXPECT_EQ(io::TiledFile("outer.vrt", {}).fingerprint(), outer);
+    fs::current_path(before);
+    const io::TiledFile file(path("outer.vrt"), {});
+    EXPECT_TRUE(file.is_made_of(path("outer.vrt")));
+    EXPECT_TRUE(file.is_made_of(path("inner.vrt")));
+    EXPECT_FALSE(file.is_made_of(path("other.tif")));
+    ASSERT_TRUE(io::write_tiled(path("part.tif"),
+                                source_of({640, 480}, [](int x, int y) { return hilly(y, x); }), {}));
+    EXPECT_NE(fingerprint("outer.vrt"), outer);
+}
+
+// Known heights stay known, whatever number stands for what is not.
+TEST_F(TiledFiles, KeepVoidsApart) {
+    const auto either_side = [](int x, int y) {
+        return x < 20 ? not_known : (x + y) % 2 == 0 ? 1.0F : -1.0F;
+    };
+    for (const io::SampleType samples : {io::SampleType::int16, io::SampleType::float32})
+        for (const float void_value : {0.0F, -32768.0F, 255.0F}) {
+            io::TiledSource source = source_of({700, 300}, either_side);
+            source.samples = samples;
+            source.void_value = void_value;
+            ASSERT_TRUE(io::write_tiled(path("a.tif"), source, {}));
+            const io::TiledFile file(path("a.tif"), {});
+            std::vector<float> heights;
+            file.source().make_reader()(0, {glm::ivec2(0), glm::ivec2(700, 300)}, heights);
+            for (std::size_t i = 0; i < heights.size(); ++i)
+                ASSERT_EQ(std::isnan(heights[i]), i % 700 < 20) << void_value;
+            // Means of 1 and -1 are 0.
+            file.source().make_reader()(1, {glm::ivec2(0), glm::ivec2(350, 150)}, heights);
+            for (std::size_t i = 0; i < heights.size(); ++i) {
+                ASSERT_EQ(std::isnan(heights[i]), i % 350 < 10) << void_value;
+                if (!std::isnan(heights[i])) {
+                    ASSERT_LE(std::abs(heights[i]), 1);
+                }
+            }
+        }
+    io::TiledSource source = source_of({300, 300}, either_side);
+    source.void_value = not_known;
+    ASSERT_TRUE(io::write_tiled(path("a.tif"), source, {}));
+    for (const float h : whole_level(io::TiledFile(path("a.tif"), {}), 0)) ASSERT_TRUE(std::isfinite(h));
 }
 
 }  // namespace
