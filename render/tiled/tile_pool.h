@@ -17,8 +17,8 @@ class TilePool {
     TilePool(const TileTree& tree, int slots);
 
     int slots() const { return slots_; }
-    /// Where a slot lies, as shaders take it (shaders/render/tile_surface.glsl): its column and 4096 times its
-    /// row.
+    /// Where a slot lies, as shaders take it (shaders/render/tile_surface.glsl): its column and 4096 times
+    /// its row.
     int column_and_row(int slot) const { return slot % in_row_ + 4096 * (slot / in_row_); }
     std::size_t bytes() const;
     /// Device bytes of one slot of a tree's tiles.
