@@ -24,7 +24,7 @@ constexpr float not_known = std::numeric_limits<float>::quiet_NaN();
 
 // A source whose samples are a function of their places.
 template <typename Height>
-io::TiledSource source_of(glm::ivec2 size, const Height& height) {
+io::TiledSource source_of(glm::ivec2 size, Height height) {
     io::TiledSource source;
     source.grid = {size.x, size.y, 30, 20};
     source.make_reader = [height]() -> ReadSamples {

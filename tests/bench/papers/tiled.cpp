@@ -69,10 +69,11 @@ class TiledPicture {
 // A camera's picture by methods over the whole and by tiles.
 void race(Table& table, const PaperTerrain& terrain, const scenes::MemoryTiles& tiles, PaperEasel& easel,
           const std::vector<Entry>& methods, const render::NamedCamera& view) {
+    const std::vector<double> tolerances_px = {0, 2.0 / 3, 2};
     std::vector<Contestant> contestants;
+    contestants.reserve(methods.size() + tolerances_px.size());
     for (const Entry& method : methods)
         contestants.push_back({method.name, [&] { easel.draw(method, view.camera); }});
-    const std::vector<double> tolerances_px = {0, 2.0 / 3, 2};
     std::vector<TiledPicture> pictures;
     pictures.reserve(tolerances_px.size());
     for (const double tolerance_px : tolerances_px) {
