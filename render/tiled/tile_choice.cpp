@@ -18,8 +18,12 @@ constexpr double coarsening_factor = 1.189207115;  // the fourth root of 2
 // than one: where not all tiles fit that lie there, those of the largest errors go first.
 constexpr double most_px = 1e6;
 
+// The tile that the eye is over goes before all others: a coarser one may reach above the eye, which is then
+// in the ground and sees nothing.
+constexpr double own_tile = 1e8;
+
 // No tile is as far off: a tolerance that all tiles keep.
-constexpr double endless_px = 1e12;
+constexpr double endless_px = 1e22;
 
 struct Box {
     glm::dvec3 low;  // metres from the eye
@@ -61,7 +65,10 @@ class Sight {
     double pixels(const Box& box, double metres) const {
         const glm::dvec3 nearest = glm::clamp(glm::dvec3(0), box.low, box.high);
         const double distance_m = glm::length(nearest) - metres;
-        if (distance_m <= metres / most_px) return most_px * std::max(metres, 1.0);
+        if (distance_m <= metres / most_px) {
+            const bool own = nearest.x == 0 && nearest.y == 0;
+            return most_px * std::max(metres, 1.0) * (own ? own_tile : 1);
+        }
         double widest = 1;
         for (int i = 0; i < 8; ++i) {
             const glm::dvec3 corner = box.corner(i);

@@ -422,24 +422,17 @@ TEST(TiledSurface, KeepsToItsSlots) {
     const gpu::Context context;
     const scenes::Scene scene = scenes::make("fbm");
     const scenes::MemoryTiles tiles(scene.grid, scene.heights, 32);
-    TiledEasel easel(tiles, 20);
-    EXPECT_EQ(easel.surface.slots(), 20);
+    TiledEasel easel(tiles, 30);
+    EXPECT_EQ(easel.surface.slots(), 30);
     int coarsened = 0;
-    int without_bound = 0;
     for (const render::NamedCamera& view : render::survey(scene.grid, scene.heights)) {
         const render::TileChoice choice = easel.load(view.camera, 2.0 / 3);
-        EXPECT_LE(choice.drawn.size(), 19u) << view.name;
+        EXPECT_LE(choice.drawn.size(), 29u) << view.name;
         EXPECT_GE(choice.tolerance_px, 2.0 / 3);
         coarsened += choice.tolerance_px > 2.0 / 3 ? 1 : 0;
         const render::TileChoice again = easel.surface.look(view.camera, size, 2.0 / 3);
         EXPECT_EQ(again.tolerance_px, choice.tolerance_px);
         EXPECT_TRUE(again.wanted.empty()) << view.name;
-        if (choice.tolerance_px >= 1e6) {
-            // Too few even for the tiles about the eye, whose errors have no bound in pixels.
-            ++without_bound;
-            EXPECT_GT(choice.drawn.size(), 4U) << view.name;
-            continue;
-        }
         OffPixels off_px(scene, tiles, view.camera, choice.tolerance_px);
         const std::vector<float> shown = easel.distances(view.camera);
         int beyond = 0;
@@ -449,8 +442,6 @@ TEST(TiledSurface, KeepsToItsSlots) {
         EXPECT_EQ(beyond, 0) << view.name << " at " << choice.tolerance_px << " px";
     }
     EXPECT_GT(coarsened, 6);
-    // Of the twelve cameras, those that stand on the ground.
-    EXPECT_LE(without_bound, 3);
     // One slot and no more is too few.
     EXPECT_THROW(render::TiledSurface(tiles.tree(), tiles.bounds(), 1), Error);
 }
