@@ -94,9 +94,7 @@ class Chooser {
 
     template <typename Visit>
     void for_roots(const Visit& visit) const {
-        const glm::ivec2 tiles = tree_.level(tree_.top_level()).tiles;
-        for (int row = 0; row < tiles.y; ++row)
-            for (int column = 0; column < tiles.x; ++column) visit(TileId{tree_.top_level(), column, row});
+        for (const TileId& tile : tree_.coarsest_tiles()) visit(tile);
     }
 
     template <typename Visit>
@@ -117,8 +115,6 @@ class Chooser {
 
     TileChoice choose(double tolerance_px) {
         choice_.tolerance_px = tolerance_px;
-        choice_.slots.assign(tree_.count(), -2);
-        choice_.highest_m.assign(tree_.count(), 0);
         for_roots([&](const TileId& root) { draw(root, root); });
         std::stable_sort(wanted_.begin(), wanted_.end(),
                          [](const Wanted& a, const Wanted& b) { return a.off_px > b.off_px; });
@@ -167,7 +163,6 @@ class Chooser {
 
     // source: the tile or one that it lies in, which is on the device.
     float draw(const TileId& tile, TileId source) {
-        const std::size_t index = tree_.index_of(tile);
         const int slot = slot_of_(tile);
         if (slot >= 0) source = tile;
         const bool enough = is_enough(tile, choice_.tolerance_px);
@@ -190,15 +185,15 @@ class Chooser {
             if (slot >= 0) choice_.needed.push_back(tile);
             return show(tile, source);
         }
-        choice_.slots[index] = -1;
-        return choice_.highest_m[index] = highest_m;
+        choice_.nodes.push_back({tile, -1, highest_m});
+        return highest_m;
     }
 
     float show(const TileId& tile, const TileId& source) {
-        const std::size_t index = tree_.index_of(tile);
-        choice_.slots[index] = slot_of_(source);
+        const float highest_m = bounds_[tree_.index_of(source)].highest_m;
+        choice_.nodes.push_back({tile, slot_of_(source), highest_m});
         choice_.drawn.push_back(source);
-        return choice_.highest_m[index] = bounds_[tree_.index_of(source)].highest_m;
+        return highest_m;
     }
 
     const TileTree& tree_;

@@ -7,18 +7,22 @@
 
 namespace talus::render {
 
+/// A place in the tree of tiles that a picture is drawn from.
+struct TileNode {
+    TileId tile;
+    int slot = -1;        ///< whose tile is drawn where this one is; -1: the four tiles below it are drawn
+    float highest_m = 0;  ///< no ground that is drawn there lies higher
+    bool operator==(const TileNode&) const = default;
+};
+
 /// What a picture of a tiled terrain is drawn from.
 struct TileChoice {
-    /// By TileTree::index_of(): the slot whose tile is drawn where the tile is; -1: the four tiles below it
-    /// are drawn; -2: a tile that it lies in is drawn.
-    std::vector<int> slots;
-    /// By the same number: no ground that is drawn there lies higher.
-    std::vector<float> highest_m;
-    std::vector<TileId> wanted;  ///< asked for and not on the device; the worst first, by
-                                 ///< what would be drawn if nothing finer were there
-    std::vector<TileId> drawn;   ///< on the device; one may be drawn in several places, instead of others
-    std::vector<TileId> needed;  ///< of these, the ones that the picture asked for
-    double tolerance_px = 0;     ///< so many pixels off are tiles at most when all that are wanted are there
+    std::vector<TileNode> nodes;  ///< all but those that lie in a tile that is drawn
+    std::vector<TileId> wanted;   ///< asked for and not on the device; the worst first, by
+                                  ///< what would be drawn if nothing finer were there
+    std::vector<TileId> drawn;    ///< on the device; one may be drawn in several places, instead of others
+    std::vector<TileId> needed;   ///< of these, the ones that the picture asked for
+    double tolerance_px = 0;      ///< so many pixels off are tiles at most when all that are wanted are there
 };
 
 /// Chooses the coarsest tiles whose distance from the finest surface projects to at most tolerance_px

@@ -19,12 +19,7 @@ TileLoading::TileLoading(const std::function<ReadSamples()>& make_reader) {
 }
 
 void TileLoading::begin(TiledSurface& surface) {
-    const int top = surface.tree().top_level();
-    const glm::ivec2 tiles = surface.tree().level(top).tiles;
-    std::vector<TileId> coarsest;
-    for (int row = 0; row < tiles.y; ++row)
-        for (int column = 0; column < tiles.x; ++column) coarsest.push_back({top, column, row});
-    put(surface, coarsest);
+    put(surface, surface.tree().coarsest_tiles());
 }
 
 const TileChoice& TileLoading::load(TiledSurface& surface, const Camera& camera, glm::ivec2 size,

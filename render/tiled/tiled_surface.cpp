@@ -22,6 +22,9 @@ int side_level(int side) {
     return level;
 }
 
+// The slot of a node that lies in a tile that is drawn (shaders/maths/tile_cast.glsl).
+constexpr float no_node = -2;
+
 // Whole numbers that a float holds.
 constexpr double exact_float = 1 << 24;
 
@@ -31,8 +34,7 @@ TiledSurface::TiledSurface(TileTree tree, std::vector<TileBounds> bounds, int sl
     : tree_(std::move(tree)),
       bounds_(std::move(bounds)),
       pool_(tree_, slots),
-      slots_(static_cast<std::size_t>(pool_.slots())),
-      slot_of_tile_(tree_.count(), -1) {
+      slots_(static_cast<std::size_t>(pool_.slots())) {
     const glm::ivec2 finest = tree_.level(0).tiles;
     const int rows = first_node_row(finest.y, tree_.top_level()) + tree_.level(tree_.top_level()).tiles.y;
     const glm::ivec2 coarsest = tree_.level(tree_.top_level()).tiles;
@@ -43,6 +45,7 @@ TiledSurface::TiledSurface(TileTree tree, std::vector<TileBounds> bounds, int sl
         throw Error(
             fmt::format("{} x {} tiles are more than the device's largest image holds", finest.x, finest.y));
     nodes_ = gpu::Texture("nodes of tiles", gpu::Format::rg32f, finest.x, rows);
+    nodes_.fill(no_node);
     places_ = gpu::Texture("places in tiles", gpu::Format::rgba32f, 3, pool_.slots());
     highest_m_ = bounds_.front().highest_m;
     lowest_m_ = bounds_.front().lowest_m;
@@ -57,6 +60,11 @@ std::size_t TiledSurface::bytes() const {
            gpu::texel_bytes(gpu::Format::rg32f) * static_cast<std::size_t>(nodes_.width()) * nodes_.height() +
            gpu::texel_bytes(gpu::Format::rgba32f) * static_cast<std::size_t>(places_.width()) *
                places_.height();
+}
+
+int TiledSurface::slot_of(const TileId& tile) const {
+    const auto found = slot_of_tile_.find(tree_.index_of(tile));
+    return found == slot_of_tile_.end() ? -1 : found->second;
 }
 
 int TiledSurface::slot_to_fill() const {
@@ -74,26 +82,39 @@ void TiledSurface::put(const TileId& tile, std::span<const float> heights) {
     int slot = slot_of(tile);
     if (slot < 0) slot = slot_to_fill();
     Slot& filled = slots_[static_cast<std::size_t>(slot)];
-    if (filled.tile.level >= 0) slot_of_tile_[tree_.index_of(filled.tile)] = -1;
+    if (filled.tile.level >= 0) slot_of_tile_.erase(tree_.index_of(filled.tile));
     filled = {tile, 2 * looks_ + 1};
     slot_of_tile_[tree_.index_of(tile)] = slot;
     pool_.write(slot, tree_.samples_of(tile).count, heights);
 }
 
+void TiledSurface::put_aside(const TileId& tile, std::span<const float> heights) {
+    const int slot = slot_to_fill();
+    if (slot_of(tile) < 0 && is_spare(slots_[static_cast<std::size_t>(slot)])) put(tile, heights);
+}
+
+bool TiledSurface::is_spare(const Slot& slot) const {
+    return slot.tile.level < 0 || (slot.tile.level < tree_.top_level() && slot.shown + 1 < 2 * looks_);
+}
+
 void TiledSurface::clear() {
     for (Slot& slot : slots_) {
         if (slot.tile.level < 0 || slot.tile.level == tree_.top_level()) continue;
-        slot_of_tile_[tree_.index_of(slot.tile)] = -1;
+        slot_of_tile_.erase(tree_.index_of(slot.tile));
         slot.tile.level = -1;
     }
 }
 
+TileChoice TiledSurface::choose(const Camera& camera, glm::ivec2 size, double tolerance_px) const {
+    const std::size_t coarsest = tree_.count() - tree_.first_of(tree_.top_level());
+    const std::size_t room = static_cast<std::size_t>(pool_.slots()) - coarsest;
+    return choose_tiles(tree_, bounds_, camera, size, tolerance_px, room,
+                        [&](const TileId& tile) { return slot_of(tile); });
+}
+
 const TileChoice& TiledSurface::look(const Camera& camera, glm::ivec2 size, double tolerance_px) {
     ++looks_;
-    const glm::ivec2 coarsest = tree_.level(tree_.top_level()).tiles;
-    const auto room = static_cast<std::size_t>(pool_.slots() - coarsest.x * coarsest.y);
-    choice_ = choose_tiles(tree_, bounds_, camera, size, tolerance_px, room,
-                           [&](const TileId& tile) { return slot_of(tile); });
+    choice_ = choose(camera, size, tolerance_px);
     // What stands for others is given away before what was asked for.
     const auto mark = [&](const std::vector<TileId>& tiles, std::uint64_t shown) {
         for (const TileId& tile : tiles) slots_[static_cast<std::size_t>(slot_of(tile))].shown = shown;
@@ -106,16 +127,40 @@ const TileChoice& TiledSurface::look(const Camera& camera, glm::ivec2 size, doub
     return choice_;
 }
 
+std::vector<TileId> TiledSurface::look_ahead(const Camera& camera, glm::ivec2 size, double tolerance_px) {
+    TileChoice later = choose(camera, size, tolerance_px);
+    for (const TileId& tile : later.needed) {
+        Slot& slot = slots_[static_cast<std::size_t>(slot_of(tile))];
+        slot.shown = std::max(slot.shown, 2 * looks_ - 1);
+    }
+    const auto spare = static_cast<std::size_t>(
+        std::count_if(slots_.begin(), slots_.end(), [&](const Slot& slot) { return is_spare(slot); }));
+    later.wanted.resize(std::min(later.wanted.size(), spare));
+    return std::move(later.wanted);
+}
+
+// Writes the nodes that changed since it was called last: a large terrain has many more.
 void TiledSurface::tell_nodes() {
-    std::vector<glm::vec2> texels;
-    for (int level = 0; level <= tree_.top_level(); ++level) {
-        const glm::ivec2 tiles = tree_.level(level).tiles;
-        const std::size_t first = tree_.index_of({level, 0, 0});
-        texels.clear();
-        for (std::size_t i = first; i < first + static_cast<std::size_t>(tiles.x) * tiles.y; ++i)
-            texels.emplace_back(choice_.highest_m[i], choice_.slots[i]);
-        nodes_.write({0, first_node_row(tree_.level(0).tiles.y, level), tiles.x, tiles.y},
-                     std::as_bytes(std::span(texels)));
+    NodeTexels now;
+    for (const TileNode& node : choice_.nodes) now[tree_.index_of(node.tile)] = {node.highest_m, node.slot};
+    NodeTexels changed;
+    for (const auto& [index, texel] : told_nodes_)
+        if (!now.contains(index)) changed[index] = glm::vec2(no_node);
+    for (const auto& [index, texel] : now) {
+        const auto told = told_nodes_.find(index);
+        if (told == told_nodes_.end() || told->second != texel) changed[index] = texel;
+    }
+    told_nodes_ = std::move(now);
+    std::vector<glm::vec2> run;
+    for (auto one = changed.begin(); one != changed.end();) {
+        const std::size_t first = one->first;
+        const TileId tile = tree_.tile_at(first);
+        const auto row_end = first + static_cast<std::size_t>(tree_.level(tile.level).tiles.x - tile.column);
+        for (run.clear(); one != changed.end() && one->first == first + run.size() && one->first < row_end;
+             ++one)
+            run.push_back(one->second);
+        const int row = first_node_row(tree_.level(0).tiles.y, tile.level) + tile.row;
+        nodes_.write({tile.column, row, static_cast<int>(run.size()), 1}, std::as_bytes(std::span(run)));
     }
 }
 

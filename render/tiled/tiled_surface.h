@@ -1,5 +1,7 @@
 #pragma once
 #include <cstdint>
+#include <map>
+#include <unordered_map>
 #include <vector>
 
 #include "render/tiled/tile_choice.h"
@@ -21,16 +23,21 @@ class TiledSurface {
     float lowest_m() const { return lowest_m_; }    ///< of all samples
     float highest_m() const { return highest_m_; }  ///< likewise
     /// The slot that a tile is in, or -1.
-    int slot_of(const TileId& tile) const { return slot_of_tile_[tree_.index_of(tile)]; }
+    int slot_of(const TileId& tile) const;
     /// Puts a tile's samples (TileTree::samples_of()) into a free slot, or into the one whose tile was not
     /// shown for the longest time. Tiles of the coarsest level stay. What is shown follows with the next
     /// look(): nothing may be drawn between.
     void put(const TileId& tile, std::span<const float> heights);
+    /// The same, where there is a slot that neither of the last two looks nor a look ahead had a use for.
+    void put_aside(const TileId& tile, std::span<const float> heights);
     /// Takes all tiles away but those of the coarsest level.
     void clear();
 
     /// Chooses what a picture shows (choose_tiles()) and makes it known to the device.
     const TileChoice& look(const Camera& camera, glm::ivec2 size, double tolerance_px);
+    /// Which tiles a picture would want that may come after the last one; the worst first, as many as
+    /// put_aside() has slots for. Those that are there already are kept for it.
+    std::vector<TileId> look_ahead(const Camera& camera, glm::ivec2 size, double tolerance_px);
     /// Binds what was looked at for shaders/render/tile_surface.glsl, with the camera.
     void bind(gpu::Program& program, const Camera& camera, glm::ivec2 size) const;
 
@@ -40,7 +47,9 @@ class TiledSurface {
         std::uint64_t shown = 0;  // twice the look that showed it last, and 1 where it was asked for
     };
 
+    TileChoice choose(const Camera& camera, glm::ivec2 size, double tolerance_px) const;
     int slot_to_fill() const;
+    bool is_spare(const Slot& slot) const;
     void tell_nodes();
     void tell_places(const Camera& camera);
 
@@ -50,9 +59,12 @@ class TiledSurface {
     float highest_m_ = 0;
     TilePool pool_;
     std::vector<Slot> slots_;
-    std::vector<int> slot_of_tile_;  // by TileTree::index_of(); -1: none
+    std::unordered_map<std::size_t, int> slot_of_tile_;  // by TileTree::index_of()
     std::uint64_t looks_ = 0;
     TileChoice choice_;
+    // Texels of nodes by TileTree::index_of(): highest point, slot.
+    using NodeTexels = std::map<std::size_t, glm::vec2>;
+    NodeTexels told_nodes_;
     gpu::Texture nodes_;
     gpu::Texture places_;
 };

@@ -64,6 +64,12 @@ std::size_t TileTree::index_of(const TileId& tile) const {
            tile.column;
 }
 
+std::vector<TileId> TileTree::coarsest_tiles() const {
+    std::vector<TileId> tiles;
+    for (std::size_t index = first_of(top_level()); index < count(); ++index) tiles.push_back(tile_at(index));
+    return tiles;
+}
+
 TileId TileTree::tile_at(std::size_t index) const {
     TileId tile;
     while (index >= first_of(tile.level + 1)) ++tile.level;

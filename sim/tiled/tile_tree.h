@@ -76,6 +76,8 @@ class TileTree {
     /// The place of a level's first tile among all; of the level after the coarsest: count().
     std::size_t first_of(int level) const { return first_of_level_[static_cast<std::size_t>(level)]; }
     TileId tile_at(std::size_t index) const;
+    /// Of the coarsest level, which are held always.
+    std::vector<TileId> coarsest_tiles() const;
 
   private:
     Grid grid_;

@@ -7,8 +7,6 @@
 #include <numbers>
 #include <random>
 
-#include "render/hits_target.h"
-#include "render/measure.h"
 #include "render/overview.h"
 #include "render/renderer.h"
 #include "render/survey.h"
@@ -18,8 +16,10 @@
 #include "sim/terrain/generate.h"
 #include "tests/scenes/easel.h"
 #include "tests/scenes/memory_tiles.h"
+#include "tests/scenes/off_pixels.h"
 #include "tests/scenes/scenes.h"
 #include "tests/scenes/tile_cast_twin.h"
+#include "tests/scenes/tiled_easel.h"
 
 namespace talus::tiled_test {
 namespace {
@@ -36,43 +36,6 @@ void for_pixels(const Visit& visit) {
     for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x) visit(glm::ivec2(x, y), static_cast<std::size_t>(y) * size.x + x);
 }
-
-// Draws pictures of a tiled terrain.
-class TiledEasel {
-  public:
-    TiledEasel(const scenes::MemoryTiles& tiles, int slots)
-        : surface(tiles.tree(), tiles.bounds(), slots), tiles_(tiles), target_(size.x, size.y) {
-        const int top = tiles.tree().top_level();
-        for (int row = 0; row < tiles.tree().level(top).tiles.y; ++row)
-            for (int column = 0; column < tiles.tree().level(top).tiles.x; ++column) put({top, column, row});
-    }
-
-    void put(const TileId& tile) { surface.put(tile, tiles_.read(tile)); }
-
-    // Until all tiles are there that the picture wants.
-    render::TileChoice load(const render::Camera& camera, double tolerance_px) {
-        for (;;) {
-            render::TileChoice choice = surface.look(camera, size, tolerance_px);
-            if (choice.wanted.empty()) return choice;
-            for (const TileId& tile : choice.wanted) put(tile);
-        }
-    }
-
-    // Of what was looked at last.
-    std::vector<float> distances(const render::Camera& camera) {
-        rays_.cast(surface, camera, size, target_.framebuffer());
-        return target_.read_distances(size.x, size.y);
-    }
-    // Slots of the tiles that its pixels hit.
-    std::vector<float> hit_slots() { return target_.read_details(size.x, size.y); }
-
-    render::TiledSurface surface;
-
-  private:
-    const scenes::MemoryTiles& tiles_;
-    render::HitsTarget target_;
-    render::TiledRays rays_{render::Detail::none};
-};
 
 // Whatever sizes the levels of a file have, and also where the coarsest one is several tiles: the samples of
 // a tile cover it, and a slot has room for them.
@@ -172,78 +135,11 @@ TEST(TileBounds, EndWhereTheyAreTold) {
     EXPECT_THROW(measure_tile_bounds(tiles.tree(), [&] { return fail; }), std::runtime_error);
 }
 
-// How far off a pixel is from the finest surface: by how many pixels the finest surface lies above or below
-// what is shown, where that place is seen; or how far the next reference ray is that agrees
-// (render/measure.h); or the limit, where what is shown lies between two depths that are seen within the
-// limit, on a crest.
-class OffPixels {
-  public:
-    OffPixels(const scenes::Scene& scene, const scenes::MemoryTiles& tiles, const render::Camera& camera,
-              double limit_px)
-        : grid_(scene.grid),
-          tiles_(tiles),
-          camera_(camera),
-          rays_(render::camera_rays(camera, size.x, size.y)),
-          limit_px_(limit_px),
-          measure_(scene.grid, scene.heights),
-          twin_(scene.grid, scene.heights) {
-        twin_.look(scene.grid, camera, size.x, size.y);
-    }
-
-    double operator()(glm::ivec2 pixel, double distance_m) {
-        const glm::dvec2 at = 2.0 * (glm::dvec2(pixel) + 0.5) / glm::dvec2(size) - 1.0;
-        if (!std::isinf(distance_m)) {
-            const double off = off_above_or_below(at, distance_m);
-            if (off <= limit_px_) return off;
-        }
-        if (on_a_crest(at, distance_m)) return limit_px_;
-        return measure_.error_px(camera_, size.x, size.y, pixel.x, pixel.y, distance_m, limit_px_);
-    }
-
-  private:
-    double off_above_or_below(glm::dvec2 at, double distance_m) {
-        const glm::dvec3 way = glm::normalize(rays_.middle + at.x * rays_.right + at.y * rays_.up);
-        glm::dvec3 point = camera_.eye + distance_m * way;
-        point.z = tiles_.height_at(0, {grid_.column_of(point.x), grid_.row_of(point.y)});
-        const auto place = render::place_in_picture(camera_, rays_, point);
-        if (!place) return std::numeric_limits<double>::infinity();
-        const double found = twin_.cast_pixel(place->x, place->y).distance_m;
-        const bool seen = std::abs(found - glm::length(point - camera_.eye)) <= 1e-4 * found;
-        return seen ? glm::length(0.5 * (*place - at) * glm::dvec2(size))
-                    : std::numeric_limits<double>::infinity();
-    }
-
-    bool on_a_crest(glm::dvec2 at, double distance_m) {
-        double nearest = std::numeric_limits<double>::infinity();
-        double farthest = 0;
-        for (int ring = 1; ring <= 3; ++ring)
-            for (int i = 0; i < 16; ++i) {
-                const double angle = 2 * std::numbers::pi * i / 16;
-                const glm::dvec2 aside =
-                    limit_px_ * ring / 3.0 * glm::dvec2(std::cos(angle), std::sin(angle));
-                const glm::dvec2 there = at + 2.0 * aside / glm::dvec2(size);
-                double found = twin_.cast_pixel(there.x, there.y).distance_m;
-                if (found < 0) found = std::numeric_limits<double>::infinity();
-                nearest = std::min(nearest, found);
-                farthest = std::max(farthest, found);
-            }
-        return nearest <= distance_m * (1 + 1e-4) && farthest >= distance_m * (1 - 1e-4);
-    }
-
-    Grid grid_;
-    const scenes::MemoryTiles& tiles_;
-    render::Camera camera_;
-    render::CameraRays rays_;
-    double limit_px_;
-    render::Measure measure_;
-    maths::CastTwin<double> twin_;
-};
-
 class Tiled : public ::testing::TestWithParam<std::string> {};
 
 // Law 2: where all tiles are of the finest level, rays over tiles are rays over the whole, bit for bit.
 void expect_bits_of_exact(const scenes::Scene& scene, const scenes::MemoryTiles& tiles) {
-    TiledEasel easel(tiles, static_cast<int>(tiles.tree().count()));
+    scenes::TiledEasel easel(tiles, size, static_cast<int>(tiles.tree().count()));
     scenes::Easel whole(scene, size.x, size.y);
     const render::Method method = render::method_named("exact").make(render::Detail::none);
     for (const render::NamedCamera& view : render::survey(scene.grid, scene.heights)) {
@@ -279,7 +175,8 @@ TEST_P(Tiled, IsWithinItsTolerance) {
     const gpu::Context context;
     const scenes::Scene scene = scenes::make(GetParam());
     const scenes::MemoryTiles tiles(scene.grid, scene.heights, 32);
-    TiledEasel easel(tiles, static_cast<int>(tiles.tree().count()));
+    scenes::TiledEasel easel(tiles, size, static_cast<int>(tiles.tree().count()));
+    scenes::OffPixels off_px(scene, tiles, size);
     for (const double tolerance_px : {2.0 / 3, 4.0}) {
         std::vector<long> of_level(static_cast<std::size_t>(tiles.tree().top_level()) + 1, 0);
         double largest_px = 0;
@@ -287,7 +184,7 @@ TEST_P(Tiled, IsWithinItsTolerance) {
             const render::TileChoice choice = easel.load(view.camera, tolerance_px);
             EXPECT_EQ(choice.tolerance_px, tolerance_px);
             for (const TileId& tile : choice.drawn) ++of_level[static_cast<std::size_t>(tile.level)];
-            OffPixels off_px(scene, tiles, view.camera, tolerance_px);
+            off_px.look(view.camera, tolerance_px);
             const std::vector<float> shown = easel.distances(view.camera);
             int beyond = 0;
             for_pixels([&](glm::ivec2 pixel, std::size_t i) {
@@ -314,7 +211,7 @@ TEST_P(Tiled, DrawsWhatIsThereAsItsTwin) {
     const scenes::Scene scene = scenes::make(GetParam());
     const scenes::MemoryTiles tiles(scene.grid, scene.heights, 32);
     const TileTree& tree = tiles.tree();
-    TiledEasel easel(tiles, static_cast<int>(tree.count()));
+    scenes::TiledEasel easel(tiles, size, static_cast<int>(tree.count()));
     std::mt19937 random(11);
     const glm::dvec3 middle(0.5 * scene.grid.width_m(), 0.5 * scene.grid.height_m(), 0);
     const double width_m = std::min(scene.grid.width_m(), scene.grid.height_m());
@@ -340,7 +237,12 @@ TEST_P(Tiled, DrawsWhatIsThereAsItsTwin) {
         }
         const render::TileChoice choice = easel.surface.look(view.camera, size, 1);
         fallen_back += static_cast<int>(choice.wanted.size());
-        for (const TileId& tile : choice.wanted) finer += choice.slots[tree.index_of(tile)] == -1 ? 1 : 0;
+        for (const TileId& tile : choice.wanted)
+            finer += std::any_of(
+                         choice.nodes.begin(), choice.nodes.end(),
+                         [&](const render::TileNode& node) { return node.tile == tile && node.slot == -1; })
+                         ? 1
+                         : 0;
         const std::vector<float> shown = easel.distances(view.camera);
         const std::vector<float> slots = easel.hit_slots();
         maths::TileCastTwin<float> twin(tiles);
@@ -369,7 +271,7 @@ TEST_P(Tiled, LooksAsTheWhole) {
     const gpu::Context context;
     const scenes::Scene scene = scenes::make(GetParam());
     const scenes::MemoryTiles tiles(scene.grid, scene.heights, 64);
-    TiledEasel easel(tiles, static_cast<int>(tiles.tree().count()));
+    scenes::TiledEasel easel(tiles, size, static_cast<int>(tiles.tree().count()));
     const Terrain terrain(bedrock_terrain(scene.grid, scene.heights));
     render::Renderer whole(terrain, 8);
     render::TiledRenderer tiled;
@@ -422,8 +324,9 @@ TEST(TiledSurface, KeepsToItsSlots) {
     const gpu::Context context;
     const scenes::Scene scene = scenes::make("fbm");
     const scenes::MemoryTiles tiles(scene.grid, scene.heights, 32);
-    TiledEasel easel(tiles, 30);
+    scenes::TiledEasel easel(tiles, size, 30);
     EXPECT_EQ(easel.surface.slots(), 30);
+    scenes::OffPixels off_px(scene, tiles, size);
     int coarsened = 0;
     for (const render::NamedCamera& view : render::survey(scene.grid, scene.heights)) {
         const render::TileChoice choice = easel.load(view.camera, 2.0 / 3);
@@ -433,7 +336,7 @@ TEST(TiledSurface, KeepsToItsSlots) {
         const render::TileChoice again = easel.surface.look(view.camera, size, 2.0 / 3);
         EXPECT_EQ(again.tolerance_px, choice.tolerance_px);
         EXPECT_TRUE(again.wanted.empty()) << view.name;
-        OffPixels off_px(scene, tiles, view.camera, choice.tolerance_px);
+        off_px.look(view.camera, choice.tolerance_px);
         const std::vector<float> shown = easel.distances(view.camera);
         int beyond = 0;
         for_pixels([&](glm::ivec2 pixel, std::size_t i) {
@@ -474,7 +377,7 @@ TEST(TiledSurface, ColoursCoarseTilesBySlopesInMetres) {
         for (int column = 0; column < 257; ++column)
             scene.heights.push_back(static_cast<float>(3 * column + 8 * (256 - row)));
     const scenes::MemoryTiles tiles(scene.grid, scene.heights, 64);
-    TiledEasel easel(tiles, static_cast<int>(tiles.tree().count()));
+    scenes::TiledEasel easel(tiles, size, static_cast<int>(tiles.tree().count()));
     const Terrain terrain(bedrock_terrain(scene.grid, scene.heights));
     render::Renderer whole(terrain, 8);
     render::TiledRenderer tiled;

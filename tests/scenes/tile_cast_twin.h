@@ -1,5 +1,6 @@
 #pragma once
 #include <limits>
+#include <unordered_map>
 #include <vector>
 
 #include "render/camera.h"
@@ -30,7 +31,8 @@ class TileCastTwin {
     /// The choice is one of this surface's.
     void look(const render::TileChoice& choice, const render::TiledSurface& surface,
               const render::Camera& camera, int width, int height) {
-        choice_ = &choice;
+        nodes_.clear();
+        for (const render::TileNode& node : choice.nodes) nodes_[tiles_.tree().index_of(node.tile)] = node;
         const Grid& grid = tiles_.tree().grid();
         const render::CameraRays rays = render::camera_rays(camera, width, height);
         origin_ = render::cast_origin(grid, camera.eye);
@@ -45,8 +47,9 @@ class TileCastTwin {
 #include "maths/tile_place.glsl"
 
     real2 load_tile_node(int2 tile, int level) const {
-        const std::size_t index = tiles_.tree().index_of({level, tile.x, tile.y});
-        return real2(over_eye(choice_->highest_m[index]), choice_->slots[index]);
+        const auto node = nodes_.find(tiles_.tree().index_of({level, tile.x, tile.y}));
+        if (node == nodes_.end()) return real2(0, -2);
+        return real2(over_eye(node->second.highest_m), node->second.slot);
     }
 
     TilePlace load_tile(int slot) {
@@ -119,7 +122,7 @@ class TileCastTwin {
     const scenes::MemoryTiles& tiles_;
     std::vector<Held> held_;  // by slot
     const Held* loaded_ = nullptr;
-    const render::TileChoice* choice_ = nullptr;
+    std::unordered_map<std::size_t, render::TileNode> nodes_;  // by TileTree::index_of()
     render::CastOrigin origin_{};
 };
 

@@ -31,10 +31,7 @@ class TiledPicture {
         : camera_(camera),
           surface_(tiles.tree(), tiles.bounds(), slots_for(tiles.tree(), tolerance_px)),
           target_(whole_picture.x, whole_picture.y) {
-        const int top = tiles.tree().top_level();
-        for (int row = 0; row < tiles.tree().level(top).tiles.y; ++row)
-            for (int column = 0; column < tiles.tree().level(top).tiles.x; ++column)
-                surface_.put({top, column, row}, tiles.read({top, column, row}));
+        for (const TileId& tile : tiles.tree().coarsest_tiles()) surface_.put(tile, tiles.read(tile));
         for (;;) {
             choice = surface_.look(camera, whole_picture, tolerance_px);
             if (choice.wanted.empty()) return;

@@ -1,0 +1,160 @@
+#include "render/tiled/tile_paging.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <utility>
+
+namespace talus::render {
+namespace {
+
+// Tiles that a frame takes: their pyramids are built within it.
+constexpr std::size_t most_taken = 4;
+
+// Tiles that have been read and wait for a frame.
+constexpr std::size_t most_waiting = 16;
+
+// The camera is looked for where it will be in so many frames.
+constexpr double frames_ahead = 12;
+
+// What cannot be read is tried again after a quarter of a second, then after twice as long each time.
+constexpr std::chrono::milliseconds first_wait(250);
+constexpr std::chrono::milliseconds longest_wait(8000);
+
+}  // namespace
+
+TilePaging::TilePaging(const TileTree& tree, ReadSamples read)
+    : tree_(tree), read_(std::move(read)), thread_([this] { read_on(); }) {}
+
+TilePaging::~TilePaging() {
+    {
+        const std::lock_guard lock(mutex_);
+        ending_ = true;
+    }
+    news_.notify_one();
+    thread_.join();
+}
+
+void TilePaging::read_on() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+        news_.wait(lock, [&] { return ending_ || (!asked_.empty() && come_.size() < most_waiting); });
+        if (ending_) return;
+        Read read{asked_.back(), {}, {}};
+        asked_.pop_back();
+        reading_ = read.tile;
+        lock.unlock();
+        try {
+            read_(read.tile.level, tree_.samples_of(read.tile), read.heights);
+        } catch (const std::exception& error) {
+            read.error = error.what();
+        }
+        lock.lock();
+        reading_.reset();
+        come_.push_back(std::move(read));
+    }
+}
+
+const TileChoice& TilePaging::follow(TiledSurface& surface, const Camera& camera, glm::ivec2 size,
+                                     double tolerance_px) {
+    take(surface);
+    const TileChoice& choice = surface.look(camera, size, tolerance_px);
+    wanted_ = choice.wanted;
+    std::vector<TileId> tiles = due(wanted_);
+    on_their_way_ =
+        static_cast<std::size_t>(std::count_if(wanted_.begin(), wanted_.end(), [&](const TileId& tile) {
+            return !failures_.contains(tree_.index_of(tile));
+        }));
+    // The thread has nothing better to do then.
+    if (tiles.empty() && last_camera_ && !(*last_camera_ == camera))
+        tiles = due(ahead(surface, camera, size, tolerance_px));
+    last_camera_ = camera;
+    ask(tiles);
+    return choice;
+}
+
+void TilePaging::take(TiledSurface& surface) {
+    std::vector<Read> taken;
+    {
+        const std::lock_guard lock(mutex_);
+        while (!come_.empty() && taken.size() < most_taken) {
+            taken.push_back(std::move(come_.front()));
+            come_.pop_front();
+        }
+    }
+    news_.notify_one();
+    for (const Read& read : taken) {
+        if (!read.error.empty()) {
+            note_failure(read);
+            continue;
+        }
+        if (failures_.erase(tree_.index_of(read.tile)) > 0 && failures_.empty())
+            message_ = "all tiles could be read again";
+        if (std::find(wanted_.begin(), wanted_.end(), read.tile) != wanted_.end())
+            surface.put(read.tile, read.heights);
+        else
+            surface.put_aside(read.tile, read.heights);
+    }
+}
+
+void TilePaging::note_failure(const Read& read) {
+    if (failures_.empty()) message_ = read.error + "; coarser tiles are shown there, and it is tried again";
+    const auto [failure, is_new] = failures_.try_emplace(tree_.index_of(read.tile));
+    failure->second.wait =
+        is_new ? first_wait : std::min<Clock::duration>(2 * failure->second.wait, longest_wait);
+    failure->second.next = Clock::now() + failure->second.wait;
+}
+
+std::vector<TileId> TilePaging::due(const std::vector<TileId>& tiles) const {
+    const Clock::time_point now = Clock::now();
+    std::vector<TileId> found;
+    std::copy_if(tiles.begin(), tiles.end(), std::back_inserter(found), [&](const TileId& tile) {
+        const auto failure = failures_.find(tree_.index_of(tile));
+        return failure == failures_.end() || failure->second.next <= now;
+    });
+    return found;
+}
+
+std::vector<TileId> TilePaging::ahead(TiledSurface& surface, const Camera& camera, glm::ivec2 size,
+                                      double tolerance_px) const {
+    Camera later = camera;
+    later.eye += frames_ahead * (camera.eye - last_camera_->eye);
+    later.target += frames_ahead * (camera.target - last_camera_->target);
+    if (later.eye == later.target) return {};
+    return surface.look_ahead(later, size, tolerance_px);
+}
+
+void TilePaging::ask(const std::vector<TileId>& tiles) {
+    {
+        const std::lock_guard lock(mutex_);
+        asked_.clear();
+        for (const TileId& tile : tiles) {
+            const bool has_come =
+                std::any_of(come_.begin(), come_.end(), [&](const Read& read) { return read.tile == tile; });
+            if (!has_come && reading_ != tile) asked_.push_back(tile);
+        }
+        std::reverse(asked_.begin(), asked_.end());
+    }
+    news_.notify_one();
+}
+
+bool TilePaging::busy() const {
+    const Clock::time_point now = Clock::now();
+    const bool again = std::any_of(wanted_.begin(), wanted_.end(), [&](const TileId& tile) {
+        const auto failure = failures_.find(tree_.index_of(tile));
+        return failure != failures_.end() && failure->second.next <= now;
+    });
+    const std::lock_guard lock(mutex_);
+    return again || !asked_.empty() || reading_.has_value() || !come_.empty();
+}
+
+bool TilePaging::reads() const {
+    const std::lock_guard lock(mutex_);
+    return reading_.has_value() || (!asked_.empty() && come_.size() < most_waiting);
+}
+
+std::optional<std::string> TilePaging::take_message() {
+    return std::exchange(message_, std::nullopt);
+}
+
+}  // namespace talus::render

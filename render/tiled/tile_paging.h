@@ -1,0 +1,81 @@
+#pragma once
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "render/tiled/tiled_surface.h"
+
+namespace talus::render {
+
+/// Brings tiles to a surface while pictures are drawn: one thread reads them, frames take what has come
+/// (Dick, Krüger & Westermann 2009, section 4). A frame never waits for a file.
+class TilePaging {
+  public:
+    /// Reads tiles of this tree, on a thread of its own.
+    TilePaging(const TileTree& tree, ReadSamples read);
+    ~TilePaging();
+    TilePaging(const TilePaging&) = delete;
+    TilePaging& operator=(const TilePaging&) = delete;
+
+    /// Once a frame, before it is drawn: puts some of the tiles that have come, looks, and says what is to be
+    /// read next: what the picture wants, the worst first, then what it will want if the camera goes on as it
+    /// did since the frame before.
+    const TileChoice& follow(TiledSurface& surface, const Camera& camera, glm::ivec2 size,
+                             double tolerance_px);
+
+    /// Tiles that the last picture wanted and that can be read, as far as is known: a later frame shows them.
+    std::size_t on_their_way() const { return on_their_way_; }
+    /// Tiles that could not be read. They are tried again, and coarser ones are drawn.
+    std::size_t failed() const { return failures_.size(); }
+    /// True while something is read or waits for a frame, or is to be tried again: frames are to go on.
+    bool busy() const;
+    /// True while the thread reads, or has been asked to.
+    bool reads() const;
+    /// A sentence where reading begins to fail, and where all that had failed was read. Once for each.
+    std::optional<std::string> take_message();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    struct Read {
+        TileId tile;
+        std::vector<float> heights;
+        std::string error;  // empty: it was read
+    };
+    struct Failure {
+        Clock::time_point next;  // then it is tried again
+        Clock::duration wait;
+    };
+
+    void read_on();
+    void take(TiledSurface& surface);
+    void note_failure(const Read& read);
+    void ask(const std::vector<TileId>& tiles);
+    std::vector<TileId> due(const std::vector<TileId>& tiles) const;
+    std::vector<TileId> ahead(TiledSurface& surface, const Camera& camera, glm::ivec2 size,
+                              double tolerance_px) const;
+
+    TileTree tree_;
+    ReadSamples read_;
+    std::optional<Camera> last_camera_;
+    std::vector<TileId> wanted_;               // by the last picture
+    std::map<std::size_t, Failure> failures_;  // by TileTree::index_of()
+    std::size_t on_their_way_ = 0;
+    std::optional<std::string> message_;
+
+    mutable std::mutex mutex_;  // of what follows
+    std::condition_variable news_;
+    std::vector<TileId> asked_;  // the next one last
+    std::optional<TileId> reading_;
+    std::deque<Read> come_;
+    bool ending_ = false;
+    std::thread thread_;  // last: it uses all of the above
+};
+
+}  // namespace talus::render
