@@ -72,8 +72,7 @@ Command render_command(CLI::App& app, Texts& t) {
     auto options = std::make_shared<RenderOptions>();
     CLI::App* command = app.add_subcommand("render", "draw a terrain without a window");
     command->add_option("FILE", t.file, "heightmap or document")->required();
-    command->add_flag("--tiled", options->tiled,
-                      "draw the file in tiles, as rasters of more than 8192 samples a side are anyway");
+    add_tiled(*command, t);
     command->add_option("--image", options->image, "the picture")->type_name("OUT.png");
     command->add_option("--keys", options->keys, "fly along the key cameras of this file")
         ->type_name("FILE.toml");
@@ -282,6 +281,7 @@ Command window_command(CLI::App& app, Texts& t) {
     app.add_option("--preset", t.preset, "scene to start from, a name or a .toml file");
     app.add_option("--set", t.assignments, "section.name=value, may be repeated");
     add_texture(app, t);
+    add_tiled(app, t);
     app.add_option("--journal", options->journal, "write what was done here when the window closes");
     app.add_option("--window-size", t.window_size,
                    "WxH pixels; unless given, as it was when it was last closed");
@@ -295,6 +295,8 @@ Command window_command(CLI::App& app, Texts& t) {
     app.add_option("--shader-dir", t.shader_dir, "read shaders from this folder and follow its changes");
     return {&app, [&t, options] {
                 options->scene = t.scene(t.file);
+                if (t.tiled && t.file.empty())
+                    throw Error("--tiled says how a file is shown: give a FILE too");
                 if (!t.window_size.empty()) {
                     options->size = size_from(t.window_size, "--window-size");
                     if (glm::any(glm::lessThan(*options->size, glm::ivec2(320))) ||

@@ -74,10 +74,16 @@ SceneRequest Texts::scene(const std::string& file_given) const {
     request.import = import();
     request.assignments = assignments;
     request.texture = texture;
+    request.tiled = tiled;
     if (!method.empty()) request.assignments.push_back("render.method=" + method);
     if (!view.empty()) request.assignments.push_back("render.view=" + view);
     if (!fov.empty()) request.assignments.push_back("camera.fov_deg=" + fov);
     return request;
+}
+
+void add_tiled(CLI::App& app, Texts& t) {
+    app.add_flag("--tiled", t.tiled,
+                 "show the file in tiles, as rasters of more than 8192 samples a side are anyway");
 }
 
 void add_gpu(CLI::App& app, Texts& t) {

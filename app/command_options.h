@@ -19,6 +19,7 @@ struct Texts {
     std::optional<int> gpu;
     bool require_hardware = false;
     bool json = false;
+    bool tiled = false;
 
     gpu::ContextChoice context() const { return {gpu, require_hardware}; }
     // Each throws talus::Error where its texts cannot be read.
@@ -38,6 +39,7 @@ std::optional<glm::dvec3> point_from(const char* option, const std::string& text
 // Declare options that several commands have.
 void add_gpu(CLI::App& app, Texts& t);
 void add_texture(CLI::App& app, Texts& t);
+void add_tiled(CLI::App& app, Texts& t);
 void add_import(CLI::App& app, Texts& t);
 void add_outputs(CLI::App& app, Texts& t, Outputs& outputs);
 

@@ -33,7 +33,6 @@ void replay(const ReplayOptions& options);
 struct RenderOptions {
     gpu::ContextChoice gpu;
     SceneRequest scene;
-    bool tiled = false;  ///< also where the file could be held as a whole
     glm::ivec2 size{1280, 720};
     std::optional<glm::dvec3> eye;
     std::optional<glm::dvec3> target;

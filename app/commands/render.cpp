@@ -67,7 +67,7 @@ void render(const RenderOptions& options) {
     check(options);
     const gpu::Context context(options.gpu);
     say(gpu::describe(context.device()));
-    Sitter sitter = make_sitter(options.scene, options.tiled, context.device());
+    Sitter sitter = make_sitter(options.scene, context.device());
     for (const std::string& note : sitter.notes) say("note: " + note);
     const Grid& grid = sitter.grid;
     render::Camera camera = render::overview(

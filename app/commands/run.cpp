@@ -25,9 +25,9 @@ double seconds_since(Clock_::time_point start) {
 }
 
 // A line on stderr that says how far a run is: a bar on a terminal, a line every tenth elsewhere.
-class Progress {
+class RunProgress {
   public:
-    explicit Progress(std::int64_t total) : total_(total), terminal_(isatty(STDERR_FILENO) != 0) {}
+    explicit RunProgress(std::int64_t total) : total_(total), terminal_(isatty(STDERR_FILENO) != 0) {}
     void show(std::int64_t done) {
         const std::int64_t tenth = 10 * done / total_;
         if (terminal_ ? (done < total_ && seconds_since(last_) < 0.1) : tenth == tenth_) return;
@@ -76,7 +76,7 @@ void run(const RunOptions& options) {
     Simulation simulation(scene.document.state, scene.simulation);
     for (const Spring& spring : options.springs) simulation.apply(spring);
     if (!gauges.all().empty()) gauges.record(simulation.terrain(), simulation.clock().simulated_s);
-    Progress progress(ticks);
+    RunProgress progress(ticks);
     for (std::int64_t done = 0; done < ticks; ++done) {
         simulation.apply(Ticks{1});
         if (!gauges.all().empty()) gauges.record(simulation.terrain(), simulation.clock().simulated_s);
@@ -101,7 +101,7 @@ void replay(const ReplayOptions& options) {
     Simulation simulation(scene.document.state, scene.simulation);
     const Grid& grid = scene.document.state.grid;
     glm::dvec2 ratio = glm::dvec2(grid.nx - 1, grid.ny - 1) / glm::dvec2(scene.recorded_samples - 1);
-    Progress progress(static_cast<std::int64_t>(journal.operations.size()));
+    RunProgress progress(static_cast<std::int64_t>(journal.operations.size()));
     std::int64_t done = 0;
     for (Operation operation : journal.operations) {
         read_sources(operation);

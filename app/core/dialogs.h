@@ -118,6 +118,7 @@ struct PanelState {
     bool panels_shown = true;
     bool start_page = false;
     bool placing_gauge = false;
+    bool only_looks = false;  ///< the terrain is in tiles: what changes it is not there
     FileDialog dialog;
     ImportDialog import;
     ExportDialog write;

@@ -13,13 +13,7 @@ std::string save_picture(Session& session, glm::ivec2 size) {
     int number = 1;
     while (std::filesystem::exists(fmt::format("talus-{:04}.png", number))) ++number;
     std::string path = fmt::format("talus-{:04}.png", number);
-    const render::ViewSettings settings =
-        render::view_settings(session.view(), session.simulation().parameters());
-    const glm::dvec2 bounds = session.renderer().bounds();
-    const Still still = draw_still(painter_of(session.renderer(), session.simulation().terrain(), settings),
-                                   session.camera(), render::legend_of(settings, bounds.x, bounds.y), size,
-                                   session.view().whole("render.samples"));
-    session.renderer().forget();
+    const Still still = session.still(size);
     io::write_rgb(path, size.x, size.y, still.rgb);
     return path;
 }

@@ -52,9 +52,10 @@ void Project::forget_recovered() {
 void Project::serve(const PanelRequests& asked) {
     follow_dialogs(asked);
     if (asked.import) {
-        if (io::is_document(*asked.import)) {
-            SceneRequest request;
-            request.input = *asked.import;
+        SceneRequest request;
+        request.input = *asked.import;
+        // What can be looked at alone has no dialog that asks how.
+        if (io::is_document(*asked.import) || is_in_tiles(request)) {
             when_saved([this, request] {
                 state_.start_page = false;
                 open(request);
@@ -123,7 +124,7 @@ void Project::save(const std::string& path, const std::function<void()>& then) {
     session_.pause();
     auto document = std::make_shared<io::Document>(session_.document());
     const std::size_t revision = session_.revision();
-    const auto write = [this, path, document, revision, then]() -> Work::Then {
+    const auto write = [this, path, document, revision, then](const Progress&) -> Work::Then {
         write_terrain(path, *document, "", std::nullopt);
         return [this, path, revision, then] {
             session_.saved(path, revision);
@@ -144,8 +145,9 @@ void Project::open(const SceneRequest& wish) {
                                    [&](const LeftBehind& one) { return one.document == request.input; });
     std::optional<LeftBehind> recovering;
     if (left != state_.left.end()) recovering = *left;
-    const auto make = [this, request, recovering]() -> Work::Then {
-        auto scene = std::make_shared<Scene>(make_scene(request));
+    const auto make = [this, request, recovering](const Progress& progress) -> Work::Then {
+        auto scene =
+            std::make_shared<Scene>(open_scene(request, [&](const std::string&) { return progress; }));
         return [this, request, scene, recovering] {
             session_.open(request, std::move(*scene));
             forget_recovered();
@@ -175,7 +177,7 @@ void Project::reset() {
 void Project::export_files(const io::ExportSettings& settings) {
     session_.pause();
     auto document = std::make_shared<io::Document>(session_.document());
-    const auto write = [this, settings, document]() -> Work::Then {
+    const auto write = [this, settings, document](const Progress&) -> Work::Then {
         io::Exported exported;
         try {
             exported = io::export_terrain(*document, settings);
@@ -197,7 +199,7 @@ void Project::export_files(const io::ExportSettings& settings) {
 }
 
 void Project::verify() {
-    work_.start("Verifying this device, a minute or two", [this]() -> Work::Then {
+    work_.start("Verifying this device, a minute or two", [this](const Progress&) -> Work::Then {
         return [this, found = run_self_check()] {
             voice_.note(found.holds ? "verified: all claims hold" : "verified: not all claims hold");
             state_.self_check = found;
@@ -207,7 +209,7 @@ void Project::verify() {
 }
 
 void Project::look_at(const ImportWish& wish) {
-    work_.start(fmt::format("Reading {}", wish.path), [this, wish]() -> Work::Then {
+    work_.start(fmt::format("Reading {}", wish.path), [this, wish](const Progress&) -> Work::Then {
         return [this, found = preview_of(wish)] {
             state_.import.show(found);
             voice_.changed();
@@ -227,7 +229,7 @@ void Project::act_on_map(const Operation& operation) {
 void Project::act_when_ready(const std::string& name, const std::function<Operation()>& make) {
     session_.end_stroke();
     session_.pause();
-    work_.start(name, [this, make, revision = session_.revision()]() -> Work::Then {
+    work_.start(name, [this, make, revision = session_.revision()](const Progress&) -> Work::Then {
         return [this, operation = make(), revision]() mutable {
             // It was made of what was there then.
             if (makes_terrain(operation) && session_.revision() != revision) forget_made(operation);

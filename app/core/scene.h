@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,8 @@
 
 namespace talus::app {
 
+struct TiledTerrain;
+
 /// What a person asks for when starting.
 struct SceneRequest {
     std::string preset;                    ///< name or path; empty: the default, alpine
@@ -18,6 +21,7 @@ struct SceneRequest {
     io::ImportSettings import;             ///< its spacing holds for generated terrain too
     std::vector<std::string> assignments;  ///< section.name=value
     std::string texture;                   ///< a picture draped over the terrain; empty: none
+    bool tiled = false;                    ///< in tiles, also where it could be held as a whole
 };
 
 /// A terrain ready to run: where every session, live or replayed, begins.
@@ -29,6 +33,9 @@ struct Scene {
     std::string title;
     glm::ivec2 recorded_samples{0};  ///< of a journal's start: columns and rows that it was recorded with
     io::ColourImage texture;         ///< draped over the terrain; without pixels: none
+    /// The terrain in tiles that is looked at. Then the document is a stand-in that nobody sees. Null: the
+    /// document's terrain is.
+    std::shared_ptr<const TiledTerrain> tiles;
 };
 
 /// The parameters of a scene.

@@ -1,6 +1,6 @@
 #include "app/core/session.h"
 
-#include "app/core/still.h"
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -19,7 +19,7 @@
 
 namespace talus::app {
 Session::Session(const SceneRequest& request, gpu::Device device)
-    : device_(std::move(device)), request_(request), scene_(make_scene(request)) {
+    : device_(std::move(device)), request_(request), scene_(open_scene(request, on_terminal())) {
     start(std::move(scene_));
     path_ = document_path();
 }
@@ -30,13 +30,18 @@ void Session::start(Scene scene) {
     auto simulation = std::make_unique<Simulation>(scene.document.state, scene.simulation, undo_bytes);
     auto renderer = std::make_unique<render::Renderer>(simulation->terrain(), patch_pixels(device_));
     drape(*renderer, scene);
+    auto overflight = scene.tiles ? std::make_unique<Overflight>(
+                                        scene.tiles, scene.view.whole("tiles.gpu_mib"), scene.texture)
+                                  : nullptr;
     const std::vector<float> ground = scene.document.state.ground();
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
     bounds_ = {*low, *high};
+    if (scene.tiles) bounds_ = {scene.tiles->lowest_m, scene.tiles->highest_m};
     scene_ = std::move(scene);
     ++terrain_number_;
     simulation_ = std::move(simulation);
     renderer_ = std::move(renderer);
+    overflight_ = std::move(overflight);
     wave_note_ = app::wave_note(scene_.document.state, simulation_->parameters());
     gauges_ = Gauges(grid());
     balances_.clear();
@@ -104,6 +109,56 @@ void Session::frame_terrain() {
                                {picture_aspect, scene_.view.number("camera.fov_deg")});
 }
 
+render::Drawn Session::draw(const render::ViewSettings& settings, glm::ivec2 size, const render::Ring& ring) {
+    if (overflight_) return overflight_->draw(camera_, settings, size);
+    return renderer_->draw(simulation_->terrain(), camera_, settings, size.x, size.y, ring);
+}
+
+bool Session::refine() {
+    const int samples = scene_.view.whole("render.samples");
+    return overflight_ ? overflight_->refine(samples) : renderer_->refine(simulation_->terrain(), samples);
+}
+
+const gpu::Framebuffer& Session::framebuffer() const {
+    return overflight_ ? overflight_->renderer().framebuffer() : renderer_->framebuffer();
+}
+
+const gpu::Texture& Session::hits() const {
+    return overflight_ ? overflight_->renderer().hits() : renderer_->hits();
+}
+
+std::vector<render::Legend> Session::legends(const render::ViewSettings& settings) const {
+    if (overflight_) return render::tiled_legend_of(settings, overflight_->surface());
+    const glm::dvec2 bounds = renderer_->bounds();
+    return render::legend_of(settings, bounds.x, bounds.y);
+}
+
+void Session::forget_picture() {
+    renderer_->forget();
+    if (overflight_) overflight_->forget();
+}
+
+Still Session::still(glm::ivec2 size) {
+    const render::ViewSettings settings = render::view_settings(scene_.view, simulation_->parameters());
+    if (overflight_) render::check_view_of_tiles(settings);
+    const StillPainter painter = overflight_ ? overflight_->painter(settings)
+                                             : painter_of(*renderer_, simulation_->terrain(), settings);
+    Still still = draw_still(painter, camera_, legends(settings), size, scene_.view.whole("render.samples"));
+    forget_picture();
+    return still;
+}
+
+std::optional<GroundSamples> Session::ground_samples(glm::dvec2 place_m) const {
+    return overflight_ ? ground_samples_of(overflight_->surface(), place_m)
+                       : ground_samples_of(simulation_->terrain(), place_m);
+}
+
+// A terrain in tiles is looked at.
+void Session::check_editable() const {
+    if (!overflight_) return;
+    throw Error(fmt::format("'{}' is shown in tiles, which can be looked at and not changed", scene_.title));
+}
+
 SceneRequest Session::request_for(const SceneRequest& wish) const {
     SceneRequest request = request_;
     request.input = wish.input;
@@ -114,6 +169,7 @@ SceneRequest Session::request_for(const SceneRequest& wish) const {
     // What the command line set was meant for the scene that it named.
     request.size.reset();
     request.assignments.clear();
+    request.tiled = wish.tiled;
     // An image over one terrain is not one over another.
     if (wish.input != request_.input) request.texture.clear();
     return request;
@@ -147,12 +203,13 @@ std::string Session::document_path() const {
 }
 
 void Session::reset() {
-    start(make_scene(request_));
+    start(open_scene(request_, on_terminal()));
     path_ = document_path();
 }
 
 io::Document Session::document() {
     while (simulation_->mid_tick()) simulation_->advance(1 << 20);
+    check_editable();
     scene_.document.state = simulation_->read();
     scene_.document.parameters = to_toml(simulation_->parameters());
     return scene_.document;
@@ -181,6 +238,11 @@ bool Session::is_simulated(const std::string& name) const {
 
 void Session::set(const std::string& name, const Value& value) {
     if (is_simulated(name)) return set_simulated(name, value);
+    if (overflight_ && name == "render.view") {
+        render::ViewSettings wish;
+        wish.view = std::get<std::string>(value);
+        render::check_view_of_tiles(wish);
+    }
     scene_.view.set(name, value);
     follow_undo_memory();
 }
@@ -197,6 +259,7 @@ void Session::follow_undo_memory() {
 }
 
 void Session::set_simulated(const std::string& name, const std::optional<Value>& value) {
+    check_editable();
     while (simulation_->mid_tick()) simulation_->advance(1 << 20);
     simulation_->apply(SetParameter{name, value});
     if (name.starts_with("water."))
@@ -244,6 +307,7 @@ void Session::pause() {
 }
 
 void Session::toggle_play() {
+    check_editable();
     if (playing)
         pause();
     else
@@ -251,6 +315,7 @@ void Session::toggle_play() {
 }
 
 void Session::step() {
+    check_editable();
     pause();
     simulation_->apply(Ticks{1});
     simulation_->end_entry();
@@ -261,6 +326,7 @@ void Session::let_go_of_stroke() {
 }
 
 void Session::apply(const Operation& operation) {
+    check_editable();
     end_stroke();
     pause();
     simulation_->apply(operation);

@@ -7,6 +7,8 @@
 #include "app/core/activity.h"
 #include "app/core/balances.h"
 #include "app/core/gauges.h"
+#include "app/core/ground_samples.h"
+#include "app/core/overflight.h"
 #include "app/core/scene.h"
 #include "app/core/sculpting.h"
 #include "app/core/tick_pacing.h"
@@ -26,6 +28,8 @@ class Session {
     Simulation& simulation() { return *simulation_; }
     const Simulation& simulation() const { return *simulation_; }
     render::Renderer& renderer() { return *renderer_; }
+    /// The terrain in tiles that is looked at instead of the simulation's. Null: the simulation's terrain is.
+    const Overflight* overflight() const { return overflight_.get(); }
     /// Parameters of drawing and of the hand: not recorded.
     Parameters& view() { return scene_.view; }
     const Parameters& view() const { return scene_.view; }
@@ -34,13 +38,34 @@ class Session {
     render::Camera& camera() { return camera_; }
     /// Another number for every terrain that was opened or reset, or took the place of the one before.
     int terrain_number() const { return terrain_number_; }
-    const Grid& grid() const { return simulation_->terrain().grid(); }
+    /// Of what is looked at.
+    const Grid& grid() const {
+        return overflight_ ? overflight_->terrain().tree.grid() : simulation_->terrain().grid();
+    }
     /// Heights at the last open or reset, for the camera and for legends.
     glm::dvec2 bounds() const { return bounds_; }
 
     /// What is to be said of the wave maker's truth to nature (app/core/wave_note.h), of the ground that was
     /// opened.
     const std::string& wave_note() const { return wave_note_; }
+
+    /// Draws what is looked at.
+    render::Drawn draw(const render::ViewSettings& settings, glm::ivec2 size, const render::Ring& ring);
+    /// Adds a sample per pixel to the picture drawn last, as far as `render.samples` asks for. False: it has
+    /// them.
+    bool refine();
+    /// What draw() and refine() made, and the hits of its rays.
+    const gpu::Framebuffer& framebuffer() const;
+    const gpu::Texture& hits() const;
+    std::vector<render::Legend> legends(const render::ViewSettings& settings) const;
+    /// The next picture is drawn anew.
+    void forget_picture();
+    /// A picture of this size for a file.
+    Still still(glm::ivec2 size);
+    /// Samples of the ground around a place, on the device; none beside the terrain.
+    std::optional<GroundSamples> ground_samples(glm::dvec2 place_m) const;
+    /// True while tiles come that a frame is to show.
+    bool awaits_tiles() const { return overflight_ && overflight_->awaits_tiles(); }
 
     bool playing = false;
     /// Simulates for `wall_s` of wall time with `budget_s` of work (seconds), on average: for a longer
@@ -84,6 +109,7 @@ class Session {
     const Parameter& declaration(const std::string& name) const;
 
     void begin_stroke(glm::dvec3 at, const Modifiers& modifiers = {}) {
+        check_editable();
         sculpting_.begin(scene_.view, at, modifiers);
     }
     /// The hand is at a place on the ground after this much wall time.
@@ -106,6 +132,10 @@ class Session {
     void go_to(std::size_t done);
     /// What goes on behind the acts' back. Once a loop of the window, drawn or not.
     void poll() { simulation_->poll_undo(); }
+    /// What is to be told that nobody asked for, once.
+    std::optional<std::string> take_message() {
+        return overflight_ ? overflight_->take_message() : std::nullopt;
+    }
 
     /// Reads the ledger now. Waits for the device: an act, not part of a frame.
     void balance();
@@ -131,12 +161,14 @@ class Session {
     void set_simulated(const std::string& name, const std::optional<Value>& value);
     std::string document_path() const;
     bool is_simulated(const std::string& name) const;
+    void check_editable() const;
 
     gpu::Device device_;
     SceneRequest request_;
     Scene scene_;
     std::unique_ptr<Simulation> simulation_;
     std::unique_ptr<render::Renderer> renderer_;
+    std::unique_ptr<Overflight> overflight_;
     render::Camera camera_;
     int terrain_number_ = 0;
     glm::dvec2 bounds_{0};

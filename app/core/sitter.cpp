@@ -43,19 +43,6 @@ Sitter whole_sitter(const SceneRequest& request, const gpu::Device& device) {
     return sitter;
 }
 
-// Slots that fit into so much memory of the device.
-int slots_within(const TiledTerrain& terrain, int gpu_mib) {
-    const std::size_t room = static_cast<std::size_t>(gpu_mib) << 20;
-    const std::size_t slots =
-        std::min(room / render::TilePool::bytes_of_slot(terrain.tree), terrain.tree.count() + 1);
-    const glm::ivec2 coarsest = terrain.tree.levels().back().tiles;
-    if (slots <= static_cast<std::size_t>(coarsest.x) * coarsest.y)
-        throw Error(fmt::format(
-            "tiles.gpu_mib = {} holds {} tiles, '{}' needs more than the {} of its coarsest level", gpu_mib,
-            slots, terrain.file.path().string(), coarsest.x * coarsest.y));
-    return static_cast<int>(slots);
-}
-
 Sitter tiled_sitter(const SceneRequest& request) {
     struct Held {
         TiledTerrain terrain;
@@ -79,7 +66,7 @@ Sitter tiled_sitter(const SceneRequest& request) {
     const io::ColourImage texture =
         request.texture.empty() ? io::ColourImage() : io::read_colour_image(request.texture);
     io::limit_read_memory(static_cast<std::size_t>(parameters.view.whole("tiles.host_mib")) << 20);
-    TiledTerrain terrain = open_tiled(request.input, request.import);
+    TiledTerrain terrain = open_tiled(request.input, request.import, on_terminal());
     const int slots = slots_within(terrain, parameters.view.whole("tiles.gpu_mib"));
     auto held = std::make_shared<Held>(std::move(terrain), slots);
     held->settings = settings;
@@ -118,8 +105,8 @@ Sitter tiled_sitter(const SceneRequest& request) {
 
 }  // namespace
 
-Sitter make_sitter(const SceneRequest& request, bool tiled, const gpu::Device& device) {
-    if (tiled || io::is_larger_than_a_terrain(request.input)) return tiled_sitter(request);
+Sitter make_sitter(const SceneRequest& request, const gpu::Device& device) {
+    if (is_in_tiles(request)) return tiled_sitter(request);
     return whole_sitter(request, device);
 }
 

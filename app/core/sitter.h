@@ -32,8 +32,7 @@ struct Sitter {
     std::shared_ptr<void> held;           ///< what the painter draws from
 };
 
-/// Opens what is asked for: in tiles where `tiled` says so or the file is too large to be held as a whole.
-/// Throws talus::Error where that cannot be.
-Sitter make_sitter(const SceneRequest& request, bool tiled, const gpu::Device& device);
+/// Opens what is asked for, in tiles where is_in_tiles() says so. Throws talus::Error where that cannot be.
+Sitter make_sitter(const SceneRequest& request, const gpu::Device& device);
 
 }  // namespace talus::app

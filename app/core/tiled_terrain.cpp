@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <utility>
 
 #include "app/core/long_work.h"
+#include "render/tiled/tiled_surface.h"
 #include "sim/error.h"
 #include "sim/io/tile_sidecar.h"
 
@@ -23,7 +26,19 @@ glm::vec2 heights_of(const std::vector<TileBounds>& bounds) {
     return heights;
 }
 
-TiledTerrain open_tiled(const std::string& path, const io::ImportSettings& import) {
+bool is_in_tiles(const SceneRequest& request) {
+    return request.tiled || (!request.input.empty() && io::is_larger_than_a_terrain(request.input));
+}
+
+std::function<Progress(const std::string& path)> on_terminal() {
+    return [](const std::string& path) -> Progress {
+        const auto work = std::make_shared<LongWork>(fmt::format("measuring '{}'", path));
+        return [work](double share) { return (*work)(share); };
+    };
+}
+
+TiledTerrain open_tiled(const std::string& path, const io::ImportSettings& import,
+                        const std::function<Progress(const std::string& path)>& begin_progress) {
     io::TiledFile file(path, import);
     TileTree tree(file.grid(), tile_patches, file.levels(), file.level_places());
     const glm::ivec2 coarsest = tree.levels().back().tiles;
@@ -34,9 +49,8 @@ TiledTerrain open_tiled(const std::string& path, const io::ImportSettings& impor
     std::vector<std::string> notes = file.notes();
     std::optional<std::vector<TileBounds>> bounds = io::read_tile_sidecar(file, tree);
     if (!bounds) {
-        LongWork work(fmt::format("measuring '{}'", path));
         bounds = measure_tile_bounds(
-            tree, [&] { return file.make_reader(); }, [&](double share) { return work(share); });
+            tree, [&] { return file.make_reader(); }, begin_progress(path));
         if (bounds->empty()) throw Error(fmt::format("interrupted while '{}' was measured", path));
         try {
             io::write_tile_sidecar(file, tree, *bounds);
@@ -49,6 +63,38 @@ TiledTerrain open_tiled(const std::string& path, const io::ImportSettings& impor
     terrain.lowest_m = heights.x;
     terrain.highest_m = heights.y;
     return terrain;
+}
+
+int slots_within(const TiledTerrain& terrain, int gpu_mib) {
+    const std::size_t room = static_cast<std::size_t>(gpu_mib) << 20;
+    const std::size_t beside = std::min(room, render::TiledSurface::bytes_of_nodes(terrain.tree));
+    const std::size_t slots =
+        std::min((room - beside) / render::TilePool::bytes_of_slot(terrain.tree), terrain.tree.count() + 1);
+    const std::size_t coarsest = terrain.tree.coarsest_tiles().size();
+    if (slots <= coarsest)
+        throw Error(fmt::format(
+            "tiles.gpu_mib = {} holds {} tiles, '{}' needs more than the {} of its coarsest level", gpu_mib,
+            slots, terrain.file.path().string(), coarsest));
+    return static_cast<int>(slots);
+}
+
+Scene open_scene(const SceneRequest& request,
+                 const std::function<Progress(const std::string& path)>& begin_progress) {
+    if (!is_in_tiles(request)) return make_scene(request);
+    auto [simulation, view] = make_scene_parameters(request);
+    io::limit_read_memory(static_cast<std::size_t>(view.whole("tiles.host_mib")) << 20);
+    auto tiles =
+        std::make_shared<const TiledTerrain>(open_tiled(request.input, request.import, begin_progress));
+    io::Document stand_in;
+    const Grid small{17, 17, 1, 1};
+    stand_in.state = bedrock_terrain(small, std::vector<float>(small.count(), 0));
+    stand_in.kind = "tiles";
+    stand_in.notes = tiles->notes;
+    Scene scene{std::move(stand_in), std::move(simulation), std::move(view), {}, {}, {}, {},
+                std::move(tiles)};
+    if (!request.texture.empty()) scene.texture = io::read_colour_image(request.texture);
+    scene.title = std::filesystem::path(request.input).filename().string();
+    return scene;
 }
 
 }  // namespace talus::app

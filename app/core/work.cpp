@@ -24,11 +24,21 @@ void Work::start(std::string name, Job job, bool can_cancel) {
     name_ = std::move(name);
     started_s_ = wall_clock_s();
     can_cancel_ = can_cancel;
-    job_ = std::async(std::launch::async, std::move(job));
+    told_ = std::make_shared<Told>();
+    const Progress progress = [told = told_](double share) {
+        told->share = share;
+        return !told->is_given_up;
+    };
+    job_ = std::async(std::launch::async, [job = std::move(job), progress] { return job(progress); });
 }
 
 double Work::seconds() const {
     return wall_clock_s() - started_s_;
+}
+
+std::optional<double> Work::share() const {
+    if (!busy() || told_->share < 0) return std::nullopt;
+    return told_->share;
 }
 
 void Work::poll() {
@@ -40,7 +50,10 @@ void Work::poll() {
 }
 
 void Work::cancel() {
-    if (job_) given_up_.push_back(std::move(*job_));
+    if (job_) {
+        told_->is_given_up = true;
+        given_up_.push_back(std::move(*job_));
+    }
     job_.reset();
 }
 

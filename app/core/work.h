@@ -1,9 +1,13 @@
 #pragma once
+#include <atomic>
 #include <functional>
 #include <future>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "app/core/progress.h"
 
 namespace talus::app {
 
@@ -12,7 +16,8 @@ namespace talus::app {
 class Work {
   public:
     using Then = std::function<void()>;
-    using Job = std::function<Then()>;
+    /// It may say how far it is, and ends early where it is told to.
+    using Job = std::function<Then(const Progress&)>;
 
     /// Waits for jobs that were given up.
     ~Work();
@@ -22,6 +27,8 @@ class Work {
     bool can_cancel() const { return can_cancel_; }
     bool busy() const { return job_.has_value(); }
     const std::string& name() const { return name_; }
+    /// The share of it that is done, where it says so.
+    std::optional<double> share() const;
     /// Seconds since it was started.
     double seconds() const;
 
@@ -34,6 +41,12 @@ class Work {
     std::string name_;
     double started_s_ = 0;
     bool can_cancel_ = true;
+    // What a job and the window say to each other.
+    struct Told {
+        std::atomic<double> share = -1;
+        std::atomic<bool> is_given_up = false;
+    };
+    std::shared_ptr<Told> told_;
     std::optional<std::future<Then>> job_;
     std::vector<std::future<Then>> given_up_;
 };

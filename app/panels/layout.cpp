@@ -14,20 +14,21 @@ struct SidePanel {
     const char* name;
     const char* what;
     void (*draw)(PanelContext&);
+    bool only_looks = false;  ///< it is there too where the terrain can be looked at and not changed
 };
 constexpr std::array<SidePanel, 12> side_panels = {{
     {"Simulation", "time, and slopes that slide", draw_simulation_panel},
     {"Water", "rain, sea, edges, waves", draw_water_panel},
     {"Erosion", "what water takes, carries and lays down", draw_erosion_panel},
-    {"View", "what the colours show, sun, camera", draw_view_panel},
+    {"View", "what the colours show, sun, camera", draw_view_panel, true},
     {"Mask", "where brushes and simulations act", draw_mask_panel},
     {"Map", "size, place, heights and noise of the whole map", draw_map_panel},
     {"History", "what was done; back and forth", draw_history_panel},
     {"Ledger", "where all rock and water is", draw_ledger_panel},
     {"Gauges", "the water at a place, against time", draw_gauges_panel},
-    {"Profiler", "what takes how long", draw_profiler_panel},
-    {"Presets", "scenes to start from", draw_presets_panel},
-    {"Log", "what was said", draw_log_panel},
+    {"Profiler", "what takes how long", draw_profiler_panel, true},
+    {"Presets", "scenes to start from", draw_presets_panel, true},
+    {"Log", "what was said", draw_log_panel, true},
 }};
 
 // Before the first frame too.
@@ -54,6 +55,7 @@ bool is_narrow(glm::ivec2 size) {
 // Widths of the panels on both sides, pixels.
 glm::vec2 side_widths(const PanelState& state, glm::ivec2 size) {
     if (!state.panels_shown) return {0, 0};
+    if (state.only_looks) return {0, std::min(em(side_width_em), static_cast<float>(size.x))};
     if (!is_narrow(size)) return {em(tools_width_em), em(side_width_em)};
     return {0, std::min(em(side_width_em), static_cast<float>(size.x))};
 }
@@ -74,14 +76,19 @@ void draw_side(PanelContext& context, bool with_tools) {
     // Where the tools have a side of their own they are no panel of this one.
     constexpr const char* tools = "Tools";
     if (!with_tools && state.shown == tools) state.shown = side_panels.front().name;
+    std::vector<const SidePanel*> panels;
+    for (const SidePanel& panel : side_panels)
+        if (panel.only_looks || !state.only_looks) panels.push_back(&panel);
+    if (state.only_looks && std::none_of(panels.begin(), panels.end(),
+                                         [&](const SidePanel* panel) { return panel->name == state.shown; }))
+        state.shown = "View";
     const float spacing = ImGui::GetStyle().ItemSpacing.x / 2;
     const float width = (ImGui::GetContentRegionAvail().x - 3 * spacing) / 4;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {spacing, spacing});
-    for (std::size_t i = 0; i < side_panels.size(); ++i) {
-        if (choice_button(side_panels[i].name, state.shown == side_panels[i].name, side_panels[i].what,
-                          width))
-            state.shown = side_panels[i].name;
-        if (i % 4 != 3) ImGui::SameLine();
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        if (i % 4 != 0) ImGui::SameLine();
+        if (choice_button(panels[i]->name, state.shown == panels[i]->name, panels[i]->what, width))
+            state.shown = panels[i]->name;
     }
     if (with_tools && choice_button(tools, state.shown == tools, "the brush and its tools", width))
         state.shown = tools;
@@ -125,7 +132,8 @@ void draw_panels(PanelContext& context, const StatusFigures& figures, glm::ivec2
             if (begin_side("Tools", false, sides.x, size)) draw_tools_panel(context);
             ImGui::End();
         }
-        if (begin_side("Panels", true, sides.y, size)) draw_side(context, is_narrow(size));
+        if (begin_side("Panels", true, sides.y, size))
+            draw_side(context, is_narrow(size) && !context.state.only_looks);
         ImGui::End();
     }
     if (context.state.start_page) draw_start_page(context, size);
@@ -167,10 +175,14 @@ void draw_status_line(const Session& session, const StatusFigures& figures, int 
     text += figures.cursor_height_m
                 ? fmt::format("  |  height {:.1f} m", std::round(*figures.cursor_height_m * 10) / 10 + 0.0)
                 : "  |  height –";
-    text += fmt::format("  |  {:.2f} s, speed {} of {}", session.simulation().clock().simulated_s,
-                        figure(session.speed_reached(), 3), figure(session.view().number("time.speed"), 3));
-    text += fmt::format("  |  tick {:.1f} ms, frame {:.1f} ms at {:.0f} %  |  {}", session.tick_ms(),
-                        figures.frame_ms, 100 * figures.scale, figures.device);
+    if (const Overflight* overflight = session.overflight())
+        text += fmt::format("  |  {}  |  ", overflight->state());
+    else
+        text += fmt::format("  |  {:.2f} s, speed {} of {}  |  tick {:.1f} ms, ",
+                            session.simulation().clock().simulated_s, figure(session.speed_reached(), 3),
+                            figure(session.view().number("time.speed"), 3), session.tick_ms());
+    text += fmt::format("frame {:.1f} ms at {:.0f} %  |  {}", figures.frame_ms, 100 * figures.scale,
+                        figures.device);
     ImDrawList* list = ImGui::GetForegroundDrawList();
     const float line = status_height();
     const auto w = static_cast<float>(width);

@@ -119,7 +119,7 @@ void Marks::draw(Session& session, const PictureArea& area, glm::ivec2 drawn, gl
     Box box;
     for (const Sign& sign : signs) box.add(sign.foot.at, 40);
     for (const Place& place : ramp) box.add(place.at, 4);
-    depth_.draw(session.renderer().hits(), drawn,
+    depth_.draw(session.hits(), drawn,
                 {area.corner.x, window.y - area.corner.y - area.size.y, area.size.x, area.size.y},
                 box.region(window));
 

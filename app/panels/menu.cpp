@@ -18,12 +18,14 @@ void draw_file_menu(PanelContext& context) {
         ImGui::EndMenu();
     }
     ImGui::Separator();
-    if (menu_item("Save", "Ctrl+S", !session.path().empty())) requests.save = session.path();
-    if (menu_item("Save as…", "Ctrl+Shift+S")) state.dialog.begin(FileDialog::Purpose::save, session.path());
+    const bool changes = !state.only_looks;
+    if (menu_item("Save", "Ctrl+S", changes && !session.path().empty())) requests.save = session.path();
+    if (menu_item("Save as…", "Ctrl+Shift+S", changes))
+        state.dialog.begin(FileDialog::Purpose::save, session.path());
     ImGui::Separator();
-    if (menu_item("Import into this terrain…", nullptr))
+    if (menu_item("Import into this terrain…", nullptr, changes))
         state.dialog.begin(FileDialog::Purpose::import, session.path());
-    if (menu_item("Export…", "Ctrl+E")) state.write.shown = true;
+    if (menu_item("Export…", "Ctrl+E", changes)) state.write.shown = true;
     if (menu_item("Save a picture", "F12")) requests.picture = true;
     ImGui::Separator();
     if (menu_item("Quit", "Ctrl+Q")) requests.quit = true;
@@ -36,7 +38,8 @@ void draw_edit_menu(PanelContext& context) {
     if (menu_item(undo, "Ctrl+Z", history.can_undo())) context.requests.undo = true;
     if (menu_item(redo, "Ctrl+Shift+Z", history.can_redo())) context.requests.redo = true;
     ImGui::Separator();
-    if (menu_item("Back to the start of the scene", nullptr)) context.requests.reset = true;
+    if (menu_item("Back to the start of the scene", nullptr, !context.state.only_looks))
+        context.requests.reset = true;
 }
 
 }  // namespace
@@ -62,7 +65,8 @@ void draw_menu(PanelContext& context) {
         ImGui::Separator();
         const std::string& shown = context.session.view().choice("render.view");
         for (const render::View& view : render::views())
-            if (menu_item(view.name, nullptr, true, shown == view.name))
+            if (menu_item(view.name, nullptr, !context.state.only_looks || render::is_of_tiles(view),
+                          shown == view.name))
                 context.session.set("render.view", view.name);
         ImGui::EndMenu();
     }

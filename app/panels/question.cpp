@@ -35,9 +35,12 @@ void draw_work(const Work& work, bool& cancelled) {
     ImGui::Begin("Work", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize);
     text_line(work.name());
-    // The progress is unknown: the bar shows that the work goes on, and for how many seconds.
-    const auto turn = static_cast<float>(work.seconds() - std::floor(work.seconds()));
-    ImGui::ProgressBar(turn, {-1, 0}, fmt::format("{:.0f} s", work.seconds()).c_str());
+    const std::optional<double> share = work.share();
+    // Where the progress is unknown the bar shows that the work goes on.
+    const double length = share.value_or(work.seconds() - std::floor(work.seconds()));
+    const std::string left = share ? fmt::format("{:.0f} %, ", 100 * *share) : "";
+    ImGui::ProgressBar(static_cast<float>(length), {-1, 0},
+                       fmt::format("{}{:.0f} s", left, work.seconds()).c_str());
     cancelled = button("Cancel work", "everything stays as it was", work.can_cancel());
     ImGui::End();
 }

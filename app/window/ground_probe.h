@@ -2,8 +2,8 @@
 #include <optional>
 #include <vector>
 
+#include "app/core/ground_samples.h"
 #include "sim/gpu/readback.h"
-#include "sim/terrain/terrain.h"
 
 namespace talus::app {
 
@@ -12,21 +12,28 @@ namespace talus::app {
 /// ground rests.
 class GroundProbe {
   public:
-    /// To be called every frame with where the camera is.
-    void follow(const Terrain& terrain, glm::dvec2 place_m);
-    /// Height of the bilinear surface; none beside the terrain or before the samples have come.
-    std::optional<double> height_m(const Grid& grid, glm::dvec2 place_m) const;
+    /// To be called every frame with the ground where the camera is; none: it is beside the
+    /// terrain.
+    void follow(const std::optional<GroundSamples>& ground);
+    /// Height of the bilinear surface there; none beside the terrain and before the samples have
+    /// come.
+    std::optional<double> height_m(const std::optional<GroundSamples>& ground) const;
     /// True while samples are on their way.
     bool pending() const { return readback_.pending(); }
     /// For another terrain, or when nobody asks any more.
     void forget();
 
   private:
+    // Which samples are read.
+    struct Part {
+        glm::ivec2 first{0};
+        glm::ivec2 size{0};
+        std::uint64_t which = 0;
+        std::uint64_t changes = 0;
+    };
     gpu::Readback readback_;
-    gpu::Region asked_;
-    std::uint64_t asked_changes_ = 0;
-    gpu::Region here_;
-    std::uint64_t changes_ = 0;
+    Part asked_;
+    Part here_;
     std::vector<float> samples_;
 };
 

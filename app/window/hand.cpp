@@ -59,7 +59,7 @@ void Hand::look(Session& session, glm::dvec2 mouse, glm::ivec2 size, glm::ivec2 
     cursor_mouse_ = mouse;
     cursor_camera_ = session.camera();
     cursor_direction_ = pixel_direction(cursor_camera_, x + 0.5, y + 0.5, drawn.x, drawn.y);
-    cursor_readback_.start(session.renderer().hits(), {x, drawn.y - 1 - y, 1, 1});
+    cursor_readback_.start(session.hits(), {x, drawn.y - 1 - y, 1, 1});
 }
 
 void Hand::move_camera(Session& session, glm::dvec2 mouse, double passed_s, int height, const HandMay& may) {
@@ -115,8 +115,9 @@ void Hand::meet_ground(Session& session, render::Camera& camera, bool walking, d
     if (walking && !walking_) look_level(camera);
     walking_ = walking;
     if (walking) keep_within(camera, grid);
-    ground_.follow(session.simulation().terrain(), camera.eye);
-    const std::optional<double> ground_m = ground_.height_m(grid, camera.eye);
+    const std::optional<GroundSamples> ground = session.ground_samples(camera.eye);
+    ground_.follow(ground);
+    const std::optional<double> ground_m = ground_.height_m(ground);
     if (!ground_m) return;
     const double eye_m = session.view().number("camera.eye_height_m");
     if (walking)
@@ -126,6 +127,7 @@ void Hand::meet_ground(Session& session, render::Camera& camera, bool walking, d
 }
 
 void Hand::sculpt(Session& session, double passed_s, const HandMay& may, bool& placing_gauge) {
+    if (session.overflight()) return;
     const bool held = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS && may.use_mouse;
     const auto down = [&](int left, int right) {
         return glfwGetKey(window_, left) == GLFW_PRESS || glfwGetKey(window_, right) == GLFW_PRESS;

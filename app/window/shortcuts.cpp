@@ -38,13 +38,14 @@ void press_with_control(int key, bool shift, Session& session, PanelState& state
             state.dialog.begin(FileDialog::Purpose::open, session.path());
             break;
         case GLFW_KEY_S:
+            if (state.only_looks) break;
             if (shift || session.path().empty())
                 state.dialog.begin(FileDialog::Purpose::save, session.path());
             else
                 requests.save = session.path();
             break;
         case GLFW_KEY_E:
-            state.write.shown = true;
+            state.write.shown = !state.only_looks;
             break;
         case GLFW_KEY_Q:
             requests.quit = true;

@@ -95,7 +95,7 @@ class Window {
             else
                 glfwWaitEventsTimeout(0.3);
             if (gpu::poll_shader_folder()) {
-                session_.renderer().forget();
+                session_.forget_picture();
                 wake();
             }
             if (!message_.empty() && glfwGetTime() >= message_until_s_) {
@@ -105,6 +105,7 @@ class Window {
             // What fails costs a frame, never the work: it is told, and the window goes on.
             attempt([&] { session_.poll(); });
             attempt([&] { project_.poll(); });
+            if (const auto message = session_.take_message()) tell(*message);
             // At rest nothing is drawn and nothing presented.
             if (busy()) frame();
             if (glfwWindowShouldClose(window_) && !closing_) {
@@ -180,13 +181,14 @@ class Window {
 
     // What the panels leave to the picture.
     void follow_area(glm::ivec2 size) {
+        state_.only_looks = session_.overflight() != nullptr;
         area_ = picture_area(state_, size);
         session_.picture_aspect = static_cast<double>(area_.size.x) / area_.size.y;
     }
 
     bool busy() const {
         return session_.playing || session_.stroking() || pacing_.is_awake() || hand_.moving() ||
-               hand_.waits() || refining_ || project_.busy();
+               hand_.waits() || refining_ || project_.busy() || session_.awaits_tiles();
     }
     void wake() { pacing_.wake(); }
     void note(const std::string& message) {
@@ -322,15 +324,14 @@ class Window {
         // A shader that does not compile is told, and the last picture stays.
         try {
             render::Ring ring;
-            if (hand_.cursor() && !ImGui::GetIO().WantCaptureMouse) ring = session_.ring(*hand_.cursor());
-            Terrain& terrain = session_.simulation().terrain();
-            const render::Drawn drawn = session_.renderer().draw(terrain, session_.camera(), settings_,
-                                                                 drawn_size.x, drawn_size.y, ring);
+            if (hand_.cursor() && !ImGui::GetIO().WantCaptureMouse && !session_.overflight())
+                ring = session_.ring(*hand_.cursor());
+            const render::Drawn drawn = session_.draw(settings_, drawn_size, ring);
             hand_.look(session_, mouse, size, drawn_size, drawn != render::Drawn::nothing);
             // At rest the picture gathers samples, one a frame; while somebody works at the panels they come
             // first.
-            if (!moving && !pacing_.is_awake() && !ImGui::IsAnyItemActive())
-                refining_ = session_.renderer().refine(terrain, session_.view().whole("render.samples"));
+            if (!moving && !pacing_.is_awake() && !session_.awaits_tiles() && !ImGui::IsAnyItemActive())
+                refining_ = session_.refine();
             else
                 refining_ = !pacing_.is_awake() && refining_ && !ImGui::IsAnyItemActive();
         } catch (const std::exception& error) {
@@ -342,7 +343,7 @@ class Window {
     void draw_window(glm::ivec2 size, glm::ivec2 drawn_size, double used) {
         gpu::bind_window({0, 0, size.x, size.y});
         // The window counts rows from below.
-        session_.renderer().framebuffer().blit_to_window(
+        session_.framebuffer().blit_to_window(
             {0, 0, drawn_size.x, drawn_size.y},
             {area_.corner.x, size.y - area_.corner.y - area_.size.y, area_.size.x, area_.size.y});
         ImGui_ImplOpenGL3_NewFrame();
@@ -353,9 +354,8 @@ class Window {
         StatusFigures figures{device_.renderer, glfwGetTime() < message_until_s_ ? message_ : "",
                               std::nullopt, frame_s_ * 1000, used};
         if (hand_.cursor()) figures.cursor_height_m = hand_.cursor()->z;
-        draw_legend(
-            render::legend_of(settings_, session_.renderer().bounds().x, session_.renderer().bounds().y),
-            area_.corner.x + area_.size.x, area_.corner.y + area_.size.y);
+        draw_legend(session_.legends(settings_), area_.corner.x + area_.size.x,
+                    area_.corner.y + area_.size.y);
         PanelContext context{session_, state_, requests_, project_.work()};
         draw_panels(context, figures, size);
         bool cancelled = false;

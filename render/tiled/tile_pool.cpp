@@ -62,9 +62,13 @@ void TilePool::write(int slot, glm::ivec2 samples, std::span<const float> height
         std::copy(from, from + samples.x, to);
         std::fill(to + samples.x, to + side, from[samples.x - 1]);
     }
-    heights_.write({slot % in_row_ * side, slot / in_row_ * side, side, side},
-                   std::as_bytes(std::span(room_)));
+    const glm::ivec2 corner = heights_corner(slot);
+    heights_.write({corner.x, corner.y, side, side}, std::as_bytes(std::span(room_)));
     written_.push_back(static_cast<std::uint32_t>(slot));
+}
+
+glm::ivec2 TilePool::heights_corner(int slot) const {
+    return samples_across(room_patches_) * glm::ivec2(slot % in_row_, slot / in_row_);
 }
 
 void TilePool::build() {

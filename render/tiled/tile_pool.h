@@ -28,6 +28,9 @@ class TilePool {
     void write(int slot, glm::ivec2 samples, std::span<const float> heights);
     /// Builds the pyramids of the slots written since it was called last.
     void build();
+    /// The heights of all slots, and where in them a slot's first sample is.
+    const gpu::Texture& heights() const { return heights_; }
+    glm::ivec2 heights_corner(int slot) const;
     /// Binds what shaders/render/slot_layout.glsl needs, and the images.
     void bind(gpu::Program& program) const;
 

@@ -18,6 +18,15 @@ void check_view_of_tiles(const ViewSettings& settings) {
                                 settings.view));
 }
 
+bool is_heeded_in_tiles(const std::string& parameter, const Parameters& drawing, bool draped) {
+    if (parameter == "render.tolerance_px") return true;
+    if (parameter == "render.method" || parameter == "render.occlusion") return false;
+    for (const MethodEntry& method : methods())
+        for (const Parameter& own : method.parameters)
+            if (own.name == parameter) return false;
+    return is_heeded(parameter, drawing, draped);
+}
+
 std::vector<Legend> tiled_legend_of(const ViewSettings& settings, const TiledSurface& surface) {
     if (view_named(settings.view).detail == Detail::kind)
         return {{"Level of the tile", 0, static_cast<double>(std::max(surface.tree().top_level(), 1)),

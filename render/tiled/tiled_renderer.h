@@ -19,6 +19,10 @@ bool is_of_tiles(const View& view);
 /// Throws talus::Error where the settings' view cannot.
 void check_view_of_tiles(const ViewSettings& settings);
 
+/// Whether a parameter of drawing can change a picture of terrain in tiles now (is_heeded() of
+/// render/view.h).
+bool is_heeded_in_tiles(const std::string& parameter, const Parameters& drawing, bool draped);
+
 /// Its legend there.
 std::vector<Legend> tiled_legend_of(const ViewSettings& settings, const TiledSurface& surface);
 
@@ -36,6 +40,12 @@ class TiledRenderer {
     /// An image over the whole terrain (render/shading.h).
     void drape(int width, int height, std::span<const std::byte> rgba);
 
+    /// What draw() and refine() made: rows bottom up; textures may be larger than the picture.
+    const gpu::Framebuffer& framebuffer() const {
+        return is_refined() ? refinement_.mean_buffer() : colour_buffer_;
+    }
+    /// Distance in metres along each pixel's normalised ray (infinity: nothing hit) and detail.
+    const gpu::Texture& hits() const { return target_.hits(); }
     /// The picture, top row first; waits for the device.
     std::vector<std::uint8_t> read_rgb(int width, int height) const;
     std::vector<float> read_depth(int width, int height) const;

@@ -16,6 +16,10 @@ int first_node_row(int rows, int level) {
     return 2 * rows - ((2 * rows) >> level) + level;
 }
 
+int node_rows(const TileTree& tree) {
+    return first_node_row(tree.level(0).tiles.y, tree.top_level()) + tree.level(tree.top_level()).tiles.y;
+}
+
 int side_level(int side) {
     int level = 0;
     while (1 << level < side) ++level;
@@ -36,7 +40,7 @@ TiledSurface::TiledSurface(TileTree tree, std::vector<TileBounds> bounds, int sl
       pool_(tree_, slots),
       slots_(static_cast<std::size_t>(pool_.slots())) {
     const glm::ivec2 finest = tree_.level(0).tiles;
-    const int rows = first_node_row(finest.y, tree_.top_level()) + tree_.level(tree_.top_level()).tiles.y;
+    const int rows = node_rows(tree_);
     const glm::ivec2 coarsest = tree_.level(tree_.top_level()).tiles;
     if (pool_.slots() <= coarsest.x * coarsest.y)
         throw Error(fmt::format("{} slots are too few for the terrain's {} coarsest tiles and one more",
@@ -56,10 +60,29 @@ TiledSurface::TiledSurface(TileTree tree, std::vector<TileBounds> bounds, int sl
 }
 
 std::size_t TiledSurface::bytes() const {
-    return pool_.bytes() +
-           gpu::texel_bytes(gpu::Format::rg32f) * static_cast<std::size_t>(nodes_.width()) * nodes_.height() +
+    return pool_.bytes() + bytes_of_nodes(tree_) +
            gpu::texel_bytes(gpu::Format::rgba32f) * static_cast<std::size_t>(places_.width()) *
                places_.height();
+}
+
+std::size_t TiledSurface::bytes_of_nodes(const TileTree& tree) {
+    return gpu::texel_bytes(gpu::Format::rg32f) * static_cast<std::size_t>(tree.level(0).tiles.x) *
+           static_cast<std::size_t>(node_rows(tree));
+}
+
+std::optional<TiledSurface::HeldTile> TiledSurface::finest_at(glm::dvec2 finest) const {
+    const glm::dvec2 last(tree_.grid().nx - 1, tree_.grid().ny - 1);
+    if (!glm::all(glm::greaterThanEqual(finest, glm::dvec2(0))) ||
+        !glm::all(glm::lessThanEqual(finest, last)))
+        return std::nullopt;
+    const glm::ivec2 patch = glm::min(glm::ivec2(finest), glm::ivec2(last) - 1);
+    for (int level = 0; level <= tree_.top_level(); ++level) {
+        const glm::ivec2 place = patch / tree_.side() / (1 << level);
+        const TileId tile{level, place.x, place.y};
+        const int slot = slot_of(tile);
+        if (slot >= 0) return HeldTile{tile, &pool_.heights(), pool_.heights_corner(slot)};
+    }
+    return std::nullopt;
 }
 
 int TiledSurface::slot_of(const TileId& tile) const {

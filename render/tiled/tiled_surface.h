@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -20,10 +21,20 @@ class TiledSurface {
     const std::vector<TileBounds>& bounds() const { return bounds_; }
     int slots() const { return pool_.slots(); }
     std::size_t bytes() const;
+    /// Device bytes that a tree takes beside its slots.
+    static std::size_t bytes_of_nodes(const TileTree& tree);
     float lowest_m() const { return lowest_m_; }    ///< of all samples
     float highest_m() const { return highest_m_; }  ///< likewise
     /// The slot that a tile is in, or -1.
     int slot_of(const TileId& tile) const;
+    /// Where the samples of the finest tile are that is on the device and holds a place.
+    struct HeldTile {
+        TileId tile;
+        const gpu::Texture* heights;
+        glm::ivec2 corner;  ///< texel of its first sample
+    };
+    /// finest: column and row of the finest level. None: beside the terrain.
+    std::optional<HeldTile> finest_at(glm::dvec2 finest) const;
     /// Puts a tile's samples (TileTree::samples_of()) into a free slot, or into the one whose tile was not
     /// shown for the longest time. Tiles of the coarsest level stay. What is shown follows with the next
     /// look(): nothing may be drawn between.

@@ -36,12 +36,13 @@ TEST(Walking, FollowsTheGroundWithoutJitter) {
     app::GroundProbe probe;
     render::Camera camera{{700, 700, 0}, {900, 950, 40}, 60};
     const glm::dvec3 way = camera.target - camera.eye;
-    probe.follow(terrain, camera.eye);
-    while (!probe.height_m(grid, camera.eye)) probe.follow(terrain, camera.eye);
+    probe.follow(app::ground_samples_of(terrain, camera.eye));
+    while (!probe.height_m(app::ground_samples_of(terrain, camera.eye)))
+        probe.follow(app::ground_samples_of(terrain, camera.eye));
     constexpr double passed_s = 1.0 / 60;
     constexpr double eye_m = 1.8;
     constexpr double speed = 10;
-    camera.eye.z = *probe.height_m(grid, camera.eye) + eye_m;
+    camera.eye.z = *probe.height_m(app::ground_samples_of(terrain, camera.eye)) + eye_m;
     camera.target = camera.eye + way;
     double before = camera.eye.z;
     double rise_before = 0;
@@ -52,8 +53,8 @@ TEST(Walking, FollowsTheGroundWithoutJitter) {
     double largest_off = 0;
     for (int frame = 0; frame < 1200; ++frame) {
         app::walk(camera, speed * passed_s, 0);
-        probe.follow(terrain, camera.eye);
-        const std::optional<double> ground = probe.height_m(grid, camera.eye);
+        probe.follow(app::ground_samples_of(terrain, camera.eye));
+        const std::optional<double> ground = probe.height_m(app::ground_samples_of(terrain, camera.eye));
         ASSERT_TRUE(ground) << "frame " << frame;
         ASSERT_NEAR(*ground, bilinear(heights, camera.eye), 1e-6) << "frame " << frame;
         app::stand(camera, *ground + eye_m, *ground + 0.2 * eye_m, passed_s);
@@ -80,11 +81,11 @@ TEST(Walking, FollowsTheGroundWithoutJitter) {
     EXPECT_LT(largest_jerk, 0.17 * ground_jerk);
     // It comes to rest, to the bit.
     for (int frame = 0; frame < 200; ++frame) {
-        const std::optional<double> ground = probe.height_m(grid, camera.eye);
+        const std::optional<double> ground = probe.height_m(app::ground_samples_of(terrain, camera.eye));
         app::stand(camera, *ground + eye_m, *ground + 0.5 * eye_m, passed_s);
     }
     const render::Camera at_rest = camera;
-    app::stand(camera, *probe.height_m(grid, camera.eye) + eye_m, 0, passed_s);
+    app::stand(camera, *probe.height_m(app::ground_samples_of(terrain, camera.eye)) + eye_m, 0, passed_s);
     EXPECT_EQ(camera, at_rest);
 }
 
@@ -106,25 +107,25 @@ TEST(GroundProbe, ComesToRestOnSmallTerrain) {
     for (const glm::dvec2 place :
          {glm::dvec2(0, 0), glm::dvec2(small.width_m(), small.height_m()), glm::dvec2(0.3, 0.2)}) {
         EXPECT_TRUE(wait_until([&] {
-            probe.follow(terrain, place);
-            return probe.height_m(small, place) && !probe.pending();
+            probe.follow(app::ground_samples_of(terrain, place));
+            return probe.height_m(app::ground_samples_of(terrain, place)) && !probe.pending();
         }));
-        EXPECT_EQ(probe.height_m(small, place), 5.0);
+        EXPECT_EQ(probe.height_m(app::ground_samples_of(terrain, place)), 5.0);
         EXPECT_FALSE(probe.pending());
     }
-    probe.follow(terrain, {0.1, 0.1});
+    probe.follow(app::ground_samples_of(terrain, {0.1, 0.1}));
     EXPECT_FALSE(probe.pending());
     // What was asked of another terrain does not come.
     Terrain other(bedrock_terrain(small, std::vector<float>(small.count(), 9.0F)));
     probe.forget();
-    probe.follow(terrain, {0.1, 0.1});
+    probe.follow(app::ground_samples_of(terrain, {0.1, 0.1}));
     probe.forget();
     EXPECT_FALSE(probe.pending());
     EXPECT_TRUE(wait_until([&] {
-        probe.follow(other, {0.1, 0.1});
-        return probe.height_m(small, {0.1, 0.1}).has_value();
+        probe.follow(app::ground_samples_of(other, {0.1, 0.1}));
+        return probe.height_m(app::ground_samples_of(other, {0.1, 0.1})).has_value();
     }));
-    EXPECT_EQ(probe.height_m(small, {0.1, 0.1}), 9.0);
+    EXPECT_EQ(probe.height_m(app::ground_samples_of(other, {0.1, 0.1})), 9.0);
 }
 
 TEST(GroundProbe, SeesChangesAndNothingBesideTheTerrain) {
@@ -133,14 +134,14 @@ TEST(GroundProbe, SeesChangesAndNothingBesideTheTerrain) {
     app::GroundProbe probe;
     const auto wait = [&](glm::dvec2 place, double wanted) {
         wait_until([&] {
-            probe.follow(terrain, place);
-            return probe.height_m(grid, place) == wanted;
+            probe.follow(app::ground_samples_of(terrain, place));
+            return probe.height_m(app::ground_samples_of(terrain, place)) == wanted;
         });
-        return probe.height_m(grid, place);
+        return probe.height_m(app::ground_samples_of(terrain, place));
     };
     EXPECT_EQ(wait({800, 900}, 5.0), 5.0);
-    EXPECT_FALSE(probe.height_m(grid, {-1, 900}));
-    EXPECT_FALSE(probe.height_m(grid, {2500, 2000}));
+    EXPECT_FALSE(probe.height_m(app::ground_samples_of(terrain, {-1, 900})));
+    EXPECT_FALSE(probe.height_m(app::ground_samples_of(terrain, {2500, 2000})));
     EXPECT_EQ(wait({2990, 2590}, 5.0), 5.0);
     const std::vector<glm::vec4> raised(grid.count(), glm::vec4(9, 0, 0, 0));
     terrain.solid.back.write(terrain.solid.back.whole(), std::as_bytes(std::span(raised)));
