@@ -71,10 +71,12 @@ void Session::suggest_for_terrain() {
     scene_.view.suggest("camera.speed_m_per_s", extent / 12);
     scene_.view.suggest("erode.speed", 6 * std::min(g.dx, g.dy));
     scene_.view.suggest("noise.wavelength_m", extent / 12);
-    scene_.view.suggest("map.nx", g.nx);
-    scene_.view.suggest("map.ny", g.ny);
-    scene_.view.suggest("map.east_m", g.width_m());
-    scene_.view.suggest("map.north_m", g.height_m());
+    if (!overflight_) {
+        scene_.view.suggest("map.nx", g.nx);
+        scene_.view.suggest("map.ny", g.ny);
+        scene_.view.suggest("map.east_m", g.width_m());
+        scene_.view.suggest("map.north_m", g.height_m());
+    }
     scene_.view.suggest("terrace.step_m", std::max(0.01, (bounds_.y - bounds_.x) / 20));
     scene_.view.suggest("brush.height_m", bounds_.x);
     scene_.view.suggest("map.base_m", bounds_.x);

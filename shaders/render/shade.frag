@@ -97,8 +97,9 @@ void main() {
     point.share = (point.above_eye_m - point.lowest_m) / max(point.highest_m - point.lowest_m, 1e-3);
     point.lit = 0.55 + 0.45 * max(dot(point.normal, sun), 0.0);
     // The terrain's cut side: below the surface on the rectangle's edge, or seen from inside the ground.
-    bool on_edge =
-        point.hit.x == 0.0 || any(lessThan(point.absolute, vec2(2e-3))) || any(greaterThan(point.absolute, vec2(patches) - 2e-3));
+    // How far from the edge a place on it may be found, in patches: a float holds fewer of their parts the farther it is.
+    vec2 edge = 2e-3 + 5e-7 * (abs(point.place) + vec2(patches));
+    bool on_edge = point.hit.x == 0.0 || any(lessThan(point.absolute, edge)) || any(greaterThan(point.absolute, vec2(patches) - edge));
     bool cut = on_edge && point.above_eye_m < height_at(relief_place) - 1e-3 * extent_m * 0.05 - 1e-4 * point.distance_m;
 #ifdef ABSENT
     vec3 colour = bare * point.lit;
