@@ -7,12 +7,32 @@
 #include <utility>
 
 namespace talus::app {
+namespace {
+
+// Whether the file has changed is asked no more often.
+constexpr std::chrono::seconds between_looks(2);
+
+// Reads, and now and then sees whether the file has changed. For one thread.
+ReadSamples watching(const TiledTerrain& terrain, std::shared_ptr<std::atomic<bool>> changed) {
+    return [&file = terrain.file, read = terrain.file.make_reader(), changed = std::move(changed),
+            next = std::chrono::steady_clock::now()](int level, const TileSamples& samples,
+                                                     std::vector<float>& heights) mutable {
+        if (!*changed && std::chrono::steady_clock::now() >= next) {
+            *changed = file.has_changed();
+            next = std::chrono::steady_clock::now() + between_looks;
+        }
+        read(level, samples, heights);
+    };
+}
+
+}  // namespace
 
 Overflight::Overflight(std::shared_ptr<const TiledTerrain> terrain, int gpu_mib,
                        const io::ColourImage& texture)
     : terrain_(std::move(terrain)),
       surface_(terrain_->tree, terrain_->bounds, slots_within(*terrain_, gpu_mib)),
-      paging_(terrain_->tree, terrain_->file.make_reader()) {
+      changed_(std::make_shared<std::atomic<bool>>(false)),
+      paging_(terrain_->tree, watching(*terrain_, changed_)) {
     const ReadSamples read = terrain_->file.make_reader();
     std::vector<float> heights;
     for (const TileId& tile : terrain_->tree.coarsest_tiles()) {
@@ -47,6 +67,14 @@ StillPainter Overflight::painter(const render::ViewSettings& settings) {
             [this](int samples) { return refine(samples); },
             [this](glm::ivec2 size) { return renderer_.read_rgb(size.x, size.y); },
             [this](glm::ivec2 size) { return renderer_.read_depth(size.x, size.y); }};
+}
+
+std::optional<std::string> Overflight::take_message() {
+    if (*changed_ && !std::exchange(change_told_, true))
+        return fmt::format(
+            "'{}' was changed by another program since it was opened: open it again to see it as it is",
+            terrain_->file.path().string());
+    return paging_.take_message();
 }
 
 std::string Overflight::state() const {

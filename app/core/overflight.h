@@ -1,4 +1,5 @@
 #pragma once
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,7 +35,7 @@ class Overflight {
     /// What the status line says of the last picture's tiles.
     std::string state() const;
     /// What is to be said of reading, once.
-    std::optional<std::string> take_message() { return paging_.take_message(); }
+    std::optional<std::string> take_message();
 
   private:
     struct Picture {
@@ -52,6 +53,8 @@ class Overflight {
     std::optional<Picture> drawn_;
     double asked_px_ = 0;
     double tolerance_px_ = 0;
+    std::shared_ptr<std::atomic<bool>> changed_;  // the file, since it was opened
+    bool change_told_ = false;
     render::TilePaging paging_;
 };
 

@@ -35,7 +35,8 @@ void Project::cancel() {
 }
 
 void Project::write_journal() const {
-    if (!journal_path_.empty()) session_.write_journal_to(journal_path_);
+    // What is looked at alone has no journal.
+    if (!journal_path_.empty() && !session_.overflight()) session_.write_journal_to(journal_path_);
 }
 
 void Project::remember(const std::string& path) {

@@ -155,6 +155,18 @@ std::optional<GroundSamples> Session::ground_samples(glm::dvec2 place_m) const {
                        : ground_samples_of(simulation_->terrain(), place_m);
 }
 
+void Session::follow_height(std::optional<double> ground_m) {
+    if (!overflight_) return;
+    // The ground below passes by as fast wherever the camera flies.
+    constexpr double heights_per_s = 1.5;
+    constexpr double slowest_m_per_s = 5;
+    const double height_m = camera_.eye.z - ground_m.value_or(bounds_.x);
+    scene_.view.suggest(
+        "camera.speed_m_per_s",
+        std::clamp(heights_per_s * height_m, slowest_m_per_s,
+                   std::max(slowest_m_per_s, std::max(grid().width_m(), grid().height_m()) / 12)));
+}
+
 // A terrain in tiles is looked at.
 void Session::check_editable() const {
     if (!overflight_) return;

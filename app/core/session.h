@@ -64,6 +64,9 @@ class Session {
     Still still(glm::ivec2 size);
     /// Samples of the ground around a place, on the device; none beside the terrain.
     std::optional<GroundSamples> ground_samples(glm::dvec2 place_m) const;
+    /// In tiles the camera's speed follows its height, unless somebody set it. ground_m: below the eye; none:
+    /// not known.
+    void follow_height(std::optional<double> ground_m);
     /// True while tiles come that a frame is to show.
     bool awaits_tiles() const { return overflight_ && overflight_->awaits_tiles(); }
 

@@ -108,6 +108,7 @@ void Hand::meet_ground(Session& session, render::Camera& camera, bool walking, d
     if (!walking) walking_ = false;
     if (!walking && !collides) {
         ground_.forget();
+        session.follow_height(std::nullopt);
         return;
     }
     const Grid& grid = session.grid();
@@ -118,6 +119,7 @@ void Hand::meet_ground(Session& session, render::Camera& camera, bool walking, d
     const std::optional<GroundSamples> ground = session.ground_samples(camera.eye);
     ground_.follow(ground);
     const std::optional<double> ground_m = ground_.height_m(ground);
+    session.follow_height(ground_m);
     if (!ground_m) return;
     const double eye_m = session.view().number("camera.eye_height_m");
     if (walking)

@@ -54,7 +54,14 @@ class Window {
                         title();
                         wake();
                     },
-                    [this] { note_start(); }}),
+                    [this] {
+                        // Other panels may be there now.
+                        glm::ivec2 size(0);
+                        glfwGetFramebufferSize(window_, &size.x, &size.y);
+                        follow_area(size);
+                        session_.frame_terrain();
+                        note_start();
+                    }}),
           frame_log_path_(options.frame_log),
           rects_{options.ui_rects} {
         note(gpu::describe(device_));

@@ -9,10 +9,10 @@ namespace talus::render {
 namespace {
 
 // Tiles that a frame takes: their pyramids are built within it.
-constexpr std::size_t most_taken = 4;
+constexpr std::size_t most_taken = 16;
 
 // Tiles that have been read and wait for a frame.
-constexpr std::size_t most_waiting = 16;
+constexpr std::size_t most_waiting = 32;
 
 // The camera is looked for where it will be in so many frames.
 constexpr double frames_ahead = 12;

@@ -351,9 +351,9 @@ TiledFile::TiledFile(const fs::path& path, const ImportSettings& settings) : pat
         if (!fill_voids_by_means(coarsest, size))
             throw Error(fmt::format("'{}' holds nothing but nodata, heights were expected", path.string()));
     }
-    const std::string told = fmt::format(
-        "{}{} {} {} {}", parts_of(*dataset, fs::weakly_canonical(path).parent_path(), deepest_mosaic),
-        reading->scale, reading->offset_m, has_nodata, nodata);
+    parts_ = parts_of(*dataset, fs::weakly_canonical(path).parent_path(), deepest_mosaic);
+    const std::string told =
+        fmt::format("{}{} {} {} {}", parts_, reading->scale, reading->offset_m, has_nodata, nodata);
     fingerprint_ = bytes_hash(std::as_bytes(std::span(told)));
     reading_ = reading;
     source_.make_reader = [reading]() -> ReadSamples {
@@ -362,6 +362,15 @@ TiledFile::TiledFile(const fs::path& path, const ImportSettings& settings) : pat
             reading->read(*own, level, samples, heights);
         };
     };
+}
+
+bool TiledFile::has_changed() const {
+    try {
+        const Dataset dataset = open_raster(path_);
+        return parts_of(*dataset, fs::weakly_canonical(path_).parent_path(), deepest_mosaic) != parts_;
+    } catch (const Error&) {
+        return true;
+    }
 }
 
 bool TiledFile::is_made_of(const fs::path& file) const {

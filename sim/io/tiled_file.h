@@ -50,6 +50,9 @@ class TiledFile {
     /// not matter.
     std::uint64_t fingerprint() const { return fingerprint_; }
 
+    /// Whether it, or a part of it, is another one than when it was opened, or gone, as its folder tells it.
+    bool has_changed() const;
+
     /// Whether writing to this path would change the raster: it is the file, or one that it lists as its
     /// part.
     bool is_made_of(const std::filesystem::path& file) const;
@@ -69,6 +72,7 @@ class TiledFile {
     std::string kind_;
     std::vector<std::string> notes_;
     std::uint64_t fingerprint_ = 0;
+    std::string parts_;  // names, sizes and times of all files that it is made of
     struct Reading;
     std::shared_ptr<const Reading> reading_;
 };

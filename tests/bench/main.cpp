@@ -1,9 +1,10 @@
 // Benchmarks: talus_bench render | methods | update | frame | waves | erosion | sculpt [SHADER_DIR], or
-// papers [TABLE [TERRAIN [METHOD]]]. Figures are process CPU time, or wall time where a GPU draws;
-// interleaved, medians (docs/benchmarks.md).
+// papers [TABLE [TERRAIN [METHOD]]], or flight FILE [MIB]. Figures are process CPU time, or wall time where a
+// GPU draws; interleaved, medians (docs/benchmarks.md).
 #include <fmt/format.h>
 
 #include <exception>
+#include <string>
 #include <string_view>
 
 #include "app/core/calibration.h"
@@ -14,14 +15,15 @@
 int main(int argc, char** argv) {
     const std::string_view which = argc > 1 ? argv[1] : "";
     if (which != "render" && which != "methods" && which != "update" && which != "frame" &&
-        which != "waves" && which != "erosion" && which != "sculpt" && which != "papers") {
+        which != "waves" && which != "erosion" && which != "sculpt" && which != "papers" &&
+        (which != "flight" || argc < 3)) {
         fmt::print(stderr,
                    "usage: talus_bench render|methods|update|frame|waves|erosion|sculpt [SHADER_DIR], or "
-                   "talus_bench papers [TABLE [TERRAIN [METHOD]]]\n");
+                   "talus_bench papers [TABLE [TERRAIN [METHOD]]], or talus_bench flight FILE [MIB]\n");
         return 2;
     }
     try {
-        if (argc > 2 && which != "papers") talus::gpu::use_shader_folder(argv[2]);
+        if (argc > 2 && which != "papers" && which != "flight") talus::gpu::use_shader_folder(argv[2]);
         const talus::gpu::Context context;
         fmt::print("{}\n", talus::gpu::describe(context.device()));
         talus::bench::take_clock_of(context.device());
@@ -39,6 +41,8 @@ int main(int argc, char** argv) {
         else if (which == "papers")
             talus::bench::bench_papers(talus::app::patch_pixels(context.device()), argc > 2 ? argv[2] : "",
                                        argc > 3 ? argv[3] : "", argc > 4 ? argv[4] : "");
+        else if (which == "flight")
+            talus::bench::bench_flight(argv[2], argc > 3 ? std::stoi(argv[3]) : 128);
         else if (which == "erosion")
             talus::bench::bench_erosion(talus::app::patch_pixels(context.device()));
         else

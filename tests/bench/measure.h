@@ -40,6 +40,11 @@ void bench_waves();
 void bench_erosion(double patch_pixels);
 /// patch_pixels: the hybrid's choice on this device.
 void bench_sculpt(double patch_pixels);
+/// Flies over a raster in tiles, along the ground and high up, with so much memory of the device: what frames
+/// take while tiles come, against the same frames with all tiles there; memory; and pixels whose ground is
+/// farther off than the tolerance. Throws talus::Error where frames or memory are over what the program
+/// promises (docs/benchmarks.md, "Flights").
+void bench_flight(const std::string& file, int gpu_mib);
 /// Writes out/papers: all tables, or the one of this name; on all terrains, or that of this name;
 /// of flight and survey the rows alone that begin with a method's name.
 /// patch_pixels: the hybrid's choice on this device.

@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# Over terrain in tiles: a picture has the bits of `talus render`; what changes terrain is refused in words; a file that breaks
+# in mid-flight and comes back; from one terrain to another and back. Pictures stay in the folder.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/window.sh"
+
+"$talus" tile --generate mountains,8200x601 --spacing 10 wide.tif 2>/dev/null
+"$talus" run --preset alpine --size 257x257 --ticks 0 --out small.exr 2>/dev/null
+
+open_window wide.tif --ui-rects rects --window-size 1280x720
+await_widget Log
+frames 20
+import -window root 1_overview.png
+[ -z "$(rect_of Play)" ] && [ -z "$(rect_of Water)" ] || fail "what changes terrain is offered"
+
+xdotool key F12
+await_word "saved the picture talus-0001.png"
+size=$(identify -format %wx%h talus-0001.png)
+"$talus" render wide.tif --size "$size" --image rendered.png 2>/dev/null
+differing=$(compare -metric AE talus-0001.png rendered.png null: 2>&1) || fail "$differing pixels of the picture are others"
+
+# Nothing happens to it, and the window says why.
+xdotool key space
+await_word "'wide.tif' is shown in tiles, which can be looked at and not changed"
+xdotool key ctrl+s key ctrl+e key 3 key bracketleft
+frames 4
+[ -z "$(rect_of "export path")" ] || fail "an export is offered of what cannot be written"
+grep -qi "error" window.log && fail "the window met an error"
+
+# Towards the ground and along it; the file breaks meanwhile.
+cp wide.tif whole.tif
+size_bytes=$(stat -c %s wide.tif)
+# Overviews stand behind the finest level.
+dd if=/dev/zero of=wide.tif bs=65536 seek=1 count=$((size_bytes / 65536 * 7 / 10)) conv=notrunc 2>/dev/null
+xdotool mousemove 480 420
+for _ in $(seq 8); do xdotool click 4; frames 2; done
+xdotool keydown w
+await_word "coarser tiles are shown there, and it is tried again"
+await_word "'wide.tif' was changed by another program"
+xdotool keyup w
+frames 4
+import -window root 2_broken.png
+kill -0 "$pid" || fail "the flight ended"
+dd if=whole.tif of=wide.tif bs=65536 conv=notrunc 2>/dev/null
+await_word "all tiles could be read again"
+frames 20
+import -window root 3_mended.png
+
+# A terrain to work in, and back.
+xdotool key ctrl+o
+await_widget "file name"
+click "file name"
+xdotool key ctrl+a type --delay 1 "$PWD/small.exr"
+frames 4
+xdotool key Return
+await_widget Play
+[ -n "$(rect_of Water)" ] || fail "the panels of a terrain to work in are not there"
+xdotool key space
+frames 10
+xdotool key space
+xdotool key ctrl+o
+await_widget "file name"
+click "file name"
+xdotool key ctrl+a type --delay 1 "$PWD/wide.tif"
+frames 4
+xdotool key Return
+click "Drop the changes"
+for _ in $(seq 100); do [ -z "$(rect_of Play)" ] && break; sleep 0.1; done
+[ -z "$(rect_of Play)" ] || fail "the terrain in tiles did not open again"
+frames 20
+import -window root 4_again.png
+close_window
+echo "window: flew over terrain in tiles"
