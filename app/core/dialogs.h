@@ -23,6 +23,7 @@ struct ImportWish {
 /// What panels ask the window to do, once the frame's panels are done.
 struct PanelRequests {
     std::optional<SceneRequest> open;         ///< another scene; unsaved work is asked about
+    std::optional<SceneRequest> begin;        ///< what the window was started for
     std::optional<std::string> save;          ///< the document, to this path
     std::optional<std::string> import;        ///< a file, by the import dialog
     std::optional<ImportWish> look_at;        ///< a file, shown by the same dialog, whatever kind it is of

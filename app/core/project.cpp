@@ -59,7 +59,7 @@ void Project::serve(const PanelRequests& asked) {
         if (io::is_document(*asked.import) || is_in_tiles(request)) {
             when_saved([this, request] {
                 state_.start_page = false;
-                open(request);
+                open(session_.request_for(request));
             });
         } else {
             look_at({*asked.import});
@@ -69,7 +69,8 @@ void Project::serve(const PanelRequests& asked) {
     if (asked.import_here)
         act_when_ready(fmt::format("Importing {}", asked.import_here->path),
                        [wish = *asked.import_here] { return read_import(wish.path, wish.settings); });
-    if (asked.open) when_saved([this, request = *asked.open] { open(request); });
+    if (asked.open) when_saved([this, request = *asked.open] { open(session_.request_for(request)); });
+    if (asked.begin) open(*asked.begin);
     if (asked.save) {
         const auto then = std::exchange(after_saving_, nullptr);
         when_replaceable(*asked.save, [this, path = *asked.save, then] { save(path, then); });
@@ -140,8 +141,7 @@ void Project::save(const std::string& path, const std::function<void()>& then) {
     work_.start(fmt::format("Saving {}", path), write, false);
 }
 
-void Project::open(const SceneRequest& wish) {
-    const SceneRequest request = session_.request_for(wish);
+void Project::open(const SceneRequest& request) {
     const auto left = std::find_if(state_.left.begin(), state_.left.end(),
                                    [&](const LeftBehind& one) { return one.document == request.input; });
     std::optional<LeftBehind> recovering;
@@ -151,6 +151,7 @@ void Project::open(const SceneRequest& wish) {
             std::make_shared<Scene>(open_scene(request, [&](const std::string&) { return progress; }));
         return [this, request, scene, recovering] {
             session_.open(request, std::move(*scene));
+            state_.start_page = false;
             forget_recovered();
             if (recovering) {
                 session_.recovered(recovering->project, recovering->title);

@@ -46,7 +46,7 @@ class Project {
   private:
     void when_replaceable(const std::string& path, const std::function<void()>& act);
     void follow_dialogs(const PanelRequests& asked);
-    void open(const SceneRequest& wish);
+    void open(const SceneRequest& request);
     void save(const std::string& path, const std::function<void()>& then);
     void export_files(const io::ExportSettings& settings);
     void look_at(const ImportWish& wish);

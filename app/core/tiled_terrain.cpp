@@ -15,7 +15,16 @@ namespace talus::app {
 namespace {
 
 // Tiles of the coarsest level, which are held always.
-constexpr int most_coarsest_tiles = 64;
+constexpr std::size_t most_coarsest_tiles = 64;
+
+TileTree tree_of(const io::TiledFile& file) {
+    TileTree tree(file.grid(), tile_patches, file.levels(), file.level_places());
+    if (tree.coarsest_tiles().size() > most_coarsest_tiles)
+        throw Error(fmt::format(
+            "'{}' has too few overviews to be shown as a whole: 'talus tile' writes a file that has them",
+            file.path().string()));
+    return tree;
+}
 
 }  // namespace
 
@@ -40,12 +49,7 @@ std::function<Progress(const std::string& path)> on_terminal() {
 TiledTerrain open_tiled(const std::string& path, const io::ImportSettings& import,
                         const std::function<Progress(const std::string& path)>& begin_progress) {
     io::TiledFile file(path, import);
-    TileTree tree(file.grid(), tile_patches, file.levels(), file.level_places());
-    const glm::ivec2 coarsest = tree.levels().back().tiles;
-    if (static_cast<std::int64_t>(coarsest.x) * coarsest.y > most_coarsest_tiles)
-        throw Error(fmt::format(
-            "'{}' has too few overviews to be shown as a whole: 'talus tile' writes a file that has them",
-            path));
+    TileTree tree = tree_of(file);
     std::vector<std::string> notes = file.notes();
     std::optional<std::vector<TileBounds>> bounds = io::read_tile_sidecar(file, tree);
     if (!bounds) {
@@ -63,6 +67,11 @@ TiledTerrain open_tiled(const std::string& path, const io::ImportSettings& impor
     terrain.lowest_m = heights.x;
     terrain.highest_m = heights.y;
     return terrain;
+}
+
+bool is_measured(const SceneRequest& request) {
+    const io::TiledFile file(request.input, request.import);
+    return io::read_tile_sidecar(file, tree_of(file)).has_value();
 }
 
 int slots_within(const TiledTerrain& terrain, int gpu_mib) {

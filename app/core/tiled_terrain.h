@@ -37,6 +37,10 @@ std::function<Progress(const std::string& path)> on_terminal();
 TiledTerrain open_tiled(const std::string& path, const io::ImportSettings& import,
                         const std::function<Progress(const std::string& path)>& begin_progress);
 
+/// Whether open_tiled() has no long work with what a request asks for: the bounds are beside the file. Throws
+/// as open_tiled() does.
+bool is_measured(const SceneRequest& request);
+
 /// Slots that fit into so much memory of the device. Throws talus::Error where they are too few.
 int slots_within(const TiledTerrain& terrain, int gpu_mib);
 

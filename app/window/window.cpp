@@ -16,6 +16,7 @@
 #include "app/core/project.h"
 #include "app/core/report.h"
 #include "app/core/session.h"
+#include "app/core/tiled_terrain.h"
 #include "app/core/window_layout.h"
 #include "app/panels/legend.h"
 #include "app/panels/marks.h"
@@ -41,7 +42,7 @@ class Window {
     Window(const Glfw& glfw, const WindowOptions& options, const WindowLayout& layout)
         : window_(glfw.open(options.size.value_or(layout.size), true)),
           device_(gpu::adopt_current_context("window")),
-          session_(options.scene, device_),
+          session_(begins_later(options) ? SceneRequest() : options.scene, device_),
           hand_(window_),
           input_(window_,
                  [this](const InputEvents::Key& key) {
@@ -75,6 +76,11 @@ class Window {
         state_.panels_shown = layout.panels_shown;
         // The start page opens where nothing was named; a file that was named is not covered by it.
         state_.start_page = options.scene.input.empty() && options.scene.preset.empty();
+        // What takes long to open has the start page meanwhile.
+        if (begins_later(options)) {
+            requests_.begin = options.scene;
+            state_.start_page = true;
+        }
         if (!state_.start_page && !state_.left.empty())
             tell("an earlier session ended with unsaved work: File > Start page offers it");
         glm::ivec2 size(0);
@@ -132,6 +138,9 @@ class Window {
     }
 
   private:
+    static bool begins_later(const WindowOptions& options) {
+        return is_in_tiles(options.scene) && !is_measured(options.scene);
+    }
     static Window* self(GLFWwindow* window) { return static_cast<Window*>(glfwGetWindowUserPointer(window)); }
 
     void listen() {

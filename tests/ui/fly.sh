@@ -70,4 +70,16 @@ for _ in $(seq 100); do [ -z "$(rect_of Play)" ] && break; sleep 0.1; done
 frames 20
 import -window root 4_again.png
 close_window
+
+# What is not measured yet is measured behind a bar, once; the options that the window was opened with hold.
+rm wide.tif.tiles
+open_window wide.tif --ui-rects rects --window-size 1280x720 --set render.view=slope
+for _ in $(seq 300); do [ -e wide.tif.tiles ] && [ -z "$(rect_of Play)" ] && [ -n "$(rect_of Log)" ] && break; sleep 0.1; done
+[ -e wide.tif.tiles ] && [ -z "$(rect_of Play)" ] || fail "it was not measured"
+frames 20
+xdotool key F12
+await_word "saved the picture talus-0002.png"
+"$talus" render wide.tif --view slope --size "$size" --image slope.png 2>/dev/null
+differing=$(compare -metric AE talus-0002.png slope.png null: 2>&1) || fail "$differing pixels of the slopes are others"
+close_window
 echo "window: flew over terrain in tiles"
