@@ -8,6 +8,7 @@
 
 #include "app/command_options.h"
 #include "app/commands/commands.h"
+#include "app/core/opening.h"
 #include "app/core/report.h"
 #include "app/window/glfw.h"
 #include "app/window/window.h"
@@ -297,6 +298,10 @@ Command window_command(CLI::App& app, Texts& t) {
                 options->scene = t.scene(t.file);
                 if (t.tiled && t.file.empty())
                     throw Error("--tiled says how a file is shown: give a FILE too");
+                if (!options->journal.empty() && is_in_tiles(options->scene))
+                    throw Error(fmt::format(
+                        "--journal {} cannot be written: '{}' is in tiles and can only be looked at",
+                        options->journal, t.file));
                 if (!t.window_size.empty()) {
                     options->size = size_from(t.window_size, "--window-size");
                     if (glm::any(glm::lessThan(*options->size, glm::ivec2(320))) ||

@@ -18,7 +18,7 @@ std::vector<Parameter> app_parameters() {
             "taken away; erode: rain that falls under the brush alone carves the ground. Ctrl turns raise "
             "and lower, noise and stamps around; Shift smooths with any tool."),
         number("brush.radius_m", 250, 1e-2, 1e6, "m",
-               "Reach of the brush; unless set, it follows the terrain's size."),
+               "Reach of the brush; unless set, it follows the terrain's size, or over tiles the height."),
         number("brush.rate_m_per_s", 60, 0, 1e6, "m/s",
                "Raise, lower, noise and water: metres a second in the middle; unless set, it follows the "
                "terrain's "

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 #include <utility>
@@ -9,17 +10,23 @@
 namespace talus::app {
 namespace {
 
-// Whether the file has changed is asked no more often.
+// Whether the file has changed is asked no more often, and takes no more than a twentieth of the time.
 constexpr std::chrono::seconds between_looks(2);
+constexpr int share_of_looks = 20;
+
+// A still that tiles do not come for is drawn without them.
+constexpr std::chrono::seconds longest_wait(20);
 
 // Reads, and now and then sees whether the file has changed. For one thread.
-ReadSamples watching(const TiledTerrain& terrain, std::shared_ptr<std::atomic<bool>> changed) {
-    return [&file = terrain.file, read = terrain.file.make_reader(), changed = std::move(changed),
-            next = std::chrono::steady_clock::now()](int level, const TileSamples& samples,
-                                                     std::vector<float>& heights) mutable {
-        if (!*changed && std::chrono::steady_clock::now() >= next) {
-            *changed = file.has_changed();
-            next = std::chrono::steady_clock::now() + between_looks;
+ReadSamples watching(const io::TiledFile& file, std::atomic<bool>& changed) {
+    using Clock = std::chrono::steady_clock;
+    return [&file, &changed, read = file.make_reader(), next = Clock::now() + between_looks](
+               int level, const TileSamples& samples, std::vector<float>& heights) mutable {
+        const Clock::time_point begin = Clock::now();
+        if (!changed && begin >= next) {
+            changed = file.has_changed();
+            const Clock::duration took = Clock::now() - begin;
+            next = begin + std::max<Clock::duration>(between_looks, share_of_looks * took);
         }
         read(level, samples, heights);
     };
@@ -31,8 +38,7 @@ Overflight::Overflight(std::shared_ptr<const TiledTerrain> terrain, int gpu_mib,
                        const io::ColourImage& texture)
     : terrain_(std::move(terrain)),
       surface_(terrain_->tree, terrain_->bounds, slots_within(*terrain_, gpu_mib)),
-      changed_(std::make_shared<std::atomic<bool>>(false)),
-      paging_(terrain_->tree, watching(*terrain_, changed_)) {
+      paging_(terrain_->tree, watching(terrain_->file, changed_)) {
     const ReadSamples read = terrain_->file.make_reader();
     std::vector<float> heights;
     for (const TileId& tile : terrain_->tree.coarsest_tiles()) {
@@ -55,13 +61,16 @@ render::Drawn Overflight::draw(const render::Camera& camera, const render::ViewS
 }
 
 StillPainter Overflight::painter(const render::ViewSettings& settings) {
-    return {{},
+    return {[this, settings](const render::Camera& camera, glm::ivec2 size) {
+                // One tolerance for all parts of a still, so that levels meet between them.
+                still_px_ = surface_.look(camera, size, settings.tolerance_px).tolerance_px;
+            },
             [this, settings](const render::Camera& camera, glm::ivec2 size) {
+                const auto end = std::chrono::steady_clock::now() + longest_wait;
                 do {
-                    forget();
-                    paging_.follow(surface_, camera, size, settings.tolerance_px);
+                    paging_.follow(surface_, camera, size, still_px_);
                     std::this_thread::sleep_for(std::chrono::milliseconds(1));
-                } while (paging_.on_their_way() > 0);
+                } while (paging_.on_their_way() > 0 && std::chrono::steady_clock::now() < end);
                 renderer_.draw(surface_, camera, settings, size.x, size.y);
             },
             [this](int samples) { return refine(samples); },
@@ -70,7 +79,7 @@ StillPainter Overflight::painter(const render::ViewSettings& settings) {
 }
 
 std::optional<std::string> Overflight::take_message() {
-    if (*changed_ && !std::exchange(change_told_, true))
+    if (changed_ && !std::exchange(change_told_, true))
         return fmt::format(
             "'{}' was changed by another program since it was opened: open it again to see it as it is",
             terrain_->file.path().string());

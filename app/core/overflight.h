@@ -30,8 +30,10 @@ class Overflight {
     /// Draws stills, with all tiles there that can be read; waits for them.
     StillPainter painter(const render::ViewSettings& settings);
 
-    /// Whether a frame is to follow without anybody's doing: tiles come.
-    bool awaits_tiles() const { return paging_.busy(); }
+    /// Whether a frame is to follow without anybody's doing.
+    bool has_news() const { return paging_.has_news(); }
+    /// True while tiles are read.
+    bool awaits_tiles() const { return paging_.reads(); }
     /// What the status line says of the last picture's tiles.
     std::string state() const;
     /// What is to be said of reading, once.
@@ -53,9 +55,10 @@ class Overflight {
     std::optional<Picture> drawn_;
     double asked_px_ = 0;
     double tolerance_px_ = 0;
-    std::shared_ptr<std::atomic<bool>> changed_;  // the file, since it was opened
+    double still_px_ = 0;                // tolerance of the still that is drawn
+    std::atomic<bool> changed_ = false;  // the file, since it was opened
     bool change_told_ = false;
-    render::TilePaging paging_;
+    render::TilePaging paging_;  // last: its thread ends before what it looks at goes
 };
 
 }  // namespace talus::app

@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/core/opening.h"
 #include "app/core/outputs.h"
 #include "app/core/recent_files.h"
 #include "app/core/sources.h"
@@ -220,6 +221,7 @@ void Project::look_at(const ImportWish& wish) {
 }
 
 void Project::act_on_map(const Operation& operation) {
+    session_.check_editable();
     if (!makes_terrain(operation)) return session_.apply(operation);
     session_.end_stroke();
     session_.pause();
@@ -229,6 +231,7 @@ void Project::act_on_map(const Operation& operation) {
 
 // What takes long is made ready on a thread.
 void Project::act_when_ready(const std::string& name, const std::function<Operation()>& make) {
+    session_.check_editable();
     session_.end_stroke();
     session_.pause();
     work_.start(name, [this, make, revision = session_.revision()](const Progress&) -> Work::Then {

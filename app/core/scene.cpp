@@ -49,7 +49,7 @@ SceneParameters split(const Parameters& all) {
 
 Scene assemble(const Parameters& all, io::Document document) {
     auto [simulation, view] = split(all);
-    Scene scene{std::move(document), std::move(simulation), std::move(view), {}, {}, {}, {}, {}};
+    Scene scene{std::move(document), std::move(simulation), std::move(view)};
     scene.start.parameters = to_toml(scene.simulation);
     scene.view.suggest("render.level_m", scene.simulation.number("water.sea_level_m"));
     return scene;

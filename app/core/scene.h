@@ -28,14 +28,14 @@ struct SceneRequest {
 struct Scene {
     io::Document document;
     Parameters simulation;  ///< terrain.*, time.tick_s, thermal.*
-    Parameters view;        ///< render.*, brush.*, camera.*, time.speed, undo.*
-    JournalStart start;     ///< without the hash, which the caller takes of the state
-    std::string title;
+    Parameters view;        ///< render.*, brush.*, camera.*, tiles.*, time.speed, undo.*
+    JournalStart start{};   ///< without the hash, which the caller takes of the state
+    std::string title{};
     glm::ivec2 recorded_samples{0};  ///< of a journal's start: columns and rows that it was recorded with
-    io::ColourImage texture;         ///< draped over the terrain; without pixels: none
+    io::ColourImage texture{};       ///< draped over the terrain; without pixels: none
     /// The terrain in tiles that is looked at. Then the document is a stand-in that nobody sees. Null: the
     /// document's terrain is.
-    std::shared_ptr<const TiledTerrain> tiles;
+    std::shared_ptr<const TiledTerrain> tiles{};
 };
 
 /// The parameters of a scene.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/core/calibration.h"
+#include "app/core/opening.h"
 #include "app/core/outputs.h"
 #include "app/core/wall_clock.h"
 #include "app/core/wave_note.h"
@@ -29,7 +30,7 @@ void Session::start(Scene scene) {
     const std::size_t undo_bytes = static_cast<std::size_t>(scene.view.whole("undo.memory_mib")) << 20U;
     auto simulation = std::make_unique<Simulation>(scene.document.state, scene.simulation, undo_bytes);
     auto renderer = std::make_unique<render::Renderer>(simulation->terrain(), patch_pixels(device_));
-    drape(*renderer, scene);
+    if (!scene.tiles) drape(*renderer, scene);
     auto overflight = scene.tiles ? std::make_unique<Overflight>(
                                         scene.tiles, scene.view.whole("tiles.gpu_mib"), scene.texture)
                                   : nullptr;
@@ -167,10 +168,10 @@ void Session::follow_height(std::optional<double> ground_m) {
                    std::max(slowest_m_per_s, std::max(grid().width_m(), grid().height_m()) / 12)));
 }
 
-// A terrain in tiles is looked at.
 void Session::check_editable() const {
     if (!overflight_) return;
-    throw Error(fmt::format("'{}' is shown in tiles, which can be looked at and not changed", scene_.title));
+    throw Error(
+        fmt::format("'{}' is shown in tiles: it can be looked at, and not changed or written", scene_.title));
 }
 
 SceneRequest Session::request_for(const SceneRequest& wish) const {
@@ -242,6 +243,7 @@ void Session::saved(const std::string& path, std::size_t revision_then) {
 }
 
 void Session::write_journal_to(const std::string& path) const {
+    check_editable();
     io::write_atomically(path, write_journal(scene_.start, simulation_->journal()));
 }
 

@@ -67,8 +67,12 @@ class Session {
     /// In tiles the camera's speed follows its height, unless somebody set it. ground_m: below the eye; none:
     /// not known.
     void follow_height(std::optional<double> ground_m);
-    /// True while tiles come that a frame is to show.
+    /// True while tiles are read that a frame may show.
     bool awaits_tiles() const { return overflight_ && overflight_->awaits_tiles(); }
+    /// True while some have come for a frame.
+    bool has_tiles() const { return overflight_ && overflight_->has_news(); }
+    /// Throws talus::Error where the terrain is in tiles: it can be looked at, and not changed or written.
+    void check_editable() const;
 
     bool playing = false;
     /// Simulates for `wall_s` of wall time with `budget_s` of work (seconds), on average: for a longer
@@ -164,7 +168,6 @@ class Session {
     void set_simulated(const std::string& name, const std::optional<Value>& value);
     std::string document_path() const;
     bool is_simulated(const std::string& name) const;
-    void check_editable() const;
 
     gpu::Device device_;
     SceneRequest request_;

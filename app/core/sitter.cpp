@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/core/calibration.h"
-#include "app/core/tiled_terrain.h"
+#include "app/core/opening.h"
 #include "render/tiled/tile_loading.h"
 #include "render/tiled/tiled_renderer.h"
 #include "sim/error.h"
@@ -45,43 +45,37 @@ Sitter whole_sitter(const SceneRequest& request, const gpu::Device& device) {
 
 Sitter tiled_sitter(const SceneRequest& request) {
     struct Held {
-        TiledTerrain terrain;
+        std::shared_ptr<const TiledTerrain> terrain;
         render::TiledSurface surface;
         render::TileLoading loading;
         render::TiledRenderer renderer;
         render::ViewSettings settings;
         TiledFigures figures;
         double tolerance_px = 0;  // of the still that is drawn
-        Held(TiledTerrain opened, int slots)
+        Held(std::shared_ptr<const TiledTerrain> opened, int slots)
             : terrain(std::move(opened)),
-              surface(terrain.tree, terrain.bounds, slots),
-              loading([this] { return terrain.file.make_reader(); }) {}
+              surface(terrain->tree, terrain->bounds, slots),
+              loading([this] { return terrain->file.make_reader(); }) {}
     };
-    const SceneParameters parameters = make_scene_parameters(request);
-    const render::ViewSettings settings = render::view_settings(parameters.view, parameters.simulation);
-    render::check_view_of_tiles(settings);
-    if (parameters.view.is_given("render.method"))
-        throw Error(
-            "--method chooses how a terrain is drawn that is held as a whole; one in tiles has its own way");
-    const io::ColourImage texture =
-        request.texture.empty() ? io::ColourImage() : io::read_colour_image(request.texture);
-    io::limit_read_memory(static_cast<std::size_t>(parameters.view.whole("tiles.host_mib")) << 20);
-    TiledTerrain terrain = open_tiled(request.input, request.import, on_terminal());
-    const int slots = slots_within(terrain, parameters.view.whole("tiles.gpu_mib"));
-    auto held = std::make_shared<Held>(std::move(terrain), slots);
+    const TiledScene scene = open_tiled_scene(request, on_terminal());
+    const Parameters& view = scene.parameters.view;
+    const render::ViewSettings settings = render::view_settings(view, scene.parameters.simulation);
+    const int slots = slots_within(*scene.terrain, view.whole("tiles.gpu_mib"));
+    auto held = std::make_shared<Held>(scene.terrain, slots);
     held->settings = settings;
     held->figures = {0, held->settings.tolerance_px, 0, held->surface.bytes()};
     held->loading.begin(held->surface);
-    held->renderer.drape(texture.width, texture.height, std::as_bytes(std::span(texture.rgba)));
+    held->renderer.drape(scene.texture.width, scene.texture.height,
+                         std::as_bytes(std::span(scene.texture.rgba)));
     Sitter sitter;
-    sitter.grid = held->terrain.tree.grid();
-    sitter.lowest_m = held->terrain.lowest_m;
-    sitter.highest_m = held->terrain.highest_m;
+    sitter.grid = held->terrain->tree.grid();
+    sitter.lowest_m = held->terrain->lowest_m;
+    sitter.highest_m = held->terrain->highest_m;
     sitter.method = "tiled";
-    sitter.fov_deg = parameters.view.number("camera.fov_deg");
-    sitter.samples = parameters.view.whole("render.samples");
+    sitter.fov_deg = view.number("camera.fov_deg");
+    sitter.samples = view.whole("render.samples");
     sitter.legends = render::tiled_legend_of(held->settings, held->surface);
-    sitter.notes = held->terrain.notes;
+    sitter.notes = held->terrain->notes;
     Held& here = *held;
     sitter.painter = {
         [&here](const render::Camera& camera, glm::ivec2 size) {

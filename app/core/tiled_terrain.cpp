@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
 #include "app/core/long_work.h"
@@ -33,10 +32,6 @@ glm::vec2 heights_of(const std::vector<TileBounds>& bounds) {
     for (const TileBounds& one : bounds)
         heights = {std::min(heights.x, one.lowest_m), std::max(heights.y, one.highest_m)};
     return heights;
-}
-
-bool is_in_tiles(const SceneRequest& request) {
-    return request.tiled || (!request.input.empty() && io::is_larger_than_a_terrain(request.input));
 }
 
 std::function<Progress(const std::string& path)> on_terminal() {
@@ -69,8 +64,8 @@ TiledTerrain open_tiled(const std::string& path, const io::ImportSettings& impor
     return terrain;
 }
 
-bool is_measured(const SceneRequest& request) {
-    const io::TiledFile file(request.input, request.import);
+bool is_measured(const std::string& path, const io::ImportSettings& import) {
+    const io::TiledFile file(path, import);
     return io::read_tile_sidecar(file, tree_of(file)).has_value();
 }
 
@@ -85,25 +80,6 @@ int slots_within(const TiledTerrain& terrain, int gpu_mib) {
             "tiles.gpu_mib = {} holds {} tiles, '{}' needs more than the {} of its coarsest level", gpu_mib,
             slots, terrain.file.path().string(), coarsest));
     return static_cast<int>(slots);
-}
-
-Scene open_scene(const SceneRequest& request,
-                 const std::function<Progress(const std::string& path)>& begin_progress) {
-    if (!is_in_tiles(request)) return make_scene(request);
-    auto [simulation, view] = make_scene_parameters(request);
-    io::limit_read_memory(static_cast<std::size_t>(view.whole("tiles.host_mib")) << 20);
-    auto tiles =
-        std::make_shared<const TiledTerrain>(open_tiled(request.input, request.import, begin_progress));
-    io::Document stand_in;
-    const Grid small{17, 17, 1, 1};
-    stand_in.state = bedrock_terrain(small, std::vector<float>(small.count(), 0));
-    stand_in.kind = "tiles";
-    stand_in.notes = tiles->notes;
-    Scene scene{std::move(stand_in), std::move(simulation), std::move(view), {}, {}, {}, {},
-                std::move(tiles)};
-    if (!request.texture.empty()) scene.texture = io::read_colour_image(request.texture);
-    scene.title = std::filesystem::path(request.input).filename().string();
-    return scene;
 }
 
 }  // namespace talus::app

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "app/core/progress.h"
-#include "app/core/scene.h"
 #include "sim/io/tiled_file.h"
 
 namespace talus::app {
@@ -25,9 +24,6 @@ struct TiledTerrain {
 /// Lowest and highest sample of all tiles.
 glm::vec2 heights_of(const std::vector<TileBounds>& bounds);
 
-/// Whether it is looked at in tiles: it asks for that, or its file is too large to be held as a whole.
-bool is_in_tiles(const SceneRequest& request);
-
 /// How measuring a file's tiles is told on stderr, and ended by Ctrl+C (app/core/long_work.h).
 std::function<Progress(const std::string& path)> on_terminal();
 
@@ -37,16 +33,10 @@ std::function<Progress(const std::string& path)> on_terminal();
 TiledTerrain open_tiled(const std::string& path, const io::ImportSettings& import,
                         const std::function<Progress(const std::string& path)>& begin_progress);
 
-/// Whether open_tiled() has no long work with what a request asks for: the bounds are beside the file. Throws
-/// as open_tiled() does.
-bool is_measured(const SceneRequest& request);
+/// Whether open_tiled() has no long work: the bounds are beside the file. Throws as it does.
+bool is_measured(const std::string& path, const io::ImportSettings& import);
 
 /// Slots that fit into so much memory of the device. Throws talus::Error where they are too few.
 int slots_within(const TiledTerrain& terrain, int gpu_mib);
-
-/// The scene that a window opens: of a request that is_in_tiles() one to look at, else one to work in
-/// (make_scene()).
-Scene open_scene(const SceneRequest& request,
-                 const std::function<Progress(const std::string& path)>& begin_progress);
 
 }  // namespace talus::app

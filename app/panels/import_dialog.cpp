@@ -92,7 +92,8 @@ void draw_import_dialog(PanelContext& context) {
     const bool good = dialog.error.empty();
     if (button("Open it", "as a scene of its own", good)) dialog.then = ImportDialog::Then::open;
     ImGui::SameLine();
-    if (button("Import it", "in place of this terrain, as an act that can be undone; settings go on", good))
+    if (button("Import it", "in place of this terrain, as an act that can be undone; settings go on",
+               good && !context.state.only_looks))
         dialog.then = ImportDialog::Then::import_here;
     if (!good) dialog.then = ImportDialog::Then::stay;
     bool ended = false;

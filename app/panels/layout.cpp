@@ -79,25 +79,26 @@ void draw_side(PanelContext& context, bool with_tools) {
     std::vector<const SidePanel*> panels;
     for (const SidePanel& panel : side_panels)
         if (panel.only_looks || !state.only_looks) panels.push_back(&panel);
-    if (state.only_looks && std::none_of(panels.begin(), panels.end(),
-                                         [&](const SidePanel* panel) { return panel->name == state.shown; }))
-        state.shown = "View";
+    // What a person chose is kept for a terrain that has it.
+    const bool is_there = std::any_of(panels.begin(), panels.end(),
+                                      [&](const SidePanel* panel) { return panel->name == state.shown; });
+    const std::string shown = is_there || (with_tools && state.shown == tools) ? state.shown : "View";
     const float spacing = ImGui::GetStyle().ItemSpacing.x / 2;
     const float width = (ImGui::GetContentRegionAvail().x - 3 * spacing) / 4;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {spacing, spacing});
     for (std::size_t i = 0; i < panels.size(); ++i) {
         if (i % 4 != 0) ImGui::SameLine();
-        if (choice_button(panels[i]->name, state.shown == panels[i]->name, panels[i]->what, width))
+        if (choice_button(panels[i]->name, shown == panels[i]->name, panels[i]->what, width))
             state.shown = panels[i]->name;
     }
-    if (with_tools && choice_button(tools, state.shown == tools, "the brush and its tools", width))
+    if (with_tools && choice_button(tools, shown == tools, "the brush and its tools", width))
         state.shown = tools;
     ImGui::PopStyleVar();
     ImGui::Separator();
     ImGui::BeginChild("side");
     for (const SidePanel& panel : side_panels)
-        if (state.shown == panel.name) panel.draw(context);
-    if (state.shown == tools) draw_tools_panel(context);
+        if (shown == panel.name) panel.draw(context);
+    if (shown == tools) draw_tools_panel(context);
     ImGui::EndChild();
 }
 

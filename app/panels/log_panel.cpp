@@ -13,7 +13,8 @@ void draw_log_panel(PanelContext& context) {
     ImGui::SameLine();
     if (button("Save the journal…",
                "talus.journal in the folder where Talus was started: what was done here, which "
-               "'talus replay' does again"))
+               "'talus replay' does again",
+               !context.state.only_looks))
         context.requests.acts.emplace_back([](Session& s) { s.write_journal_to("talus.journal"); });
     ImGui::Separator();
     for (const std::string& line : context.state.log) ImGui::TextWrapped("%s", line.c_str());

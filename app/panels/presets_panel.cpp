@@ -65,6 +65,7 @@ void draw_preset_grid(PanelContext& context) {
 
 void draw_presets_panel(PanelContext& context) {
     draw_preset_grid(context);
+    if (context.state.only_looks) return;
     heading("The generated terrain");
     draw_section(context.session, context.requests, "terrain");
     ImGui::TextWrapped("These hold for the next terrain that is generated: --set, or a preset of your own.");

@@ -9,13 +9,15 @@ namespace talus::app {
 
 void draw_profiler_panel(PanelContext& context) {
     Session& session = context.session;
-    session.follow_activity();
-    const Activity::Counts& activity = session.activity();
-    heading("Tiles that are active");
-    const int all = session.simulation().terrain().tiles.count();
-    figure_line("slopes", fmt::format("{} of {}", activity.slope_tiles, all));
-    figure_line("water", fmt::format("{} of {}", activity.water_tiles, all));
-    figure_line("a tick", fmt::format("{:.2f} ms", session.tick_ms()));
+    if (!context.state.only_looks) {
+        session.follow_activity();
+        const Activity::Counts& activity = session.activity();
+        heading("Tiles that are active");
+        const int all = session.simulation().terrain().tiles.count();
+        figure_line("slopes", fmt::format("{} of {}", activity.slope_tiles, all));
+        figure_line("water", fmt::format("{} of {}", activity.water_tiles, all));
+        figure_line("a tick", fmt::format("{:.2f} ms", session.tick_ms()));
+    }
     heading("Passes, ms a second");
     if (context.state.passes_s <= 0) return;
     std::vector<gpu::PassTime> passes = context.state.passes;

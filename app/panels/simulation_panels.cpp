@@ -27,11 +27,12 @@ void draw_erosion_panel(PanelContext& context) {
 
 void draw_view_panel(PanelContext& context) {
     heading("Picture");
-    const auto is_heeded = context.session.overflight() ? render::is_heeded_in_tiles : render::is_heeded;
+    const auto changes_picture =
+        context.session.overflight() ? render::is_heeded_in_tiles : render::is_heeded;
     const bool draped = !context.session.scene().texture.rgba.empty();
     std::vector<std::string> shown;
     for (std::string& name : names_in(context.session, "render"))
-        if (is_heeded(name, context.session.view(), draped)) shown.push_back(std::move(name));
+        if (changes_picture(name, context.session.view(), draped)) shown.push_back(std::move(name));
     draw_parameters(context.session, context.requests, shown);
     heading("Camera");
     draw_section(context.session, context.requests, "camera");

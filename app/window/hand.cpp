@@ -25,6 +25,7 @@ void Hand::follow_terrain(const Session& session) {
     if (terrain_number_ == session.terrain_number()) return;
     terrain_number_ = session.terrain_number();
     ground_.forget();
+    last_ground_m_.reset();
     cursor_readback_.cancel();
     cursor_.reset();
     cursor_mouse_ = glm::dvec2(-1);
@@ -106,9 +107,9 @@ void Hand::move_camera(Session& session, glm::dvec2 mouse, double passed_s, int 
 void Hand::meet_ground(Session& session, render::Camera& camera, bool walking, double passed_s) {
     const bool collides = session.view().toggle("camera.collision");
     if (!walking) walking_ = false;
-    if (!walking && !collides) {
+    const bool in_tiles = session.overflight() != nullptr;
+    if (!walking && !collides && !in_tiles) {
         ground_.forget();
-        session.follow_height(std::nullopt);
         return;
     }
     const Grid& grid = session.grid();
@@ -118,13 +119,16 @@ void Hand::meet_ground(Session& session, render::Camera& camera, bool walking, d
     if (walking) keep_within(camera, grid);
     const std::optional<GroundSamples> ground = session.ground_samples(camera.eye);
     ground_.follow(ground);
-    const std::optional<double> ground_m = ground_.height_m(ground);
+    std::optional<double> ground_m = ground_.height_m(ground);
+    // Until the samples of another tile have come, the ground is as high as it was.
+    if (in_tiles && ground && !ground_m) ground_m = last_ground_m_;
+    last_ground_m_ = ground_m;
     session.follow_height(ground_m);
     if (!ground_m) return;
     const double eye_m = session.view().number("camera.eye_height_m");
     if (walking)
         stand(camera, *ground_m + eye_m, *ground_m + 0.2 * eye_m, passed_s);
-    else
+    else if (collides)
         keep_above(camera, *ground_m + 0.02 * std::min(grid.dx, grid.dy));
 }
 

@@ -49,6 +49,7 @@ class Hand {
     GLFWwindow* window_;
     int terrain_number_ = 0;
     GroundProbe ground_;
+    std::optional<double> last_ground_m_;  // over tiles
     gpu::Readback cursor_readback_;
     render::Camera cursor_camera_;
     glm::dvec2 cursor_mouse_{-1};  // where the last read-back began

@@ -24,6 +24,11 @@ void pick_tool(Session& session, std::size_t number) {
     if (number < tools().size()) session.set("brush.tool", tools()[number].name);
 }
 
+// Says why what changes or writes a terrain is not done.
+void refuse(PanelRequests& requests) {
+    requests.acts.emplace_back([](const Session& session) { session.check_editable(); });
+}
+
 void press_with_control(int key, bool shift, Session& session, PanelState& state, PanelRequests& requests) {
     // A field that text is typed into undoes its own.
     if (ImGui::GetIO().WantTextInput && (key == GLFW_KEY_Z || key == GLFW_KEY_Y)) return;
@@ -38,14 +43,18 @@ void press_with_control(int key, bool shift, Session& session, PanelState& state
             state.dialog.begin(FileDialog::Purpose::open, session.path());
             break;
         case GLFW_KEY_S:
-            if (state.only_looks) break;
-            if (shift || session.path().empty())
+            if (state.only_looks)
+                refuse(requests);
+            else if (shift || session.path().empty())
                 state.dialog.begin(FileDialog::Purpose::save, session.path());
             else
                 requests.save = session.path();
             break;
         case GLFW_KEY_E:
-            state.write.shown = !state.only_looks;
+            if (state.only_looks)
+                refuse(requests);
+            else
+                state.write.shown = true;
             break;
         case GLFW_KEY_Q:
             requests.quit = true;

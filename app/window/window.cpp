@@ -11,12 +11,12 @@
 
 #include "app/core/frame_log.h"
 #include "app/core/frame_pacing.h"
+#include "app/core/opening.h"
 #include "app/core/pass_times.h"
 #include "app/core/picture_file.h"
 #include "app/core/project.h"
 #include "app/core/report.h"
 #include "app/core/session.h"
-#include "app/core/tiled_terrain.h"
 #include "app/core/window_layout.h"
 #include "app/panels/legend.h"
 #include "app/panels/marks.h"
@@ -42,7 +42,9 @@ class Window {
     Window(const Glfw& glfw, const WindowOptions& options, const WindowLayout& layout)
         : window_(glfw.open(options.size.value_or(layout.size), true)),
           device_(gpu::adopt_current_context("window")),
-          session_(begins_later(options) ? SceneRequest() : options.scene, device_),
+          begins_later_(is_in_tiles(options.scene) &&
+                        !is_measured(options.scene.input, options.scene.import)),
+          session_(begins_later_ ? SceneRequest() : options.scene, device_),
           hand_(window_),
           input_(window_,
                  [this](const InputEvents::Key& key) {
@@ -56,7 +58,9 @@ class Window {
                         wake();
                     },
                     [this] {
+                        picture_drawn_ = false;
                         // Other panels may be there now.
+                        state_.only_looks = session_.overflight() != nullptr;
                         glm::ivec2 size(0);
                         glfwGetFramebufferSize(window_, &size.x, &size.y);
                         follow_area(size);
@@ -77,7 +81,7 @@ class Window {
         // The start page opens where nothing was named; a file that was named is not covered by it.
         state_.start_page = options.scene.input.empty() && options.scene.preset.empty();
         // What takes long to open has the start page meanwhile.
-        if (begins_later(options)) {
+        if (begins_later_) {
             requests_.begin = options.scene;
             state_.start_page = true;
         }
@@ -85,6 +89,7 @@ class Window {
             tell("an earlier session ended with unsaved work: File > Start page offers it");
         glm::ivec2 size(0);
         glfwGetFramebufferSize(window_, &size.x, &size.y);
+        state_.only_looks = session_.overflight() != nullptr;
         follow_area(size);
         session_.frame_terrain();
         title();
@@ -106,7 +111,7 @@ class Window {
             if (busy())
                 glfwPollEvents();
             else
-                glfwWaitEventsTimeout(0.3);
+                glfwWaitEventsTimeout(session_.awaits_tiles() ? 0.01 : 0.3);
             if (gpu::poll_shader_folder()) {
                 session_.forget_picture();
                 wake();
@@ -138,9 +143,6 @@ class Window {
     }
 
   private:
-    static bool begins_later(const WindowOptions& options) {
-        return is_in_tiles(options.scene) && !is_measured(options.scene);
-    }
     static Window* self(GLFWwindow* window) { return static_cast<Window*>(glfwGetWindowUserPointer(window)); }
 
     void listen() {
@@ -197,14 +199,13 @@ class Window {
 
     // What the panels leave to the picture.
     void follow_area(glm::ivec2 size) {
-        state_.only_looks = session_.overflight() != nullptr;
         area_ = picture_area(state_, size);
         session_.picture_aspect = static_cast<double>(area_.size.x) / area_.size.y;
     }
 
     bool busy() const {
         return session_.playing || session_.stroking() || pacing_.is_awake() || hand_.moving() ||
-               hand_.waits() || refining_ || project_.busy() || session_.awaits_tiles();
+               hand_.waits() || refining_ || project_.busy() || session_.has_tiles();
     }
     void wake() { pacing_.wake(); }
     void note(const std::string& message) {
@@ -288,6 +289,8 @@ class Window {
         glfwGetCursorPos(window_, &mouse.x, &mouse.y);
         if (mouse != mouse_) wake();
         mouse_ = mouse;
+        state_.only_looks = session_.overflight() != nullptr;
+        state_.placing_gauge = state_.placing_gauge && !state_.only_looks;
         follow_area(size);
 
         const ImGuiIO& io = ImGui::GetIO();
@@ -343,6 +346,7 @@ class Window {
             if (hand_.cursor() && !ImGui::GetIO().WantCaptureMouse && !session_.overflight())
                 ring = session_.ring(*hand_.cursor());
             const render::Drawn drawn = session_.draw(settings_, drawn_size, ring);
+            picture_drawn_ = true;
             hand_.look(session_, mouse, size, drawn_size, drawn != render::Drawn::nothing);
             // At rest the picture gathers samples, one a frame; while somebody works at the panels they come
             // first.
@@ -359,9 +363,10 @@ class Window {
     void draw_window(glm::ivec2 size, glm::ivec2 drawn_size, double used) {
         gpu::bind_window({0, 0, size.x, size.y});
         // The window counts rows from below.
-        session_.framebuffer().blit_to_window(
-            {0, 0, drawn_size.x, drawn_size.y},
-            {area_.corner.x, size.y - area_.corner.y - area_.size.y, area_.size.x, area_.size.y});
+        if (picture_drawn_)
+            session_.framebuffer().blit_to_window(
+                {0, 0, drawn_size.x, drawn_size.y},
+                {area_.corner.x, size.y - area_.corner.y - area_.size.y, area_.size.x, area_.size.y});
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
         if (input_.pass()) wake();
@@ -383,6 +388,7 @@ class Window {
 
     GLFWwindow* window_;
     gpu::Device device_;
+    bool begins_later_;  // the scene takes long to open
     Session session_;
     Hand hand_;
     PanelInput input_;
@@ -401,6 +407,7 @@ class Window {
     Marks marks_;
     PassTimes pass_times_;
     bool first_picture_shown_ = false;
+    bool picture_drawn_ = false;  // of the scene that is open
 
     glm::dvec2 mouse_{0};
     bool refining_ = false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
+#include <set>
 #include <utility>
 
 namespace talus::render {
@@ -60,11 +61,9 @@ const TileChoice& TilePaging::follow(TiledSurface& surface, const Camera& camera
     take(surface);
     const TileChoice& choice = surface.look(camera, size, tolerance_px);
     wanted_ = choice.wanted;
+    follow_failures();
+    on_their_way_ = wanted_.size() - failed_;
     std::vector<TileId> tiles = due(wanted_);
-    on_their_way_ =
-        static_cast<std::size_t>(std::count_if(wanted_.begin(), wanted_.end(), [&](const TileId& tile) {
-            return !failures_.contains(tree_.index_of(tile));
-        }));
     // The thread has nothing better to do then.
     if (tiles.empty() && last_camera_ && !(*last_camera_ == camera))
         tiles = due(ahead(surface, camera, size, tolerance_px));
@@ -88,8 +87,7 @@ void TilePaging::take(TiledSurface& surface) {
             note_failure(read);
             continue;
         }
-        if (failures_.erase(tree_.index_of(read.tile)) > 0 && failures_.empty())
-            message_ = "all tiles could be read again";
+        if (failures_.erase(tree_.index_of(read.tile)) > 0) mended_ = true;
         if (std::find(wanted_.begin(), wanted_.end(), read.tile) != wanted_.end())
             surface.put(read.tile, read.heights);
         else
@@ -98,20 +96,40 @@ void TilePaging::take(TiledSurface& surface) {
 }
 
 void TilePaging::note_failure(const Read& read) {
-    if (failures_.empty()) message_ = read.error + "; coarser tiles are shown there, and it is tried again";
+    last_error_ = read.error;
     const auto [failure, is_new] = failures_.try_emplace(tree_.index_of(read.tile));
     failure->second.wait =
         is_new ? first_wait : std::min<Clock::duration>(2 * failure->second.wait, longest_wait);
     failure->second.next = Clock::now() + failure->second.wait;
 }
 
-std::vector<TileId> TilePaging::due(const std::vector<TileId>& tiles) const {
+// What no picture wants any more is forgotten once it may be tried again.
+void TilePaging::follow_failures() {
+    std::set<std::size_t> wanted;
+    for (const TileId& tile : wanted_) wanted.insert(tree_.index_of(tile));
     const Clock::time_point now = Clock::now();
+    std::erase_if(failures_,
+                  [&](const auto& one) { return !wanted.contains(one.first) && one.second.next <= now; });
+    failed_ = static_cast<std::size_t>(std::count_if(
+        failures_.begin(), failures_.end(), [&](const auto& one) { return wanted.contains(one.first); }));
+    if (failed_ > 0 && !failure_told_) {
+        message_ = last_error_ + "; coarser tiles are shown there, and it is tried again";
+        mended_ = false;
+    } else if (failed_ == 0 && failure_told_ && mended_) {
+        message_ = "tiles can be read again";
+    }
+    failure_told_ = failed_ > 0;
+}
+
+bool TilePaging::is_due(const TileId& tile) const {
+    const auto failure = failures_.find(tree_.index_of(tile));
+    return failure == failures_.end() || failure->second.next <= Clock::now();
+}
+
+std::vector<TileId> TilePaging::due(const std::vector<TileId>& tiles) const {
     std::vector<TileId> found;
-    std::copy_if(tiles.begin(), tiles.end(), std::back_inserter(found), [&](const TileId& tile) {
-        const auto failure = failures_.find(tree_.index_of(tile));
-        return failure == failures_.end() || failure->second.next <= now;
-    });
+    std::copy_if(tiles.begin(), tiles.end(), std::back_inserter(found),
+                 [&](const TileId& tile) { return is_due(tile); });
     return found;
 }
 
@@ -138,14 +156,12 @@ void TilePaging::ask(const std::vector<TileId>& tiles) {
     news_.notify_one();
 }
 
-bool TilePaging::busy() const {
-    const Clock::time_point now = Clock::now();
-    const bool again = std::any_of(wanted_.begin(), wanted_.end(), [&](const TileId& tile) {
-        const auto failure = failures_.find(tree_.index_of(tile));
-        return failure != failures_.end() && failure->second.next <= now;
-    });
+bool TilePaging::has_news() const {
+    const bool again = failed_ > 0 && std::any_of(wanted_.begin(), wanted_.end(), [&](const TileId& tile) {
+                           return failures_.contains(tree_.index_of(tile)) && is_due(tile);
+                       });
     const std::lock_guard lock(mutex_);
-    return again || !asked_.empty() || reading_.has_value() || !come_.empty();
+    return again || !come_.empty();
 }
 
 bool TilePaging::reads() const {

@@ -2,7 +2,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <deque>
-#include <exception>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -32,13 +31,15 @@ class TilePaging {
 
     /// Tiles that the last picture wanted and that can be read, as far as is known: a later frame shows them.
     std::size_t on_their_way() const { return on_their_way_; }
-    /// Tiles that could not be read. They are tried again, and coarser ones are drawn.
-    std::size_t failed() const { return failures_.size(); }
-    /// True while something is read or waits for a frame, or is to be tried again: frames are to go on.
-    bool busy() const;
+    /// Tiles that the last picture wanted and that could not be read. They are tried again, and coarser ones
+    /// are drawn.
+    std::size_t failed() const { return failed_; }
+    /// Whether a frame has something to do: tiles have come, or are to be tried again.
+    bool has_news() const;
     /// True while the thread reads, or has been asked to.
     bool reads() const;
-    /// A sentence where reading begins to fail, and where all that had failed was read. Once for each.
+    /// A sentence where tiles that a picture wants begin to fail, and where they could be read again. Once
+    /// for each.
     std::optional<std::string> take_message();
 
   private:
@@ -57,6 +58,8 @@ class TilePaging {
     void take(TiledSurface& surface);
     void note_failure(const Read& read);
     void ask(const std::vector<TileId>& tiles);
+    void follow_failures();
+    bool is_due(const TileId& tile) const;
     std::vector<TileId> due(const std::vector<TileId>& tiles) const;
     std::vector<TileId> ahead(TiledSurface& surface, const Camera& camera, glm::ivec2 size,
                               double tolerance_px) const;
@@ -67,6 +70,10 @@ class TilePaging {
     std::vector<TileId> wanted_;               // by the last picture
     std::map<std::size_t, Failure> failures_;  // by TileTree::index_of()
     std::size_t on_their_way_ = 0;
+    std::size_t failed_ = 0;
+    std::string last_error_;
+    bool failure_told_ = false;
+    bool mended_ = false;  // something that had failed was read since
     std::optional<std::string> message_;
 
     mutable std::mutex mutex_;  // of what follows

@@ -113,7 +113,10 @@ void TiledSurface::put(const TileId& tile, std::span<const float> heights) {
 
 void TiledSurface::put_aside(const TileId& tile, std::span<const float> heights) {
     const int slot = slot_to_fill();
-    if (slot_of(tile) < 0 && is_spare(slots_[static_cast<std::size_t>(slot)])) put(tile, heights);
+    if (slot_of(tile) >= 0 || !is_spare(slots_[static_cast<std::size_t>(slot)])) return;
+    put(tile, heights);
+    // What the picture wants goes before it.
+    slots_[static_cast<std::size_t>(slot)].shown = 2 * looks_ - 1;
 }
 
 bool TiledSurface::is_spare(const Slot& slot) const {

@@ -39,7 +39,8 @@ class TiledSurface {
     /// shown for the longest time. Tiles of the coarsest level stay. What is shown follows with the next
     /// look(): nothing may be drawn between.
     void put(const TileId& tile, std::span<const float> heights);
-    /// The same, where there is a slot that neither of the last two looks nor a look ahead had a use for.
+    /// The same for a tile that is not wanted yet, where there is a slot that neither the last two looks
+    /// asked for nor a look ahead has a use for; else it is dropped.
     void put_aside(const TileId& tile, std::span<const float> heights);
     /// Takes all tiles away but those of the coarsest level.
     void clear();

@@ -368,8 +368,8 @@ bool TiledFile::has_changed() const {
     try {
         const Dataset dataset = open_raster(path_);
         return parts_of(*dataset, fs::weakly_canonical(path_).parent_path(), deepest_mosaic) != parts_;
-    } catch (const Error&) {
-        return true;
+    } catch (const std::exception&) {
+        return false;
     }
 }
 

@@ -50,7 +50,8 @@ class TiledFile {
     /// not matter.
     std::uint64_t fingerprint() const { return fingerprint_; }
 
-    /// Whether it, or a part of it, is another one than when it was opened, or gone, as its folder tells it.
+    /// Whether it, or a part of it, is another one than when it was opened, as its folder tells it. False
+    /// where that cannot be found out.
     bool has_changed() const;
 
     /// Whether writing to this path would change the raster: it is the file, or one that it lists as its

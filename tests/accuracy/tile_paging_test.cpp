@@ -4,9 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <set>
 
-#include "render/survey.h"
 #include "render/tiled/tile_paging.h"
 #include "sim/error.h"
 #include "sim/gpu/context.h"
@@ -50,7 +48,7 @@ void rest(const render::TilePaging& paging, const Frame& frame) {
         frame();
         std::this_thread::yield();
         ASSERT_LT(std::chrono::steady_clock::now(), end) << paging.on_their_way() << " tiles are awaited";
-    } while (paging.on_their_way() > 0 || paging.busy());
+    } while (paging.on_their_way() > 0 || paging.reads() || paging.has_news());
 }
 
 // Low over the ground along a line across the terrain, looking ahead and down.
@@ -115,7 +113,8 @@ TEST(TilePaging, NeverWaitsForAFile) {
         EXPECT_GT(paging.on_their_way(), 5U);
         for (const TileId& tile : choice.drawn) EXPECT_EQ(tile.level, paged.tiles.tree().top_level());
     }
-    EXPECT_TRUE(paging.busy());
+    EXPECT_TRUE(paging.reads());
+    EXPECT_FALSE(paging.has_news());
     paged.held = false;
     rest(paging, [&] { paging.follow(easel.surface, on_the_way(paged.scene.grid, 1), size, 1); });
     EXPECT_EQ(paging.on_their_way(), 0U);
@@ -141,7 +140,7 @@ TEST(TilePaging, TriesAgainWhatCouldNotBeRead) {
                 ++messages;
                 EXPECT_EQ(*message, paged.fails ? "the file 'far.tif' could not be read; coarser tiles are "
                                                   "shown there, and it is tried again"
-                                                : "all tiles could be read again");
+                                                : "tiles can be read again");
             }
         }
         return is_so();
@@ -150,9 +149,22 @@ TEST(TilePaging, TriesAgainWhatCouldNotBeRead) {
     EXPECT_EQ(messages, 1);
     EXPECT_EQ(paged.readings, 0);
     paged.fails = false;
-    EXPECT_TRUE(frames_until([&] { return paging.failed() == 0 && !paging.busy(); }));
+    EXPECT_TRUE(frames_until([&] { return paging.failed() == 0 && !paging.reads(); }));
     EXPECT_EQ(messages, 2);
     EXPECT_TRUE(paging.follow(easel.surface, camera, size, 1).wanted.empty());
+
+    // What no picture wants any more is not counted, and a failure after that is told again.
+    paged.fails = true;
+    easel.surface.clear();
+    EXPECT_TRUE(frames_until([&] { return paging.failed() > 5 && paging.on_their_way() == 0; }));
+    EXPECT_EQ(messages, 3);
+    const glm::dvec3 above(2500, 2500, 1e7);
+    const render::Camera far = {above, above - glm::dvec3(0, 1, 1e7), 50};
+    EXPECT_TRUE(paging.follow(easel.surface, far, size, 1).wanted.empty());
+    EXPECT_EQ(paging.failed(), 0U);
+    EXPECT_FALSE(paging.take_message());
+    EXPECT_TRUE(frames_until([&] { return paging.failed() > 5 && paging.on_their_way() == 0; }));
+    EXPECT_EQ(messages, 4);
 }
 
 // Along a straight way most tiles are there before a picture wants them.

@@ -368,6 +368,109 @@ TEST(TileChoice, LeavesTheCoarsestTilesTheirRoom) {
     EXPECT_GT(from_near.wanted.size(), 0U);
 }
 
+// A tile that is put aside takes no slot that a picture has a use for, and gives its own to one that is
+// wanted.
+TEST(TiledSurface, PutsAsideWithoutPushingOut) {
+    const gpu::Context context;
+    const scenes::Scene scene = scenes::make("fbm");
+    const scenes::MemoryTiles tiles(scene.grid, scene.heights, 32);
+    const TileTree& tree = tiles.tree();
+    scenes::TiledEasel easel(tiles, size, 30);
+    const std::vector<render::NamedCamera> views = render::survey(scene.grid, scene.heights);
+    int put = 0;
+    int dropped = 0;
+    for (const render::NamedCamera& view : views) {
+        const render::TileChoice choice = easel.load(view.camera, 1);
+        // All tiles of the finest level, many more than there are slots.
+        for (std::size_t i = 0; i < tree.first_of(1); ++i) {
+            const TileId tile = tree.tile_at(i);
+            if (easel.surface.slot_of(tile) >= 0) continue;
+            easel.surface.put_aside(tile, tiles.read(tile));
+            (easel.surface.slot_of(tile) >= 0 ? put : dropped) += 1;
+        }
+        for (const TileId& tile : choice.needed) EXPECT_GE(easel.surface.slot_of(tile), 0) << view.name;
+        // So does what is wanted next.
+        const render::TileChoice again = easel.surface.look(view.camera, size, 1);
+        EXPECT_TRUE(again.wanted.empty()) << view.name;
+        EXPECT_EQ(again.nodes, choice.nodes) << view.name;
+    }
+    EXPECT_GT(put, 10);
+    EXPECT_GT(dropped, 1000);
+}
+
+// The finest tile that is there, and its samples on the device.
+TEST(TiledSurface, TellsWhereTheGroundIs) {
+    const gpu::Context context;
+    const scenes::Scene scene = scenes::make("fbm");
+    const scenes::MemoryTiles tiles(scene.grid, scene.heights, 32);
+    const TileTree& tree = tiles.tree();
+    scenes::TiledEasel easel(tiles, size, 300);
+    easel.load(render::survey(scene.grid, scene.heights).front().camera, 2);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::vector<int> of_level(static_cast<std::size_t>(tree.top_level()) + 1, 0);
+    for (int k = 0; k < 300; ++k) {
+        glm::dvec2 at =
+            glm::dvec2(scene.grid.nx - 1, scene.grid.ny - 1) * glm::dvec2(unit(random), unit(random));
+        if (k < 4) at = glm::dvec2(k % 2 * (scene.grid.nx - 1), k / 2 * (scene.grid.ny - 1));
+        const auto held = easel.surface.finest_at(at);
+        ASSERT_TRUE(held);
+        ++of_level[static_cast<std::size_t>(held->tile.level)];
+        for (int level = 0; level < held->tile.level; ++level) {
+            const glm::ivec2 place = glm::min(glm::ivec2(at), glm::ivec2(scene.grid.nx, scene.grid.ny) - 2) /
+                                     (tree.side() << level);
+            EXPECT_EQ(easel.surface.slot_of({level, place.x, place.y}), -1);
+        }
+        const TileSamples samples = tree.samples_of(held->tile);
+        const glm::dvec2 in = tree.place_in(held->tile.level, at) - glm::dvec2(samples.first);
+        const glm::ivec2 patch = glm::min(glm::ivec2(in), samples.count - 2);
+        std::vector<float> corners(4);
+        held->heights->read({held->corner.x + patch.x, held->corner.y + patch.y, 2, 2},
+                            std::as_writable_bytes(std::span(corners)));
+        const glm::dvec2 t = in - glm::dvec2(patch);
+        const double height = std::lerp(std::lerp<double>(corners[0], corners[1], t.x),
+                                        std::lerp<double>(corners[2], corners[3], t.x), t.y);
+        EXPECT_NEAR(height, tiles.height_at(held->tile.level, at), 1e-3);
+    }
+    EXPECT_GT(of_level[0], 5);
+    EXPECT_GT(of_level[1] + of_level[2], 20);
+    EXPECT_FALSE(easel.surface.finest_at({-0.1, 5}));
+    EXPECT_FALSE(easel.surface.finest_at({5, scene.grid.ny - 0.9}));
+}
+
+// Far from the eye a float holds fewer parts of a patch: the sides of a wide terrain are rock there too,
+// which fades out below, and no ground is seen on them.
+TEST(TiledSurface, HasSidesHoweverWideItIs) {
+    const gpu::Context context;
+    const Grid grid{40001, 17, 1, 1};
+    const scenes::MemoryTiles tiles(grid, std::vector<float>(grid.count(), 10), 64);
+    scenes::TiledEasel easel(tiles, size, 64);
+    render::TiledRenderer tiled;
+    render::ViewSettings settings;
+    settings.view = "hillshade";
+    int below = 0;
+    for (const double east_m : {-30000.0, 200.0, 20000.0, 39000.0, 70000.0}) {
+        const render::Camera camera = {{east_m, -60000, 9000}, {20000, 0, -6000}, 50};
+        easel.load(camera, 1);
+        tiled.draw(easel.surface, camera, settings, size.x, size.y);
+        const std::vector<std::uint8_t> shown = tiled.read_rgb(size.x, size.y);
+        const std::vector<float> depth = tiled.read_depth(size.x, size.y);
+        const render::CameraRays rays = render::camera_rays(camera, size.x, size.y);
+        int other = 0;
+        for (std::size_t i = 0; i < depth.size(); ++i) {
+            const glm::dvec2 pixel(i % size.x, size.y - 1 - i / size.x);
+            const glm::dvec2 at = 2.0 * (pixel + 0.5) / glm::dvec2(size) - 1.0;
+            const glm::dvec3 way = glm::normalize(rays.middle + at.x * rays.right + at.y * rays.up);
+            if (std::isinf(depth[i]) || camera.eye.z + depth[i] * way.z > -100) continue;
+            ++below;
+            // The backdrop of a view that is no picture of nature.
+            other += std::abs(shown[3 * i] - 41) > 1 || std::abs(shown[3 * i + 2] - 48) > 1 ? 1 : 0;
+        }
+        EXPECT_EQ(other, 0) << east_m;
+    }
+    EXPECT_GT(below, 10000);
+}
+
 // A plane has one slope at all levels, so coarse tiles colour it as the whole is coloured, but for the
 // outermost samples, beyond which a level is flat.
 TEST(TiledSurface, ColoursCoarseTilesBySlopesInMetres) {

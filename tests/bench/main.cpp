@@ -1,6 +1,6 @@
 // Benchmarks: talus_bench render | methods | update | frame | waves | erosion | sculpt [SHADER_DIR], or
-// papers [TABLE [TERRAIN [METHOD]]], or flight FILE [MIB]. Figures are process CPU time, or wall time where a
-// GPU draws; interleaved, medians (docs/benchmarks.md).
+// papers [TABLE [TERRAIN [METHOD]]], or flight FILE [MIB [EXTENT_M X_M Y_M]]. Figures are process CPU time,
+// or wall time where a GPU draws; interleaved, medians (docs/benchmarks.md).
 #include <fmt/format.h>
 
 #include <exception>
@@ -12,6 +12,22 @@
 #include "sim/gpu/shader_text.h"
 #include "tests/bench/measure.h"
 
+namespace {
+
+// FILE [MIB [EXTENT_M X_M Y_M]]
+talus::bench::FlightRun flight_run(int argc, char** argv) {
+    talus::bench::FlightRun run;
+    run.file = argv[2];
+    if (argc > 3) run.gpu_mib = std::stoi(argv[3]);
+    if (argc > 6) {
+        run.extent_m = std::stod(argv[4]);
+        run.middle_m = glm::dvec2(std::stod(argv[5]), std::stod(argv[6]));
+    }
+    return run;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
     const std::string_view which = argc > 1 ? argv[1] : "";
     if (which != "render" && which != "methods" && which != "update" && which != "frame" &&
@@ -19,7 +35,8 @@ int main(int argc, char** argv) {
         (which != "flight" || argc < 3)) {
         fmt::print(stderr,
                    "usage: talus_bench render|methods|update|frame|waves|erosion|sculpt [SHADER_DIR], or "
-                   "talus_bench papers [TABLE [TERRAIN [METHOD]]], or talus_bench flight FILE [MIB]\n");
+                   "talus_bench papers [TABLE [TERRAIN [METHOD]]], or talus_bench flight FILE [MIB [EXTENT_M "
+                   "X_M Y_M]]\n");
         return 2;
     }
     try {
@@ -42,7 +59,7 @@ int main(int argc, char** argv) {
             talus::bench::bench_papers(talus::app::patch_pixels(context.device()), argc > 2 ? argv[2] : "",
                                        argc > 3 ? argv[3] : "", argc > 4 ? argv[4] : "");
         else if (which == "flight")
-            talus::bench::bench_flight(argv[2], argc > 3 ? std::stoi(argv[3]) : 128);
+            talus::bench::bench_flight(flight_run(argc, argv));
         else if (which == "erosion")
             talus::bench::bench_erosion(talus::app::patch_pixels(context.device()));
         else

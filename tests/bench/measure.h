@@ -1,5 +1,7 @@
 #pragma once
 #include <functional>
+#include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,11 +42,18 @@ void bench_waves();
 void bench_erosion(double patch_pixels);
 /// patch_pixels: the hybrid's choice on this device.
 void bench_sculpt(double patch_pixels);
-/// Flies over a raster in tiles, along the ground and high up, with so much memory of the device: what frames
-/// take while tiles come, against the same frames with all tiles there; memory; and pixels whose ground is
-/// farther off than the tolerance. Throws talus::Error where frames or memory are over what the program
-/// promises (docs/benchmarks.md, "Flights").
-void bench_flight(const std::string& file, int gpu_mib);
+/// What is flown over, and where.
+struct FlightRun {
+    std::string file;
+    int gpu_mib = 128;                   ///< memory of the device for tiles
+    std::optional<double> extent_m;      ///< heights and lengths are shares of it; the terrain's shorter side
+    std::optional<glm::dvec2> middle_m;  ///< of the way; the terrain's
+};
+/// Flies over a raster in tiles, along the ground and high up: what frames take while tiles come, against the
+/// same frames with all tiles there; memory; and pixels whose ground is farther off than the tolerance.
+/// Throws talus::Error where frames take longer than is promised (docs/benchmarks.md, "Flights"), or pixels
+/// are farther off.
+void bench_flight(const FlightRun& run);
 /// Writes out/papers: all tables, or the one of this name; on all terrains, or that of this name;
 /// of flight and survey the rows alone that begin with a method's name.
 /// patch_pixels: the hybrid's choice on this device.

@@ -1,0 +1,64 @@
+#include "app/core/opening.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "render/tiled/tiled_renderer.h"
+#include "sim/error.h"
+
+namespace talus::app {
+namespace {
+
+void check(const SceneRequest& request, const SceneParameters& parameters) {
+    if (!request.preset.empty())
+        throw Error(
+            fmt::format("--preset {} is a scene to work in, '{}' is in tiles and can only be looked at",
+                        request.preset, request.input));
+    for (const Parameter& one : parameters.simulation.declared())
+        if (parameters.simulation.is_given(one.name))
+            throw Error(
+                fmt::format("{} is of a terrain to work in, '{}' is in tiles and can only be looked at",
+                            one.name, request.input));
+    if (parameters.view.is_given("render.method"))
+        throw Error(
+            "--method chooses how a terrain is drawn that is held as a whole; one in tiles has its own way");
+    render::check_view_of_tiles(render::view_settings(parameters.view, parameters.simulation));
+}
+
+}  // namespace
+
+bool is_in_tiles(const SceneRequest& request) {
+    return request.tiled || (!request.input.empty() && io::is_larger_than_a_terrain(request.input));
+}
+
+TiledScene open_tiled_scene(const SceneRequest& request,
+                            const std::function<Progress(const std::string& path)>& begin_progress) {
+    TiledScene scene{nullptr, make_scene_parameters(request), {}};
+    check(request, scene.parameters);
+    if (!request.texture.empty()) scene.texture = io::read_colour_image(request.texture);
+    io::limit_read_memory(static_cast<std::size_t>(scene.parameters.view.whole("tiles.host_mib")) << 20);
+    scene.terrain =
+        std::make_shared<const TiledTerrain>(open_tiled(request.input, request.import, begin_progress));
+    return scene;
+}
+
+Scene open_scene(const SceneRequest& request,
+                 const std::function<Progress(const std::string& path)>& begin_progress) {
+    if (!is_in_tiles(request)) return make_scene(request);
+    TiledScene opened = open_tiled_scene(request, begin_progress);
+    io::Document stand_in;
+    const Grid small{17, 17, 1, 1};
+    stand_in.state = bedrock_terrain(small, std::vector<float>(small.count(), 0));
+    stand_in.kind = "tiles";
+    stand_in.notes = opened.terrain->notes;
+    Scene scene{std::move(stand_in), std::move(opened.parameters.simulation),
+                std::move(opened.parameters.view)};
+    scene.title = std::filesystem::path(request.input).filename().string();
+    scene.texture = std::move(opened.texture);
+    scene.tiles = std::move(opened.terrain);
+    return scene;
+}
+
+}  // namespace talus::app

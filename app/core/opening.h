@@ -1,0 +1,27 @@
+#pragma once
+#include "app/core/scene.h"
+#include "app/core/tiled_terrain.h"
+
+namespace talus::app {
+
+/// Whether what is asked for is looked at in tiles: it says so, or its file is too large to be held as a
+/// whole.
+bool is_in_tiles(const SceneRequest& request);
+
+/// A terrain in tiles, and the parameters that it is looked at with.
+struct TiledScene {
+    std::shared_ptr<const TiledTerrain> terrain;
+    SceneParameters parameters;
+    io::ColourImage texture;  ///< draped over it; without pixels: none
+};
+/// Opens what a request asks for that is_in_tiles(). Throws talus::Error where the file cannot be opened
+/// (open_tiled()), or the request asks for what a terrain in tiles has not: a preset, parameters of
+/// simulations, a method, views of layers.
+TiledScene open_tiled_scene(const SceneRequest& request,
+                            const std::function<Progress(const std::string& path)>& begin_progress);
+
+/// The scene that a window opens: one in tiles, or one to work in (make_scene()).
+Scene open_scene(const SceneRequest& request,
+                 const std::function<Progress(const std::string& path)>& begin_progress);
+
+}  // namespace talus::app

@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# Flights over terrain in tiles: BENCH TALUS FOLDER. Over a billion samples, generated, 1 m apart; over a mosaic of 39 tiles that are cut
+# from the real files of TALUS_DATA, 30 m and 10 m apart, that overlap and leave a hole; and the same way over 4096, 16384 and 65536
+# samples a side. What is in the folder already is used again: generating takes a quarter of an hour. Needs GDAL's programs.
+set -euo pipefail
+bench=$(realpath "$1")
+talus=$(realpath "$2")
+mkdir -p "$3"
+cd "$3"
+export LIBGL_ALWAYS_SOFTWARE=${LIBGL_ALWAYS_SOFTWARE:-1}
+
+[ -e made.tif ] || "$talus" tile --generate mountains,32768x32768 --spacing 1 made.tif 2>/dev/null
+"$bench" flight made.tif
+
+if [ -n "${TALUS_DATA:-}" ]; then
+    mkdir -p parts
+    # The second one lies east of the first.
+    cut() { # FILE SPACING ORIGIN_X ORIGIN_Y COLUMNS ROWS NAME
+        local size width height
+        size=$(gdalinfo "$1" | sed -n 's/^Size is //p')
+        width=${size%,*}
+        height=${size#*, }
+        for row in $(seq 0 $(($6 - 1))); do
+            for column in $(seq 0 $(($5 - 1))); do
+                [ "$7$row$column" = b12 ] && continue # the hole
+                local x=$((column * width / $5)) y=$((row * height / $6))
+                local w=$((width / $5 + 5)) h=$((height / $6 + 5))
+                [ $((x + w)) -le "$width" ] || w=$((width - x))
+                [ $((y + h)) -le "$height" ] || h=$((height - y))
+                gdal_translate -q -srcwin $x $y $w $h -a_ullr $(($3 + 30 * x)) $(($4 - 30 * y)) $(($3 + 30 * (x + w))) \
+                    $(($4 - 30 * (y + h))) -a_nodata -32768 -ot Float32 "$1" part.tif
+                gdalwarp -q -overwrite -tr "$2" "$2" -r bilinear part.tif "parts/$7$row$column.tif"
+            done
+        done
+    }
+    cut "$TALUS_DATA/bigtujunga_30m_1197x643.tif" 30 0 40000 5 4 a
+    cut "$TALUS_DATA/santa_ynez_coast_30m_1537.tif" 10 36000 40000 5 4 b
+    gdalbuildvrt -q -overwrite -resolution highest mosaic.vrt parts/*.tif
+    rm -f mosaic.tif*
+    "$talus" tile mosaic.vrt mosaic.tif 2>/dev/null
+    "$bench" flight mosaic.tif
+fi
+
+# The same ground at the same place, of ever larger terrain.
+[ -e m16384.tif ] || "$talus" tile --generate mountains,16384x16384 --spacing 1 m16384.tif 2>/dev/null
+if [ ! -e m4096.tif ]; then
+    gdal_translate -q -srcwin 8000 8000 4096 4096 m16384.tif crop.tif
+    "$talus" tile crop.tif m4096.tif 2>/dev/null
+fi
+if [ ! -e m65536.tif ]; then
+    {
+        echo '<VRTDataset rasterXSize="65536" rasterYSize="65536"><GeoTransform>0,1,0,65536,0,-1</GeoTransform><VRTRasterBand dataType="Float32" band="1">'
+        for y in 0 16384 32768 49152; do
+            for x in 0 16384 32768 49152; do
+                echo "<SimpleSource><SourceFilename relativeToVRT='1'>m16384.tif</SourceFilename><SourceBand>1</SourceBand>"
+                echo "<SrcRect xOff='0' yOff='0' xSize='16384' ySize='16384'/><DstRect xOff='$x' yOff='$y' xSize='16384' ySize='16384'/></SimpleSource>"
+            done
+        done
+        echo '</VRTRasterBand></VRTDataset>'
+    } >copies.vrt
+    "$talus" tile copies.vrt m65536.tif 2>/dev/null
+fi
+# Column and row 10048 of the second: east and north of the south-west sample, m.
+"$bench" flight m4096.tif 128 2000 2048 2047
+"$bench" flight m16384.tif 128 2000 10048 6335
+"$bench" flight m65536.tif 128 2000 26432 22719
