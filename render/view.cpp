@@ -213,7 +213,7 @@ std::vector<Parameter> render_parameters() {
     std::vector<Parameter> declared = {
         choice("render.method", preset.method, method_names, "How the surface is drawn."),
         number("render.tolerance_px", preset.tolerance_px, 0, 16, "px",
-               "Error that the hybrid method may make, in pixels; 0: none, rays everywhere.")
+               "Error that the hybrid method or tiles may make, in pixels; 0: none.")
             .once("render.tolerance"),
         choice("render.view", preset.view, view_names, "What the colours show."),
         number("render.sun_azimuth_deg", 315, 0, 360, "°", "Where the sun stands, clockwise from north."),

@@ -34,6 +34,9 @@ class Overflight {
     bool has_news() const { return paging_.has_news(); }
     /// True while tiles are read.
     bool awaits_tiles() const { return paging_.reads(); }
+    /// Of the last picture.
+    std::size_t drawn_tiles() const { return drawn_ ? drawn_->tiles.size() : 0; }
+    std::size_t awaited_tiles() const { return paging_.on_their_way(); }
     /// What the status line says of the last picture's tiles.
     std::string state() const;
     /// What is to be said of reading, once.

@@ -21,7 +21,7 @@ namespace talus::bench {
 namespace {
 
 constexpr int frames = 150;          // a flight
-constexpr int checked_pixels = 100;  // a frame
+constexpr int checked_pixels = 350;  // a frame
 constexpr glm::ivec2 size(width, height);
 constexpr double asked_px = 2.0 / 3;
 

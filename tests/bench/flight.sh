@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Flights over terrain in tiles: BENCH TALUS FOLDER. Over a billion samples, generated, 1 m apart; over a mosaic of 39 tiles that are cut
 # from the real files of TALUS_DATA, 30 m and 10 m apart, that overlap and leave a hole; and the same way over 4096, 16384 and 65536
-# samples a side. What is in the folder already is used again: generating takes a quarter of an hour. Needs GDAL's programs.
+# samples a side. What is in the folder already is used again: it takes 16 GB and half an hour to make. Needs GDAL's programs.
 set -euo pipefail
 bench=$(realpath "$1")
 talus=$(realpath "$2")
@@ -28,7 +28,7 @@ if [ -n "${TALUS_DATA:-}" ]; then
                 [ $((x + w)) -le "$width" ] || w=$((width - x))
                 [ $((y + h)) -le "$height" ] || h=$((height - y))
                 gdal_translate -q -srcwin $x $y $w $h -a_ullr $(($3 + 30 * x)) $(($4 - 30 * y)) $(($3 + 30 * (x + w))) \
-                    $(($4 - 30 * (y + h))) -a_nodata -32768 -ot Float32 "$1" part.tif
+                    $(($4 - 30 * (y + h))) -a_srs EPSG:32611 -a_nodata -32768 -ot Float32 "$1" part.tif
                 gdalwarp -q -overwrite -tr "$2" "$2" -r bilinear part.tif "parts/$7$row$column.tif"
             done
         done

@@ -351,9 +351,14 @@ TEST_F(TiledFiles, KnowTheirPartsHoweverTheyAreNamed) {
     EXPECT_TRUE(file.is_made_of(path("outer.vrt")));
     EXPECT_TRUE(file.is_made_of(path("inner.vrt")));
     EXPECT_FALSE(file.is_made_of(path("other.tif")));
+    EXPECT_FALSE(file.has_changed());
     ASSERT_TRUE(io::write_tiled(path("part.tif"),
                                 source_of({640, 480}, [](int x, int y) { return hilly(y, x); }), {}));
     EXPECT_NE(fingerprint("outer.vrt"), outer);
+    EXPECT_TRUE(file.has_changed());
+    // What is not there cannot be asked.
+    fs::remove(path("outer.vrt"));
+    EXPECT_FALSE(file.has_changed());
 }
 
 // Known heights stay known, whatever number stands for what is not.
