@@ -20,10 +20,10 @@
 namespace talus::bench {
 namespace {
 
-constexpr int frames = 150;          // a flight
+constexpr int flight_frames = 150;   // a flight
 constexpr int checked_pixels = 350;  // a frame
-constexpr glm::ivec2 size(width, height);
-constexpr double asked_px = 2.0 / 3;
+constexpr glm::ivec2 flown_size(width, height);
+constexpr double flight_px = 2.0 / 3;
 
 // What a frame may take longer than with all tiles there.
 constexpr double most_times = 1.5;
@@ -111,8 +111,8 @@ class Flight {
     std::vector<render::Camera> way(glm::dvec2 middle, double height_m, double length_m, double down) {
         std::vector<render::Camera> cameras;
         double eye_m = -1e9;
-        for (int frame = 0; frame < frames; ++frame) {
-            const double along = length_m * (static_cast<double>(frame) / (frames - 1) - 0.5);
+        for (int frame = 0; frame < flight_frames; ++frame) {
+            const double along = length_m * (static_cast<double>(frame) / (flight_frames - 1) - 0.5);
             const glm::dvec2 at = middle + along * glm::normalize(glm::dvec2(1, 0.4));
             // Rises with the ground ahead, and sinks slowly.
             double ground_m = finest_.height_m(at).value_or(terrain_.lowest_m);
@@ -144,12 +144,13 @@ class Flight {
         settings.sun = glm::normalize(glm::dvec3(-0.6, 0.5, 0.45));
         // The first frame of a flight waits for nothing either, but shaders are compiled in it.
         for (int warm = 0; warm < 2; ++warm)
-            draw(paged_, way.front(), settings, [&] { paging_.follow(paged_, way.front(), size, asked_px); });
+            draw(paged_, way.front(), settings,
+                 [&] { paging_.follow(paged_, way.front(), flown_size, flight_px); });
         for (const render::Camera& camera : way) {
             const double read_before = read_time_.seconds();
             const auto follow = [&] {
                 const double begin = thread_s();
-                const render::TileChoice& choice = paging_.follow(paged_, camera, size, asked_px);
+                const render::TileChoice& choice = paging_.follow(paged_, camera, flown_size, flight_px);
                 follow_s.push_back(thread_s() - begin);
                 reached_px = std::max(reached_px, choice.tolerance_px);
                 waiting += choice.wanted.empty() ? 0 : 1;
@@ -160,14 +161,14 @@ class Flight {
         }
         for (std::size_t frame = 0; frame < way.size(); ++frame) {
             const render::Camera& camera = way[frame];
-            const double tolerance_px = loading_.load(loaded_, camera, size, asked_px).tolerance_px;
+            const double tolerance_px = loading_.load(loaded_, camera, flown_size, flight_px).tolerance_px;
             const double loaded =
-                draw(loaded_, camera, settings, [&] { loaded_.look(camera, size, asked_px); });
-            const std::vector<float> depth = renderer_.read_depth(size.x, size.y);
+                draw(loaded_, camera, settings, [&] { loaded_.look(camera, flown_size, flight_px); });
+            const std::vector<float> depth = renderer_.read_depth(flown_size.x, flown_size.y);
             for (int k = 0; k < checked_pixels; ++k) {
-                const glm::ivec2 pixel(static_cast<int>(random() % size.x),
-                                       static_cast<int>(random() % size.y));
-                const float distance_m = depth[static_cast<std::size_t>(pixel.y) * size.x + pixel.x];
+                const glm::ivec2 pixel(static_cast<int>(random() % flown_size.x),
+                                       static_cast<int>(random() % flown_size.y));
+                const float distance_m = depth[static_cast<std::size_t>(pixel.y) * flown_size.x + pixel.x];
                 if (std::isinf(distance_m)) continue;
                 ++checked;
                 off += off_px(camera, pixel, distance_m) > tolerance_px ? 1 : 0;
@@ -190,7 +191,7 @@ class Flight {
             "tolerance reached {:.2f} px; {} of {} pixels farther off\n",
             name, 1e3 * at(took_s, 0.5), 1e3 * at(follow_s, 0.5), 1e3 * at(loaded_s, 0.5), at(times, 0.5),
             at(times, 0.9), at(times, 1), 1e3 * most_more, late, waiting, took_s.size(),
-            static_cast<double>(awaited) / frames, reached_px, off, checked);
+            static_cast<double>(awaited) / flight_frames, reached_px, off, checked);
         late_ += late;
         off_ += off;
     }
@@ -206,15 +207,15 @@ class Flight {
                 const render::ViewSettings& settings, const Follow& follow) {
         const double begin = run_time_s();
         follow();
-        renderer_.draw(surface, camera, settings, size.x, size.y);
+        renderer_.draw(surface, camera, settings, flown_size.x, flown_size.y);
         const std::vector<std::uint8_t> wait = renderer_.read_rgb(1, 1);
         return run_time_s() - begin;
     }
 
     // How far the finest surface is above or below what a pixel shows.
     double off_px(const render::Camera& camera, glm::ivec2 pixel, double distance_m) {
-        const render::CameraRays rays = render::camera_rays(camera, size.x, size.y);
-        const glm::dvec2 at(2 * (pixel.x + 0.5) / size.x - 1, 1 - 2 * (pixel.y + 0.5) / size.y);
+        const render::CameraRays rays = render::camera_rays(camera, flown_size.x, flown_size.y);
+        const glm::dvec2 at(2 * (pixel.x + 0.5) / flown_size.x - 1, 1 - 2 * (pixel.y + 0.5) / flown_size.y);
         const glm::dvec3 way = glm::normalize(rays.middle + at.x * rays.right + at.y * rays.up);
         glm::dvec3 point = camera.eye + distance_m * way;
         const std::optional<double> ground_m = finest_.height_m(point);
@@ -222,7 +223,7 @@ class Flight {
         if (!ground_m) return 0;
         point.z = *ground_m;
         const auto place = render::place_in_picture(camera, rays, point);
-        return place ? glm::length(0.5 * (*place - at) * glm::dvec2(size)) : 0;
+        return place ? glm::length(0.5 * (*place - at) * glm::dvec2(flown_size)) : 0;
     }
 
     const app::TiledTerrain& terrain_;
