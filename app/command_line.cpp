@@ -298,6 +298,8 @@ Command window_command(CLI::App& app, Texts& t) {
                 options->scene = t.scene(t.file);
                 if (t.tiled && t.file.empty())
                     throw Error("--tiled says how a file is shown: give a FILE too");
+                // At once, and not when the file has been measured.
+                if (is_in_tiles(options->scene)) check_tiled_request(options->scene);
                 if (!options->journal.empty() && is_in_tiles(options->scene))
                     throw Error(fmt::format(
                         "--journal {} cannot be written: '{}' is in tiles and can only be looked at",

@@ -9,9 +9,9 @@
 #include "sim/error.h"
 
 namespace talus::app {
-namespace {
 
-void check(const SceneRequest& request, const SceneParameters& parameters) {
+void check_tiled_request(const SceneRequest& request) {
+    const SceneParameters parameters = make_scene_parameters(request);
     if (!request.preset.empty())
         throw Error(
             fmt::format("--preset {} is a scene to work in, '{}' is in tiles and can only be looked at",
@@ -27,16 +27,14 @@ void check(const SceneRequest& request, const SceneParameters& parameters) {
     render::check_view_of_tiles(render::view_settings(parameters.view, parameters.simulation));
 }
 
-}  // namespace
-
 bool is_in_tiles(const SceneRequest& request) {
     return request.tiled || (!request.input.empty() && io::is_larger_than_a_terrain(request.input));
 }
 
 TiledScene open_tiled_scene(const SceneRequest& request,
                             const std::function<Progress(const std::string& path)>& begin_progress) {
+    check_tiled_request(request);
     TiledScene scene{nullptr, make_scene_parameters(request), {}};
-    check(request, scene.parameters);
     if (!request.texture.empty()) scene.texture = io::read_colour_image(request.texture);
     io::limit_read_memory(static_cast<std::size_t>(scene.parameters.view.whole("tiles.host_mib")) << 20);
     scene.terrain =

@@ -8,6 +8,10 @@ namespace talus::app {
 /// whole.
 bool is_in_tiles(const SceneRequest& request);
 
+/// Throws talus::Error where a request that is_in_tiles() asks for what a terrain in tiles has not: a preset,
+/// parameters of simulations, a method, views of layers.
+void check_tiled_request(const SceneRequest& request);
+
 /// A terrain in tiles, and the parameters that it is looked at with.
 struct TiledScene {
     std::shared_ptr<const TiledTerrain> terrain;
@@ -15,8 +19,7 @@ struct TiledScene {
     io::ColourImage texture;  ///< draped over it; without pixels: none
 };
 /// Opens what a request asks for that is_in_tiles(). Throws talus::Error where the file cannot be opened
-/// (open_tiled()), or the request asks for what a terrain in tiles has not: a preset, parameters of
-/// simulations, a method, views of layers.
+/// (open_tiled()), and as check_tiled_request() does.
 TiledScene open_tiled_scene(const SceneRequest& request,
                             const std::function<Progress(const std::string& path)>& begin_progress);
 

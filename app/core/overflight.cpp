@@ -7,6 +7,8 @@
 #include <thread>
 #include <utility>
 
+#include "sim/error.h"
+
 namespace talus::app {
 namespace {
 
@@ -14,7 +16,7 @@ namespace {
 constexpr std::chrono::seconds between_looks(2);
 constexpr int share_of_looks = 20;
 
-// A still that tiles do not come for is drawn without them.
+// A still for which no tile comes for so long is given up.
 constexpr std::chrono::seconds longest_wait(20);
 
 // Reads, and now and then sees whether the file has changed. For one thread.
@@ -61,21 +63,30 @@ render::Drawn Overflight::draw(const render::Camera& camera, const render::ViewS
 }
 
 StillPainter Overflight::painter(const render::ViewSettings& settings) {
-    return {[this, settings](const render::Camera& camera, glm::ivec2 size) {
-                // One tolerance for all parts of a still, so that levels meet between them.
-                still_px_ = surface_.look(camera, size, settings.tolerance_px).tolerance_px;
-            },
-            [this, settings](const render::Camera& camera, glm::ivec2 size) {
-                const auto end = std::chrono::steady_clock::now() + longest_wait;
-                do {
-                    paging_.follow(surface_, camera, size, still_px_);
-                    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-                } while (paging_.on_their_way() > 0 && std::chrono::steady_clock::now() < end);
-                renderer_.draw(surface_, camera, settings, size.x, size.y);
-            },
-            [this](int samples) { return refine(samples); },
-            [this](glm::ivec2 size) { return renderer_.read_rgb(size.x, size.y); },
-            [this](glm::ivec2 size) { return renderer_.read_depth(size.x, size.y); }};
+    return {
+        [this, settings](const render::Camera& camera, glm::ivec2 size) {
+            forget();
+            // One tolerance for all parts of a still, so that levels meet between them.
+            still_px_ = surface_.look(camera, size, settings.tolerance_px).tolerance_px;
+        },
+        [this, settings](const render::Camera& camera, glm::ivec2 size) {
+            auto end = std::chrono::steady_clock::now() + longest_wait;
+            std::size_t before = 0;
+            do {
+                paging_.follow(surface_, camera, size, still_px_);
+                const auto now = std::chrono::steady_clock::now();
+                if (paging_.on_their_way() != std::exchange(before, paging_.on_their_way()))
+                    end = now + longest_wait;
+                if (now > end)
+                    throw Error(fmt::format("'{}' gave no tile for {} s, and {} are missing in the picture",
+                                            terrain_->file.path().string(), longest_wait.count(), before));
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            } while (paging_.on_their_way() > 0);
+            renderer_.draw(surface_, camera, settings, size.x, size.y);
+        },
+        [this](int samples) { return refine(samples); },
+        [this](glm::ivec2 size) { return renderer_.read_rgb(size.x, size.y); },
+        [this](glm::ivec2 size) { return renderer_.read_depth(size.x, size.y); }};
 }
 
 std::optional<std::string> Overflight::take_message() {

@@ -75,7 +75,7 @@ void draw_side(PanelContext& context, bool with_tools) {
     PanelState& state = context.state;
     // Where the tools have a side of their own they are no panel of this one.
     constexpr const char* tools = "Tools";
-    if (!with_tools && state.shown == tools) state.shown = side_panels.front().name;
+    if (!with_tools && !state.only_looks && state.shown == tools) state.shown = side_panels.front().name;
     std::vector<const SidePanel*> panels;
     for (const SidePanel& panel : side_panels)
         if (panel.only_looks || !state.only_looks) panels.push_back(&panel);

@@ -119,11 +119,10 @@ void Hand::meet_ground(Session& session, render::Camera& camera, bool walking, d
     if (walking) keep_within(camera, grid);
     const std::optional<GroundSamples> ground = session.ground_samples(camera.eye);
     ground_.follow(ground);
-    std::optional<double> ground_m = ground_.height_m(ground);
-    // Until the samples of another tile have come, the ground is as high as it was.
-    if (in_tiles && ground && !ground_m) ground_m = last_ground_m_;
-    last_ground_m_ = ground_m;
-    session.follow_height(ground_m);
+    const std::optional<double> ground_m = ground_.height_m(ground);
+    // Until the samples of another tile have come, the speed is that over the height before.
+    if (ground_m || !ground) last_ground_m_ = ground_m;
+    session.follow_height(last_ground_m_);
     if (!ground_m) return;
     const double eye_m = session.view().number("camera.eye_height_m");
     if (walking)

@@ -108,10 +108,12 @@ class Window {
     void loop() {
         last_s_ = glfwGetTime();
         while (!glfwWindowShouldClose(window_)) {
+            // Asked first: a tile that comes in between is seen by the other.
+            const bool awaits_tiles = session_.awaits_tiles();
             if (busy())
                 glfwPollEvents();
             else
-                glfwWaitEventsTimeout(session_.awaits_tiles() ? 0.01 : 0.3);
+                glfwWaitEventsTimeout(awaits_tiles ? 0.01 : 0.3);
             if (gpu::poll_shader_folder()) {
                 session_.forget_picture();
                 wake();
@@ -353,7 +355,8 @@ class Window {
             if (!moving && !pacing_.is_awake() && !session_.awaits_tiles() && !ImGui::IsAnyItemActive())
                 refining_ = session_.refine();
             else
-                refining_ = !pacing_.is_awake() && refining_ && !ImGui::IsAnyItemActive();
+                refining_ =
+                    !pacing_.is_awake() && refining_ && !session_.awaits_tiles() && !ImGui::IsAnyItemActive();
         } catch (const std::exception& error) {
             refining_ = false;
             if (message_ != error.what()) tell(error.what());

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
-#include <set>
 #include <utility>
 
 namespace talus::render {
@@ -62,7 +61,7 @@ const TileChoice& TilePaging::follow(TiledSurface& surface, const Camera& camera
     const TileChoice& choice = surface.look(camera, size, tolerance_px);
     wanted_ = choice.wanted;
     follow_failures();
-    on_their_way_ = wanted_.size() - failed_;
+    on_their_way_ = wanted_.size() - failed_.size();
     std::vector<TileId> tiles = due(wanted_);
     // The thread has nothing better to do then.
     if (tiles.empty() && last_camera_ && !(*last_camera_ == camera))
@@ -87,7 +86,7 @@ void TilePaging::take(TiledSurface& surface) {
             note_failure(read);
             continue;
         }
-        if (failures_.erase(tree_.index_of(read.tile)) > 0) mended_ = true;
+        failures_.erase(tree_.index_of(read.tile));
         if (std::find(wanted_.begin(), wanted_.end(), read.tile) != wanted_.end())
             surface.put(read.tile, read.heights);
         else
@@ -105,20 +104,21 @@ void TilePaging::note_failure(const Read& read) {
 
 // What no picture wants any more is forgotten once it may be tried again.
 void TilePaging::follow_failures() {
+    const bool had_failed = !failed_.empty();
+    const bool all_read = std::none_of(failed_.begin(), failed_.end(),
+                                       [&](std::size_t index) { return failures_.contains(index); });
     std::set<std::size_t> wanted;
     for (const TileId& tile : wanted_) wanted.insert(tree_.index_of(tile));
     const Clock::time_point now = Clock::now();
     std::erase_if(failures_,
                   [&](const auto& one) { return !wanted.contains(one.first) && one.second.next <= now; });
-    failed_ = static_cast<std::size_t>(std::count_if(
-        failures_.begin(), failures_.end(), [&](const auto& one) { return wanted.contains(one.first); }));
-    if (failed_ > 0 && !failure_told_) {
+    failed_.clear();
+    for (const auto& [index, failure] : failures_)
+        if (wanted.contains(index)) failed_.insert(index);
+    if (!failed_.empty() && !had_failed)
         message_ = last_error_ + "; coarser tiles are shown there, and it is tried again";
-        mended_ = false;
-    } else if (failed_ == 0 && failure_told_ && mended_) {
+    else if (failed_.empty() && had_failed && all_read)
         message_ = "tiles can be read again";
-    }
-    failure_told_ = failed_ > 0;
 }
 
 bool TilePaging::is_due(const TileId& tile) const {
@@ -157,10 +157,12 @@ void TilePaging::ask(const std::vector<TileId>& tiles) {
 }
 
 bool TilePaging::has_news() const {
-    const bool again = failed_ > 0 && std::any_of(wanted_.begin(), wanted_.end(), [&](const TileId& tile) {
-                           return failures_.contains(tree_.index_of(tile)) && is_due(tile);
-                       });
     const std::lock_guard lock(mutex_);
+    const bool again = std::any_of(wanted_.begin(), wanted_.end(), [&](const TileId& tile) {
+        const bool is_asked =
+            reading_ == tile || std::find(asked_.begin(), asked_.end(), tile) != asked_.end();
+        return failed_.contains(tree_.index_of(tile)) && is_due(tile) && !is_asked;
+    });
     return again || !come_.empty();
 }
 

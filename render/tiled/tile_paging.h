@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -33,7 +34,7 @@ class TilePaging {
     std::size_t on_their_way() const { return on_their_way_; }
     /// Tiles that the last picture wanted and that could not be read. They are tried again, and coarser ones
     /// are drawn.
-    std::size_t failed() const { return failed_; }
+    std::size_t failed() const { return failed_.size(); }
     /// Whether a frame has something to do: tiles have come, or are to be tried again.
     bool has_news() const;
     /// True while the thread reads, or has been asked to.
@@ -70,10 +71,8 @@ class TilePaging {
     std::vector<TileId> wanted_;               // by the last picture
     std::map<std::size_t, Failure> failures_;  // by TileTree::index_of()
     std::size_t on_their_way_ = 0;
-    std::size_t failed_ = 0;
+    std::set<std::size_t> failed_;  // of what is wanted, by TileTree::index_of()
     std::string last_error_;
-    bool failure_told_ = false;
-    bool mended_ = false;  // something that had failed was read since
     std::optional<std::string> message_;
 
     mutable std::mutex mutex_;  // of what follows

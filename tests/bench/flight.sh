@@ -5,6 +5,7 @@
 set -euo pipefail
 bench=$(realpath "$1")
 talus=$(realpath "$2")
+[ -z "${TALUS_DATA:-}" ] || TALUS_DATA=$(realpath "$TALUS_DATA")
 mkdir -p "$3"
 cd "$3"
 export LIBGL_ALWAYS_SOFTWARE=${LIBGL_ALWAYS_SOFTWARE:-1}
