@@ -108,7 +108,7 @@ class Window {
     void loop() {
         last_s_ = glfwGetTime();
         while (!glfwWindowShouldClose(window_)) {
-            // Asked first: a tile that comes in between is seen by the other.
+            // Before busy(), which sees a tile that comes between the two calls.
             const bool awaits_tiles = session_.awaits_tiles();
             if (busy())
                 glfwPollEvents();
