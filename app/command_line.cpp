@@ -231,6 +231,26 @@ Command tile_command(CLI::App& app, Texts& t) {
             }};
 }
 
+Command put_back_command(CLI::App& app, Texts& t) {
+    auto options = std::make_shared<PutBackOptions>();
+    auto mosaic = std::make_shared<std::string>();
+    CLI::App* command = app.add_subcommand(
+        "put-back",
+        "put a terrain that --window cut out of a raster back into its place: a patch beside the "
+        "mosaic, and the mosaic over both; the raster stays as it is");
+    command->add_option("FILE", options->document, "a document of such a terrain")->required();
+    command->add_option("OUT.vrt", *mosaic, "the mosaic to write")->required();
+    command->add_option(
+        "--feather", t.feather,
+        "metres from the cut-out's edges within which work fades into the raster; 0 unless given");
+    return {command, [&t, options, mosaic] {
+                options->settings.mosaic = *mosaic;
+                if (!t.feather.empty())
+                    options->settings.feather_m = numbers("--feather", t.feather, ',', 1)[0];
+                put_back(*options);
+            }};
+}
+
 Command replay_command(CLI::App& app, Texts& t) {
     auto options = std::make_shared<ReplayOptions>();
     CLI::App* command = app.add_subcommand("replay", "do again what a journal recorded");
@@ -322,9 +342,9 @@ int parse_and_do(int argc, char** argv) {
     Texts t;
     const Command window = window_command(app, t);
     std::vector<Command> commands;
-    for (const auto make :
-         {run_command, render_command, compare_command, verify_command, convert_command, tile_command,
-          replay_command, info_command, presets_command, parameters_command, why_no_window_command})
+    for (const auto make : {run_command, render_command, compare_command, verify_command, convert_command,
+                            tile_command, put_back_command, replay_command, info_command, presets_command,
+                            parameters_command, why_no_window_command})
         commands.push_back(make(app, t));
     try {
         app.parse(argc, argv);

@@ -50,6 +50,13 @@ io::ImportSettings Texts::import() const {
     }
     if (!range.empty()) settings.range_m = range_m();
     if (!raw.empty()) settings.raw = io::parse_raw_layout(raw);
+    if (!window.empty()) {
+        const std::vector<double> v = numbers("--window", window, ',', 4);
+        settings.window = io::FileWindow{v[0], v[1], v[2], v[3]};
+        if (tiled)
+            throw Error(
+                "--tiled shows the whole file, and --window cuts a part out of it: leave one of the two out");
+    }
     return settings;
 }
 
@@ -100,6 +107,9 @@ void add_import(CLI::App& app, Texts& t) {
     app.add_option("--spacing", t.spacing, "metres between samples");
     app.add_option("--range", t.range, "lo,hi: heights of the file's smallest and largest value, in metres");
     app.add_option("--raw", t.raw, "NXxNY[,big][,bottom]: how a raw file's samples lie");
+    app.add_option("--window", t.window,
+                   "W,S,E,N: the part of a raster of any size to work in, in the file's coordinates; in "
+                   "metres from its south-west sample where it has none");
 }
 void add_outputs(CLI::App& app, Texts& t, Outputs& outputs) {
     app.add_option("--out", outputs.files,

@@ -14,7 +14,7 @@ namespace talus::app {
 /// errors are ours.
 struct Texts {
     std::string file, preset, input, size, spacing, range, raw, eye, target, fov, method, view, shader_dir,
-        layer, samples, tolerances, texture, window_size, tiles;
+        layer, samples, tolerances, texture, window_size, tiles, window, feather;
     std::vector<std::string> assignments, gauges, springs;
     std::optional<int> gpu;
     bool require_hardware = false;

@@ -7,6 +7,7 @@
 #include "app/core/outputs.h"
 #include "app/core/scene.h"
 #include "sim/gpu/context.h"
+#include "sim/io/put_back.h"
 
 namespace talus::app {
 
@@ -94,6 +95,14 @@ struct TileOptions {
 /// Writes a raster of any size as a tiled GeoTIFF with overviews (sim/io/tile_writer.h), and measures its
 /// tiles.
 void tile(const TileOptions& options);
+
+struct PutBackOptions {
+    std::string document;  ///< of a terrain that was cut out of a larger one
+    io::PutBackSettings settings;
+};
+/// Puts its ground back into its place in the larger one, as a patch and a mosaic of both
+/// (sim/io/put_back.h).
+void put_back(const PutBackOptions& options);
 
 void info(const std::string& file, const io::ImportSettings& import, bool json);
 void list_presets(bool json);

@@ -76,7 +76,7 @@ void tiled_info(const std::string& path, const io::ImportSettings& import, bool 
 }  // namespace
 
 void info(const std::string& file, const io::ImportSettings& import, bool json) {
-    if (io::is_larger_than_a_terrain(file)) return tiled_info(file, import, json);
+    if (!import.window && io::is_larger_than_a_terrain(file)) return tiled_info(file, import, json);
     const io::Document document = open_document(file, import);
     const TerrainState& state = document.state;
     const std::vector<float> ground = state.ground();

@@ -28,6 +28,7 @@ void check_tiled_request(const SceneRequest& request) {
 }
 
 bool is_in_tiles(const SceneRequest& request) {
+    if (request.import.window) return false;
     return request.tiled || (!request.input.empty() && io::is_larger_than_a_terrain(request.input));
 }
 

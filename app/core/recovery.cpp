@@ -124,6 +124,7 @@ void Recovery::follow(const Simulation& simulation, const Scene& scene, const st
     last_s_ = wall_clock_s();
     changes_ = changes;
     document_.state = simulation.moment_state();
+    document_.cut_out = scene.document.cut_out;
     document_.parameters = to_toml(simulation.parameters());
     about_ = json{{"title", scene.title},
                   {"project", project},

@@ -88,6 +88,14 @@ void read_layer(const fs::path& path, OIIO::ImageInput& input, const LayerDescri
     }
 }
 
+// What a terrain was cut out of may have been moved with its document, or changed.
+void follow_whole(const fs::path& path, Document& document) {
+    fs::path& whole = document.cut_out->path;
+    std::error_code ignored;
+    const fs::path beside = fs::absolute(path).parent_path() / whole.filename();
+    if (!fs::exists(whole, ignored) && fs::exists(beside, ignored)) whole = beside;
+}
+
 Document read_document(const fs::path& path, const ImportSettings& settings) {
     const auto input = open_picture(path);
     check_file_size(path, input->spec().width, input->spec().height);
@@ -113,10 +121,21 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
                         &t[5]) == 6)
             document.state.georeference = georeference;
     }
+    const std::string cut_out = spec.get_string_attribute("talus:cut_out");
+    if (!cut_out.empty()) document.cut_out = cut_out_from(path, cut_out);
+    if (document.cut_out) follow_whole(path, document);
     for (const LayerDescription& layer : layers()) read_layer(path, *input, layer, state);
     state.springs = springs_from(path, spec.get_string_attribute("talus:springs"));
     for (const Spring& spring : state.springs) check_spring(state.grid, spring);
     return document;
+}
+
+void check_not_a_document(const fs::path& path) {
+    if (is_document(path))
+        throw Error(
+            fmt::format("'{}' is a Talus document, and --window cuts a part out of a raster: leave "
+                        "--window out, or crop it in the Map panel",
+                        path.string()));
 }
 
 }  // namespace
@@ -129,9 +148,18 @@ bool is_document(const fs::path& path) {
 }
 
 Document open_document(const fs::path& path, const ImportSettings& settings) {
-    if (is_document(path)) return read_document(path, settings);
-    Heightmap heightmap = read_heightmap(path, settings);
     Document document;
+    Heightmap heightmap;
+    if (settings.window) {
+        check_not_a_document(path);
+        CutOutHeights part = cut_out_heights(path, settings);
+        heightmap = std::move(part.heightmap);
+        document.cut_out = std::move(part.cut_out);
+    } else if (is_document(path)) {
+        return read_document(path, settings);
+    } else {
+        heightmap = read_heightmap(path, settings);
+    }
     document.state = bedrock_terrain(heightmap.grid, heightmap.heights);
     document.state.georeference = std::move(heightmap.georeference);
     document.kind = std::move(heightmap.kind);
@@ -168,6 +196,7 @@ void save_document(const fs::path& path, const Document& document) {
         if (!document.state.georeference->wkt.empty())
             spec.attribute("talus:crs", document.state.georeference->wkt);
     }
+    if (document.cut_out) spec.attribute("talus:cut_out", to_text(*document.cut_out));
     const std::vector<float> ground = state.ground();
     std::vector<float> pixels;
     pixels.reserve(ground.size() * names.size());

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/io/cut_out.h"
 #include "sim/io/heightmap.h"
 #include "sim/terrain/terrain_state.h"
 
@@ -14,12 +15,14 @@ struct Document {
     std::string parameters;  ///< TOML; empty where the file is no Talus document
     std::string kind;
     std::vector<std::string> notes;
+    std::optional<CutOut> cut_out{};  ///< of which raster it is a part; none: of none
 };
 
 /// Whether a file is a Talus document rather than a heightmap of another kind.
 bool is_document(const std::filesystem::path& path);
 
-/// Opens a Talus document (multi-channel EXR with a channel `bedrock`) or, as bedrock, any heightmap.
+/// Opens a Talus document (multi-channel EXR with a channel `bedrock`) or, as bedrock, any heightmap, or the
+/// window of a raster that the settings say.
 Document open_document(const std::filesystem::path& path, const ImportSettings& settings);
 
 /// Writes everything a run continues from, to the bit: a float channel for every word of every layer that is

@@ -20,11 +20,22 @@ struct RawLayout {
     bool south_first = false;
 };
 
+/// A rectangle of a raster, in the file's own coordinates (easting and northing, degrees); in metres from its
+/// south-west sample where it has none.
+struct FileWindow {
+    double west = 0;
+    double south = 0;
+    double east = 0;
+    double north = 0;
+    bool operator==(const FileWindow&) const = default;
+};
+
 /// What a person says about a file, where its own word is not enough.
 struct ImportSettings {
     std::optional<double> spacing_m;
     std::optional<glm::dvec2> range_m;  ///< heights of the smallest and the largest value of the file's type
     std::optional<RawLayout> raw;
+    std::optional<FileWindow> window;  ///< the part that is cut out of it (sim/io/cut_out.h); none: all of it
 };
 
 /// The settings as a line of JSON, for journals; and back.

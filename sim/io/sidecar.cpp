@@ -72,6 +72,9 @@ std::string to_text(const ImportSettings& settings) {
     if (settings.raw)
         text["raw"] = {settings.raw->nx, settings.raw->ny, settings.raw->big_endian,
                        settings.raw->south_first};
+    if (settings.window)
+        text["window"] = {settings.window->west, settings.window->south, settings.window->east,
+                          settings.window->north};
     return text.dump();
 }
 
@@ -85,6 +88,10 @@ ImportSettings import_settings_from(const std::string& text) {
         if (parsed.contains("raw")) {
             const json& raw = parsed["raw"];
             settings.raw = RawLayout{raw.at(0), raw.at(1), raw.at(2), raw.at(3)};
+        }
+        if (parsed.contains("window")) {
+            const json& window = parsed["window"];
+            settings.window = FileWindow{window.at(0), window.at(1), window.at(2), window.at(3)};
         }
         return settings;
     } catch (const json::exception& error) {

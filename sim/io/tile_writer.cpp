@@ -301,13 +301,17 @@ class TileWriter {
 
 }  // namespace
 
-bool write_tiled(const fs::path& path, const TiledSource& source, const std::function<bool(double)>& told) {
+bool write_tiled(const fs::path& path, const TiledSource& source, const std::function<bool(double)>& told,
+                 std::size_t least_levels) {
     start_gdal();
     std::vector<glm::ivec2> levels = halved_levels({source.grid.nx, source.grid.ny});
     const auto single = std::find_if(levels.begin(), levels.end(), [](glm::ivec2 size) {
         return size.x <= block / 2 && size.y <= block / 2;
     });
-    if (single != levels.end()) levels.erase(single + 1, levels.end());
+    if (single != levels.end()) {
+        const auto enough = static_cast<std::size_t>(single - levels.begin()) + 1;
+        levels.resize(std::min(std::max(enough, least_levels), levels.size()));
+    }
     AtomicFile file(path);
     TiledOutput output(path, file, source, levels);
     if (!TileWriter(source, output, levels, told).write()) return false;

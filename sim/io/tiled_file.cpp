@@ -71,7 +71,7 @@ std::vector<std::string> files_of(GDALDataset& dataset) {
 }
 
 // Mosaics of mosaics are followed so far.
-constexpr int deepest_mosaic = 4;
+constexpr int deepest_mosaic = 16;
 
 // Size and time of a file, also of those that GDAL alone can look into (/vsizip and the like).
 std::string stamp_of(const std::string& file) {
@@ -82,6 +82,10 @@ std::string stamp_of(const std::string& file) {
     return fmt::format("{} {}", found.st_size,
                        failed ? static_cast<std::int64_t>(found.st_mtime)
                               : static_cast<std::int64_t>(time.time_since_epoch().count()));
+}
+
+bool is_mosaic_within(const std::string& file, GDALDataset& dataset, int depth) {
+    return ending_of(file) == ".vrt" && depth > 0 && file != dataset.GetDescription();
 }
 
 // Of all files that the raster is made of: where they lie seen from its folder, sizes and times.
@@ -95,12 +99,24 @@ std::string parts_of(GDALDataset& dataset, const fs::path& folder, int depth) {
         // What a mosaic lists are its direct parts; a part's overviews, and parts of its own, are not among
         // them.
         told += fmt::format("{}\n", stamp_of(file + ".ovr"));
-        if (ending_of(file) != ".vrt" || depth == 0 || file == dataset.GetDescription()) continue;
+        if (!is_mosaic_within(file, dataset, depth)) continue;
         const Dataset part(static_cast<GDALDataset*>(
             GDALOpenEx(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr)));
         if (part) told += parts_of(*part, folder, depth - 1);
     }
     return told;
+}
+
+bool is_part_of(GDALDataset& dataset, const fs::path& file, int depth) {
+    const std::vector<std::string> parts = files_of(dataset);
+    return std::any_of(parts.begin(), parts.end(), [&](const std::string& part) {
+        std::error_code ignored;
+        if (fs::equivalent(part, file, ignored)) return true;
+        if (!is_mosaic_within(part, dataset, depth)) return false;
+        const Dataset inner(static_cast<GDALDataset*>(
+            GDALOpenEx(part.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr)));
+        return inner && is_part_of(*inner, file, depth - 1);
+    });
 }
 
 // Gives samples of a rectangle that are not known the height of another one, bilinear. place_of: where a
@@ -338,6 +354,7 @@ TiledFile::TiledFile(const fs::path& path, const ImportSettings& settings) : pat
         notes_.emplace_back(range_unused);
     }
     source_.samples = type_of(type, picture);
+    plain_heights_ = !picture && !place.south_first && !place.east_first;
     if (reading->void_value) source_.void_value = *reading->void_value;
     int block_x = 0;
     int block_y = 0;
@@ -374,12 +391,7 @@ bool TiledFile::has_changed() const {
 }
 
 bool TiledFile::is_made_of(const fs::path& file) const {
-    const Dataset dataset = open_raster(path_);
-    const std::vector<std::string> parts = files_of(*dataset);
-    return std::any_of(parts.begin(), parts.end(), [&](const std::string& part) {
-        std::error_code ignored;
-        return fs::equivalent(part, file, ignored);
-    });
+    return is_part_of(*open_raster(path_), file, deepest_mosaic);
 }
 
 ReadSamples TiledFile::make_reader() const {

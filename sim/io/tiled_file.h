@@ -50,12 +50,16 @@ class TiledFile {
     /// not matter.
     std::uint64_t fingerprint() const { return fingerprint_; }
 
+    /// Whether its numbers are heights in metres as they stand, its first row the north one and its first
+    /// column the west one.
+    bool holds_plain_heights() const { return plain_heights_; }
+
     /// Whether it, or a part of it, is another one than when it was opened, as its folder tells it. False
     /// where that cannot be found out.
     bool has_changed() const;
 
     /// Whether writing to this path would change the raster: it is the file, or one that it lists as its
-    /// part.
+    /// part, or a part of one.
     bool is_made_of(const std::filesystem::path& file) const;
 
     /// A reader of all levels for one thread. Samples that are not known lie as high as the next coarser
@@ -73,6 +77,7 @@ class TiledFile {
     std::string kind_;
     std::vector<std::string> notes_;
     std::uint64_t fingerprint_ = 0;
+    bool plain_heights_ = true;
     std::string parts_;  // names, sizes and times of all files that it is made of
     struct Reading;
     std::shared_ptr<const Reading> reading_;

@@ -1,0 +1,335 @@
+// A part cut out of a raster, worked on and put back: what was not worked on keeps its bits, on every level.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "sim/error.h"
+#include "sim/io/atomic_file.h"
+#include "sim/io/put_back.h"
+#include "sim/io/tile_writer.h"
+#include "sim/terrain/reshape.h"
+#include "sim/terrain/state_hash.h"
+
+namespace talus::cut_out_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// No size is a power of two: levels end in halves of samples.
+constexpr glm::ivec2 whole_size(1300, 1111);
+constexpr double west = 500000;
+constexpr double north = 4100000;
+
+float hilly(int x, int y) {
+    return static_cast<float>(800 + 300 * std::sin(0.013 * x) * std::cos(0.021 * y) + 1e-3 * (x % 7));
+}
+
+float hilly_with_a_hole(int x, int y) {
+    return x > 300 && x < 420 && y > 350 && y < 430 ? std::numeric_limits<float>::quiet_NaN() : hilly(x, y);
+}
+
+class CutOuts : public ::testing::Test {
+  protected:
+    void SetUp() override { fs::create_directories(folder_); }
+    void TearDown() override { fs::remove_all(folder_); }
+    fs::path path(const std::string& name) const { return folder_ / name; }
+    const fs::path& folder() const { return folder_; }
+
+    // A raster with samples 10 m east and 20 m south of each other, the first at (west, north).
+    fs::path write_whole(const std::string& name, float (*height)(int, int),
+                         std::optional<float> void_value = {}) const {
+        io::TiledSource source;
+        source.grid = {whole_size.x, whole_size.y, 10, 20};
+        source.georeference = Georeference{"", {west - 5, 10, 0, north + 10, 0, -20}};
+        source.void_value = void_value;
+        source.make_reader = [height]() -> ReadSamples {
+            return [height](int, const TileSamples& samples, std::vector<float>& heights) {
+                heights.clear();
+                for (int y = 0; y < samples.count.y; ++y)
+                    for (int x = 0; x < samples.count.x; ++x)
+                        heights.push_back(height(samples.first.x + x, samples.first.y + y));
+            };
+        };
+        EXPECT_TRUE(io::write_tiled(path(name), source, {}));
+        return path(name);
+    }
+
+    // The window of the samples from column and row `first` on.
+    static io::ImportSettings window(glm::ivec2 first, glm::ivec2 count) {
+        io::ImportSettings settings;
+        const glm::ivec2 last = first + count - 1;
+        settings.window = io::FileWindow{west + 10.0 * first.x, north - 20.0 * last.y, west + 10.0 * last.x,
+                                         north - 20.0 * first.y};
+        return settings;
+    }
+
+    template <typename Act>
+    static std::string refusal(const Act& act) {
+        try {
+            act();
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "nothing was refused";
+    }
+
+  private:
+    fs::path folder_ = fs::temp_directory_path() / ("talus_cut_out_" + std::to_string(::getpid()));
+};
+
+std::vector<float> level_of(const io::TiledFile& file, int level) {
+    std::vector<float> heights;
+    file.source().make_reader()(level, {glm::ivec2(0), file.levels()[static_cast<std::size_t>(level)]},
+                                heights);
+    return heights;
+}
+
+// Raises the ground of a rectangle of the terrain's own samples.
+void raise(io::Document& document, glm::ivec2 from, glm::ivec2 to, float by_m) {
+    for (int y = from.y; y < to.y; ++y)
+        for (int x = from.x; x < to.x; ++x)
+            document.state.bedrock[static_cast<std::size_t>(y) * document.state.grid.nx + x].x += by_m;
+}
+
+std::size_t different(const std::vector<float>& a, const std::vector<float>& b) {
+    std::size_t count = a.size() == b.size() ? 0 : std::max(a.size(), b.size());
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+        count += a[i] == b[i] || (std::isnan(a[i]) && std::isnan(b[i])) ? 0 : 1;
+    return count;
+}
+
+TEST_F(CutOuts, AreTheSamplesOfTheirWindow) {
+    const fs::path whole = write_whole("whole.tif", hilly);
+    const io::Document document = io::open_document(whole, window({200, 300}, {150, 80}));
+    EXPECT_EQ(document.state.grid, (Grid{150, 80, 10, 20}));
+    const std::vector<float> ground = document.state.ground();
+    for (int y = 0; y < 80; ++y)
+        for (int x = 0; x < 150; ++x)
+            ASSERT_EQ(ground[static_cast<std::size_t>(y) * 150 + x], hilly(200 + x, 300 + y))
+                << x << ", " << y;
+    EXPECT_EQ(document.state.georeference->transform,
+              (std::array<double, 6>{west + 1995, 10, 0, north - 5990, 0, -20}));
+
+    // A window between samples takes those around it; one beyond the edge ends there.
+    io::ImportSettings settings = window({200, 300}, {150, 80});
+    settings.window->west -= 1;
+    settings.window->south -= 1;
+    EXPECT_EQ(io::open_document(whole, settings).state.grid, (Grid{151, 81, 10, 20}));
+    settings.window->east = west + 1e6;
+    EXPECT_EQ(io::open_document(whole, settings).state.grid, (Grid{whole_size.x - 199, 81, 10, 20}));
+    for (const io::FileWindow bad :
+         {io::FileWindow{west + 500, north - 500, west + 100, north - 100}, io::FileWindow{0, 0, 10, 10},
+          io::FileWindow{west + 13, north - 33, west + 13, north - 33}}) {
+        settings.window = bad;
+        EXPECT_NE(refusal([&] { io::open_document(whole, settings); }).find("whole.tif"), std::string::npos);
+    }
+}
+
+TEST_F(CutOuts, AreKnownFromDocumentsAndJournals) {
+    const fs::path whole = write_whole("whole.tif", hilly);
+    const io::ImportSettings settings = window({10, 20}, {64, 70});
+    const io::Document document = io::open_document(whole, settings);
+    ASSERT_TRUE(document.cut_out);
+    EXPECT_EQ(io::import_settings_from(io::to_text(settings)).window, settings.window);
+    io::save_document(path("work.exr"), document);
+    io::Document again = io::open_document(path("work.exr"), {});
+    ASSERT_TRUE(again.cut_out);
+    EXPECT_EQ(again.cut_out->path, document.cut_out->path);
+    EXPECT_EQ(again.cut_out->fingerprint, document.cut_out->fingerprint);
+    EXPECT_FALSE(again.cut_out->import.window);
+    EXPECT_EQ(state_hash(again.state), state_hash(document.state));
+    const io::TiledFile file(whole, {});
+    EXPECT_EQ(io::first_sample_in(file, again.state.grid, again.state.georeference), glm::ivec2(10, 20));
+    // Both were moved to another folder.
+    fs::create_directory(path("moved"));
+    fs::rename(whole, path("moved/whole.tif"));
+    fs::rename(path("work.exr"), path("moved/work.exr"));
+    again = io::open_document(path("moved/work.exr"), {});
+    EXPECT_EQ(again.cut_out->path, path("moved/whole.tif"));
+    // A window is of a raster, not of a document.
+    EXPECT_NE(refusal([&] { io::open_document(path("moved/work.exr"), settings); }).find("--window"),
+              std::string::npos);
+}
+
+TEST_F(CutOuts, ArePutBackAndTheRestKeepsItsBits) {
+    const fs::path whole = write_whole("whole.tif", hilly);
+    const std::string bytes = io::read_text(whole);
+    io::Document document = io::open_document(whole, window({200, 300}, {150, 80}));
+    raise(document, {30, 20}, {60, 50}, 25);
+    const std::optional<io::PutBack> done = io::put_back(document, {path("out.vrt"), 0}, {});
+    ASSERT_TRUE(done);
+    EXPECT_EQ(done->changed, 30 * 30);
+    EXPECT_EQ(done->rectangle.first, glm::ivec2(0));
+    EXPECT_EQ(done->rectangle.count, glm::ivec2(512));
+    EXPECT_EQ(io::read_text(whole), bytes);
+
+    const io::TiledFile before(whole, {});
+    const io::TiledFile after(path("out.vrt"), {});
+    EXPECT_EQ(after.grid(), before.grid());
+    EXPECT_EQ(after.georeference(), before.georeference());
+    EXPECT_EQ(after.level_places(), before.level_places());
+    ASSERT_EQ(after.levels(), before.levels());
+    std::vector<float> expected = level_of(before, 0);
+    for (int y = 320; y < 350; ++y)
+        for (int x = 230; x < 260; ++x) expected[static_cast<std::size_t>(y) * whole_size.x + x] += 25;
+    EXPECT_EQ(different(level_of(after, 0), expected), 0U);
+    // Levels are what `talus tile` would make of the changed whole.
+    io::TiledSource changed = before.source();
+    changed.make_reader = [&]() -> ReadSamples {
+        return [&](int, const TileSamples& samples, std::vector<float>& heights) {
+            heights.clear();
+            for (int y = 0; y < samples.count.y; ++y)
+                for (int x = 0; x < samples.count.x; ++x)
+                    heights.push_back(expected[static_cast<std::size_t>(samples.first.y + y) * whole_size.x +
+                                               samples.first.x + x]);
+        };
+    };
+    ASSERT_TRUE(io::write_tiled(path("changed.tif"), changed, {}));
+    const io::TiledFile made(path("changed.tif"), {});
+    for (int level = 1; level < static_cast<int>(before.levels().size()); ++level) {
+        EXPECT_EQ(different(level_of(after, level), level_of(made, level)), 0U) << level;
+        EXPECT_GT(different(level_of(after, level), level_of(before, level)), 0U) << level;
+    }
+}
+
+TEST_F(CutOuts, ReachTheWholesFarCorner) {
+    const fs::path whole = write_whole("whole.tif", hilly);
+    io::Document document = io::open_document(whole, window(whole_size - 90, {90, 90}));
+    raise(document, {80, 80}, {90, 90}, 3);
+    const std::optional<io::PutBack> done = io::put_back(document, {path("out.vrt"), 200}, {});
+    ASSERT_TRUE(done);
+    // No feather where the whole itself ends.
+    EXPECT_EQ(done->changed, 100);
+    EXPECT_EQ(done->rectangle.first + done->rectangle.count, whole_size);
+    const io::TiledFile before(whole, {});
+    const io::TiledFile after(path("out.vrt"), {});
+    for (int level = 0; level < static_cast<int>(before.levels().size()); ++level) {
+        const std::vector<float> a = level_of(after, level);
+        const std::vector<float> b = level_of(before, level);
+        EXPECT_NE(a.back(), b.back()) << level;
+        EXPECT_EQ(a.front(), b.front()) << level;
+    }
+}
+
+TEST_F(CutOuts, FadeIntoTheWholeWithinAFeather) {
+    const fs::path whole = write_whole("whole.tif", hilly);
+    io::Document document = io::open_document(whole, window({200, 300}, {150, 80}));
+    raise(document, {0, 0}, {150, 80}, 10);
+    ASSERT_TRUE(io::put_back(document, {path("out.vrt"), 200}, {}));
+    const io::TiledFile after(path("out.vrt"), {});
+    const std::vector<float> heights = level_of(after, 0);
+    const auto raised = [&](int x, int y) {
+        return heights[static_cast<std::size_t>(300 + y) * whole_size.x + 200 + x] - hilly(200 + x, 300 + y);
+    };
+    for (int x = 0; x < 150; ++x) {
+        EXPECT_EQ(raised(x, 0), 0) << x;
+        EXPECT_EQ(raised(x, 79), 0) << x;
+    }
+    EXPECT_EQ(raised(0, 40), 0);
+    EXPECT_EQ(raised(149, 40), 0);
+    EXPECT_NEAR(raised(10, 40), 5, 1e-3);  // in the middle of the feather
+    EXPECT_NEAR(raised(20, 40), 10, 1e-3);
+    for (int x = 1; x <= 20; ++x) EXPECT_GT(raised(x, 40), raised(x - 1, 40)) << x;
+    for (const double bad : {-1.0, std::nan("")})
+        EXPECT_NE(refusal([&] {
+                      io::put_back(document, {path("out.vrt"), bad}, {});
+                  }).find("feather"),
+                  std::string::npos);
+}
+
+TEST_F(CutOuts, KeepVoidsThatNothingFilled) {
+    const fs::path whole = write_whole("whole.tif", hilly_with_a_hole, -32768.0F);
+    io::Document document = io::open_document(whole, window({280, 330}, {100, 60}));
+    raise(document, {0, 0}, {40, 30}, 4);  // its last columns and rows lie in the hole
+    ASSERT_TRUE(io::put_back(document, {path("out.vrt"), 0}, {}));
+    const io::TiledFile before(whole, {});
+    const io::TiledFile after(path("out.vrt"), {});
+    const std::vector<float> old_heights = level_of(before, 0);
+    const std::vector<float> heights = level_of(after, 0);
+    for (int y = 0; y < whole_size.y; ++y)
+        for (int x = 0; x < whole_size.x; ++x) {
+            const std::size_t at = static_cast<std::size_t>(y) * whole_size.x + x;
+            const bool worked_on = x >= 280 && x < 320 && y >= 330 && y < 360;
+            ASSERT_EQ(std::isnan(heights[at]), !worked_on && std::isnan(hilly_with_a_hole(x, y)))
+                << x << ", " << y;
+            if (!worked_on && !std::isnan(old_heights[at])) {
+                ASSERT_EQ(heights[at], old_heights[at]);
+            }
+        }
+}
+
+TEST_F(CutOuts, AreCutOutOfWhatWasPutBack) {
+    const fs::path whole = write_whole("whole.tif", hilly);
+    io::Document first = io::open_document(whole, window({100, 100}, {50, 50}));
+    raise(first, {10, 10}, {20, 20}, 5);
+    ASSERT_TRUE(io::put_back(first, {path("a.vrt"), 0}, {}));
+    io::Document second = io::open_document(path("a.vrt"), window({115, 100}, {50, 50}));
+    raise(second, {0, 0}, {10, 20}, 7);
+    ASSERT_TRUE(io::put_back(second, {path("b.vrt"), 0}, {}));
+    const std::vector<float> heights = level_of(io::TiledFile(path("b.vrt"), {}), 0);
+    const auto raised = [&](int x, int y) {
+        return heights[static_cast<std::size_t>(y) * whole_size.x + x] - hilly(x, y);
+    };
+    EXPECT_NEAR(raised(112, 115), 5, 1e-3);
+    EXPECT_NEAR(raised(117, 115), 12, 1e-3);
+    EXPECT_NEAR(raised(122, 115), 7, 1e-3);
+    EXPECT_EQ(raised(130, 115), 0);
+    // What it is made of is not written to, however deep it lies.
+    io::Document third = io::open_document(path("b.vrt"), window({115, 100}, {50, 50}));
+    raise(third, {0, 0}, {10, 20}, 7);
+    for (const char* const name : {"a.vrt", "b.vrt"}) {
+        const std::string before = io::read_text(path(name));
+        EXPECT_NE(refusal([&] { io::put_back(third, {path(name), 0}, {}); }).find(name), std::string::npos);
+        EXPECT_EQ(io::read_text(path(name)), before);
+    }
+    // Again to the same place: the new patch alone.
+    raise(second, {0, 0}, {10, 20}, 1);
+    ASSERT_TRUE(io::put_back(second, {path("b.vrt"), 0}, {}));
+    EXPECT_NEAR(
+        level_of(io::TiledFile(path("b.vrt"), {}), 0)[static_cast<std::size_t>(115) * whole_size.x + 122] -
+            hilly(122, 115),
+        8, 1e-3);
+}
+
+TEST_F(CutOuts, AreRefusedWhereTheyHaveNoPlace) {
+    const fs::path whole = write_whole("whole.tif", hilly);
+    io::Document document = io::open_document(whole, window({200, 300}, {80, 80}));
+    const auto refused = [&](const io::Document& what, const char* name = "out.vrt") {
+        return refusal([&] { io::put_back(what, {path(name), 0}, {}); });
+    };
+    EXPECT_NE(refused(document).find("nothing is to be put back"), std::string::npos);
+    raise(document, {5, 5}, {9, 9}, 2);
+    EXPECT_NE(refused(document, "out.tif").find(".vrt"), std::string::npos);
+    EXPECT_NE(refused(document, "no/such/folder/out.vrt").find("no/such/folder"), std::string::npos);
+
+    io::Document changed = document;
+    changed.cut_out.reset();
+    EXPECT_NE(refused(changed).find("--window"), std::string::npos);
+    changed = document;
+    changed.state = turned(document.state, 2);
+    EXPECT_NE(refused(changed).find("turned or resampled"), std::string::npos);
+    changed.state = resampled(document.state, 40, 40);
+    EXPECT_NE(refused(changed).find("turned or resampled"), std::string::npos);
+    // A crop has its place still.
+    changed.state = cropped(document.state, {0, 0, 400, 1580});
+    const std::optional<io::PutBack> done = io::put_back(changed, {path("crop.vrt"), 0}, {});
+    ASSERT_TRUE(done);
+    EXPECT_EQ(done->changed, 16);
+    EXPECT_FLOAT_EQ(
+        level_of(io::TiledFile(path("crop.vrt"), {}), 0)[static_cast<std::size_t>(306) * whole_size.x + 206],
+        hilly(206, 306) + 2);
+
+    // Ended half way: nothing is there.
+    EXPECT_FALSE(io::put_back(document, {path("ended.vrt"), 0}, [](double) { return false; }));
+    EXPECT_FALSE(fs::exists(path("ended.vrt")));
+    EXPECT_FALSE(fs::exists(path("ended.parts")));
+    fs::rename(whole, path("gone.tif"));
+    EXPECT_NE(refused(document).find("whole.tif"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace talus::cut_out_test
