@@ -76,7 +76,8 @@ const Method& Renderer::method_of(const ViewSettings& settings, const char* use,
 Drawn Renderer::draw(const Terrain& terrain, const Camera& camera, const ViewSettings& settings, int width,
                      int height, const Ring& ring) {
     resize(width, height);
-    const Picture picture{camera, settings, width, height, terrain.tiles.now()};
+    const Picture picture{
+        camera, settings, width, height, terrain.tiles.now(), backdrop_ ? backdrop_->changes() : 0};
     // If drawing throws half way, the next draw starts from scratch.
     const std::optional<Picture> before = std::exchange(drawn_, std::nullopt);
     const Drawn drawn = redraw(terrain, picture, before);
@@ -107,7 +108,7 @@ bool Renderer::refine(const Terrain& terrain, int samples) {
     method_of(picture.settings, " refined ", redraws_blocks)(
         {terrain, pyramid_, picture.camera, picture.width, picture.height, picture.settings.tolerance_px,
          patch_pixels_, target.framebuffer(), nullptr, picture.settings.numbers});
-    colour(terrain, picture, target.hits(), refinement_.colour_buffer(), nullptr);
+    colour(terrain, picture, target.hits(), refinement_.colour_buffer(), nullptr, false);
     refinement_.add(refinement_.colour(), picture.width, picture.height);
     if (ringed_) draw_ring(terrain.grid());
     return true;
@@ -164,11 +165,11 @@ void Renderer::follow_sky(const Terrain& terrain, const ViewSettings& settings) 
 }
 
 void Renderer::shade(const Terrain& terrain, const Picture& picture, const Redraw* redraw) {
-    colour(terrain, picture, target_.hits(), colour_buffer_, redraw);
+    colour(terrain, picture, target_.hits(), colour_buffer_, redraw, true);
 }
 
 void Renderer::colour(const Terrain& terrain, const Picture& picture, const gpu::Texture& hits,
-                      const gpu::Framebuffer& target, const Redraw* redraw) {
+                      const gpu::Framebuffer& target, const Redraw* redraw, bool is_kept) {
     const bool watered = water_ && is_natural(picture.settings);
     if (watered && ground_colour_.width() == 0) {
         ground_colour_ =
@@ -179,11 +180,17 @@ void Renderer::colour(const Terrain& terrain, const Picture& picture, const gpu:
     const ShadeFrame frame{picture.camera, picture.settings,
                            picture.width,  picture.height,
                            hits,           watered ? ground_colour_buffer_ : target};
-    shading_.draw(frame, shaded_ground(terrain, pyramid_, sky_view_, picture.settings.view), redraw);
-    if (!watered) return;
-    water_->cast(terrain, picture.camera, picture.width, picture.height);
-    water_shading_.draw({picture.camera, picture.settings, picture.width, picture.height, hits, target},
-                        terrain, pyramid_, *water_, ground_colour_);
+    ShadedGround ground = shaded_ground(terrain, pyramid_, sky_view_, picture.settings.view);
+    if (backdrop_) ground.beside = backdrop_->beside(frame);
+    shading_.draw(frame, ground, redraw);
+    const ShadeFrame over{picture.camera, picture.settings, picture.width, picture.height, hits, target};
+    if (watered) {
+        water_->cast(terrain, picture.camera, picture.width, picture.height);
+        water_shading_.draw(over, terrain, pyramid_, *water_, ground_colour_, extent_m(ground));
+    }
+    if (backdrop_)
+        backdrop_->draw(
+            {over, watered ? &water_->target().hits() : nullptr, ground, picture.changes, is_kept});
 }
 
 // What the ring can cover: the box around it, from the lowest to the highest ground. All of the picture where
@@ -248,7 +255,7 @@ std::vector<std::uint8_t> Renderer::read_rgb(int width, int height) const {
 }
 
 std::vector<float> Renderer::read_depth(int width, int height) const {
-    return read_picture_depth(target_, width, height);
+    return read_picture_depth(backdrop_ ? backdrop_->nearest() : target_, width, height);
 }
 
 void Renderer::follow_bounds(bool again) {

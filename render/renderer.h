@@ -12,6 +12,7 @@
 #include "render/refinement.h"
 #include "render/ring.h"
 #include "render/shading.h"
+#include "render/tiled/backdrop.h"
 #include "render/view.h"
 #include "render/water_shading.h"
 #include "render/water_surface.h"
@@ -40,6 +41,11 @@ class Renderer {
     bool refine(const Terrain& terrain, int samples);
     /// The next draw() draws everything.
     void forget() { drawn_.reset(); }
+    /// What stands around the terrain in its pictures from now on; null: nothing. It must outlive that.
+    void stand_before(Backdrop* backdrop) {
+        backdrop_ = backdrop;
+        forget();
+    }
     /// An image over the whole terrain (render/shading.h).
     void drape(int width, int height, std::span<const std::byte> rgba);
 
@@ -48,7 +54,7 @@ class Renderer {
         return ringed_ ? ringed_buffer_ : refined() ? refinement_.mean_buffer() : colour_buffer_;
     }
     /// Distance in metres along each pixel's normalised ray (infinity: nothing hit) and steps.
-    const gpu::Texture& hits() const { return target_.hits(); }
+    const gpu::Texture& hits() const { return backdrop_ ? backdrop_->hits() : target_.hits(); }
     const Pyramid& pyramid() const { return pyramid_; }
 
     /// The picture with its ring, top row first; waits for the device.
@@ -66,6 +72,7 @@ class Renderer {
         int width = 0;
         int height = 0;
         std::uint64_t changes = 0;
+        std::uint64_t around = 0;  // of what stands around
         bool operator==(const Picture&) const = default;
     };
 
@@ -78,12 +85,13 @@ class Renderer {
     void shade(const Terrain& terrain, const Picture& picture, const Redraw* redraw);
     /// Colours the hits into the target, water included; a redraw is for terrain without water alone.
     void colour(const Terrain& terrain, const Picture& picture, const gpu::Texture& hits,
-                const gpu::Framebuffer& target, const Redraw* redraw);
+                const gpu::Framebuffer& target, const Redraw* redraw, bool is_kept);
     void draw_ring(const Grid& grid);
     gpu::Region ring_region(const Picture& picture) const;
 
     Pyramid pyramid_;
     SkyView sky_view_;
+    Backdrop* backdrop_ = nullptr;
     Redraw redraw_;
     std::optional<Picture> drawn_;
     std::optional<std::uint64_t> refreshed_changes_;  // of the terrain that the pyramid knows

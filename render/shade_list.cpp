@@ -10,7 +10,7 @@ constexpr std::size_t shade_head_words = 2 * glsl::draw_words;
 
 }  // namespace
 
-void ShadeList::make(const gpu::Texture& hits, int width, int height) {
+void ShadeList::make(const gpu::Texture& hits, int width, int height, bool skips_walls) {
     const glm::ivec2 blocks = blocks_of(width, height);
     blocks_ = static_cast<std::size_t>(blocks.x) * blocks.y;
     const std::size_t bytes = (shade_head_words + 2 * blocks_) * sizeof(std::uint32_t);
@@ -21,6 +21,7 @@ void ShadeList::make(const gpu::Texture& hits, int width, int height) {
     program_.bind_storage("ShadeBlocks", words_);
     program_.set("blocks", blocks);
     program_.set("size", glm::ivec2(width, height));
+    program_.set("skips_walls", skips_walls ? 1 : 0);
     const glm::ivec2 groups = large_blocks_of(blocks);
     program_.dispatch(groups.x, groups.y);
     gpu::barrier({gpu::Use::storage, gpu::Use::indirect, gpu::Use::buffer_transfer});

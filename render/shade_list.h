@@ -14,8 +14,9 @@ class ShadeList {
   public:
     ShadeList() : program_("render/shade_list.comp") {}
 
-    /// From a picture's hits: infinite where there are none.
-    void make(const gpu::Texture& hits, int width, int height);
+    /// From a picture's hits: infinite where there are none. skips_walls: those with a detail below 0 are
+    /// none too.
+    void make(const gpu::Texture& hits, int width, int height, bool skips_walls = false);
     BlockList nothing() const;
     BlockList something() const;
 

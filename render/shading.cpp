@@ -19,6 +19,10 @@ void Shading::drape(int width, int height, std::span<const std::byte> rgba) {
     drape_.filter(gpu::Wrap::edge);
 }
 
+double extent_m(const ShadedGround& ground) {
+    return ground.beside ? ground.beside->extent_m : std::max(ground.grid.width_m(), ground.grid.height_m());
+}
+
 ShadedGround shaded_ground(const Terrain& terrain, const Pyramid& pyramid, const SkyView& sky,
                            const std::string& view) {
     const auto layer = view_named(view).layer;
@@ -41,6 +45,8 @@ gpu::Program& Shading::program_of(const View& view, const ViewSettings& settings
     defines.emplace_back(ground.tiled ? "GROUND_FILE render/tile_ground.glsl"
                                       : "GROUND_FILE render/whole_ground.glsl");
     if (ground.tiled) defines.emplace_back("TILED");
+    if (ground.has_hole) defines.emplace_back("HOLE");
+    if (ground.beside) defines.emplace_back("BESIDE");
     if (view.natural) defines.emplace_back("NATURAL");
     if (view.sky_too) defines.emplace_back("SKY_TOO");
     if (sky) {
@@ -73,14 +79,19 @@ void Shading::draw(const ShadeFrame& frame, const ShadedGround& ground, const Re
         set_camera(program, grid, frame.camera, frame.width, frame.height);
         ground.bind(program);
         program.set("sun", glm::vec3(frame.settings.sun));
-        program.set("extent_m", static_cast<float>(std::max(grid.width_m(), grid.height_m())));
+        program.set("extent_m", static_cast<float>(extent_m(ground)));
+        if (ground.beside) {
+            program.set("beside_range_m", glm::vec2(ground.beside->range_m));
+            program.set("beside_first", glm::vec2(ground.beside->first));
+            program.bind_sampled("beside_shadow", *ground.beside->shadow);
+        }
         program.set("pixel_angle", static_cast<float>(pixel_at_one_metre(frame.camera, frame.height)));
         program.set("gravity", static_cast<float>(frame.settings.gravity_m_per_s2));
         for (const ViewNumber& number : view.numbers)
             program.set(number.uniform.c_str(), static_cast<float>(number.in(frame.settings)));
     };
     const bool skips_sky = !redraw && !view.sky_too;
-    if (!redraw) list_.make(frame.hits, frame.width, frame.height);
+    if (!redraw) list_.make(frame.hits, frame.width, frame.height, ground.has_hole);
     gpu::Program& coloured = program_of(view, frame.settings, false, ground);
     if (redraw) {
         prepare(coloured);

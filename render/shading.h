@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -23,6 +24,14 @@ struct ShadeFrame {
     const gpu::Framebuffer& target;
 };
 
+/// What of another ground in the same picture matters to the colours of this one (render/tiled/backdrop.h).
+struct Beside {
+    glm::dvec2 range_m;          ///< lowest and highest of both
+    double extent_m = 0;         ///< of the larger one
+    glm::ivec2 first{0};         ///< where among the other's columns and rows this one's first is
+    const gpu::Texture* shadow;  ///< 1 at pixels whose hit the other one shades
+};
+
 /// The ground as the shader that colours a picture reads it.
 struct ShadedGround {
     const Grid& grid;
@@ -30,7 +39,11 @@ struct ShadedGround {
     bool has_layer = true;      ///< it has what the view shows
     bool has_sky_share = true;  ///< it knows what of the sky each place sees
     std::function<void(gpu::Program&)> bind;
+    bool has_hole = false;                        ///< in which another one stands
+    std::optional<Beside> beside = std::nullopt;  ///< the other one; none: it is alone
 };
+/// What sets the haze.
+double extent_m(const ShadedGround& ground);
 ShadedGround shaded_ground(const Terrain& terrain, const Pyramid& pyramid, const SkyView& sky,
                            const std::string& view);
 

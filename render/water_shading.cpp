@@ -17,7 +17,7 @@ WaterShading::WaterShading()
       quick_(water_program({})) {}
 
 void WaterShading::draw(const ShadeFrame& frame, const Terrain& terrain, const Pyramid& pyramid,
-                        const WaterSurface& water, const gpu::Texture& colours) {
+                        const WaterSurface& water, const gpu::Texture& colours, double extent_m) {
     const Grid& grid = terrain.grid();
     list_.make(water.target().hits(), frame.width, frame.height);
     const auto bind = [&](gpu::Program& program) {
@@ -31,7 +31,7 @@ void WaterShading::draw(const ShadeFrame& frame, const Terrain& terrain, const P
     gpu::Program& program = frame.settings.quick ? quick_ : mirroring_;
     set_camera(program, grid, frame.camera, frame.width, frame.height);
     program.set("sun", glm::vec3(frame.settings.sun));
-    program.set("extent_m", static_cast<float>(std::max(grid.width_m(), grid.height_m())));
+    program.set("extent_m", static_cast<float>(extent_m));
     program.set("gravity", static_cast<float>(frame.settings.gravity_m_per_s2));
     program.set("pixel_angle", static_cast<float>(pixel_at_one_metre(frame.camera, frame.height)));
     const glm::ivec2 size(frame.width, frame.height);

@@ -12,8 +12,9 @@ class WaterShading {
     WaterShading();
 
     /// The frame's hits and the colours are the ground's; the water must have been cast for the same camera.
+    /// extent_m: as of the ground, for the haze.
     void draw(const ShadeFrame& frame, const Terrain& terrain, const Pyramid& pyramid,
-              const WaterSurface& water, const gpu::Texture& colours);
+              const WaterSurface& water, const gpu::Texture& colours, double extent_m);
 
   private:
     ShadeList list_;

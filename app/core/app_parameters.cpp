@@ -88,6 +88,8 @@ std::vector<Parameter> app_parameters() {
             "Memory of the device that heights in tiles may take; where the view needs more, it is coarser."),
         whole("tiles.host_mib", 512, 16, 1 << 20, "MiB",
               "Memory that reading files in tiles may keep of them."),
+        toggle("tiles.backdrop", true,
+               "Around a terrain that was cut out of a raster stands the rest of it."),
         whole("undo.memory_mib", 1024, 1, 1 << 20, "MiB",
               "Memory that the history may take, packed; the oldest acts go first."),
     };

@@ -43,9 +43,29 @@ TiledScene open_tiled_scene(const SceneRequest& request,
     return scene;
 }
 
+void open_whole(Scene& scene, const std::function<Progress(const std::string& path)>& begin_progress) {
+    const std::optional<io::CutOut>& cut_out = scene.document.cut_out;
+    if (!cut_out || !scene.view.toggle("tiles.backdrop")) return;
+    std::vector<std::string>& notes = scene.document.notes;
+    try {
+        io::limit_read_memory(static_cast<std::size_t>(scene.view.whole("tiles.host_mib")) << 20);
+        scene.whole = std::make_shared<const TiledTerrain>(
+            open_tiled(cut_out->path.string(), cut_out->import, begin_progress));
+        if (scene.whole->file.fingerprint() != cut_out->fingerprint)
+            notes.push_back(
+                fmt::format("'{}' was changed since this was cut out of it", cut_out->path.string()));
+    } catch (const Error& error) {
+        notes.push_back(fmt::format("what stands around is not shown: {}", error.what()));
+    }
+}
+
 Scene open_scene(const SceneRequest& request,
                  const std::function<Progress(const std::string& path)>& begin_progress) {
-    if (!is_in_tiles(request)) return make_scene(request);
+    if (!is_in_tiles(request)) {
+        Scene scene = make_scene(request);
+        open_whole(scene, begin_progress);
+        return scene;
+    }
     TiledScene opened = open_tiled_scene(request, begin_progress);
     io::Document stand_in;
     const Grid small{17, 17, 1, 1};

@@ -23,6 +23,10 @@ struct TiledScene {
 TiledScene open_tiled_scene(const SceneRequest& request,
                             const std::function<Progress(const std::string& path)>& begin_progress);
 
+/// Opens what the scene's terrain was cut out of, for pictures (`tiles.backdrop`). Where that cannot be
+/// shown, a note of the document says why.
+void open_whole(Scene& scene, const std::function<Progress(const std::string& path)>& begin_progress);
+
 /// The scene that a window opens: one in tiles, or one to work in (make_scene()).
 Scene open_scene(const SceneRequest& request,
                  const std::function<Progress(const std::string& path)>& begin_progress);

@@ -36,6 +36,8 @@ struct Scene {
     /// The terrain in tiles that is looked at. Then the document is a stand-in that nobody sees. Null: the
     /// document's terrain is.
     std::shared_ptr<const TiledTerrain> tiles{};
+    /// The raster that the document's terrain was cut out of, to be shown around it. Null: there is none.
+    std::shared_ptr<const TiledTerrain> whole{};
 };
 
 /// The parameters of a scene.

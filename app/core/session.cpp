@@ -43,6 +43,7 @@ void Session::start(Scene scene) {
     simulation_ = std::move(simulation);
     renderer_ = std::move(renderer);
     overflight_ = std::move(overflight);
+    follow_surroundings();
     wave_note_ = app::wave_note(scene_.document.state, simulation_->parameters());
     gauges_ = Gauges(grid());
     balances_.clear();
@@ -56,6 +57,16 @@ void Session::start(Scene scene) {
     forget_rectangle();
     suggest_for_terrain();
     frame_terrain();
+}
+
+// Of the terrain as it is now: it may have been cropped, turned or resampled, or none of that any more.
+void Session::follow_surroundings() {
+    renderer_->stand_before(nullptr);
+    surroundings_.reset();
+    if (!scene_.view.toggle("tiles.backdrop")) return;
+    surroundings_ =
+        surroundings_of(scene_, simulation_->terrain().grid(), simulation_->moment_state().georeference);
+    if (surroundings_) renderer_->stand_before(&surroundings_->backdrop());
 }
 
 // Sizes and edges that were set for another terrain do not hold for this one.
@@ -97,6 +108,7 @@ void Session::follow_terrain() {
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
     bounds_ = {*low, *high};
     scene_.document.state.grid = grid();
+    follow_surroundings();
     // A picture over the terrain before is not one over this.
     scene_.texture = {};
     gauges_ = Gauges(grid());
@@ -114,6 +126,7 @@ void Session::frame_terrain() {
 
 render::Drawn Session::draw(const render::ViewSettings& settings, glm::ivec2 size, const render::Ring& ring) {
     if (overflight_) return overflight_->draw(camera_, settings, size);
+    if (surroundings_) surroundings_->follow(camera_, size, settings.tolerance_px);
     return renderer_->draw(simulation_->terrain(), camera_, settings, size.x, size.y, ring);
 }
 
@@ -145,19 +158,24 @@ Still Session::still(glm::ivec2 size) {
     const render::ViewSettings settings = render::view_settings(scene_.view, simulation_->parameters());
     if (overflight_) render::check_view_of_tiles(settings);
     const StillPainter painter = overflight_ ? overflight_->painter(settings)
-                                             : painter_of(*renderer_, simulation_->terrain(), settings);
+                                 : surroundings_
+                                     ? surroundings_->painter(*renderer_, simulation_->terrain(), settings)
+                                     : painter_of(*renderer_, simulation_->terrain(), settings);
     Still still = draw_still(painter, camera_, legends(settings), size, scene_.view.whole("render.samples"));
     forget_picture();
     return still;
 }
 
 std::optional<GroundSamples> Session::ground_samples(glm::dvec2 place_m) const {
-    return overflight_ ? ground_samples_of(overflight_->surface(), place_m)
-                       : ground_samples_of(simulation_->terrain(), place_m);
+    if (overflight_) return ground_samples_of(overflight_->surface(), place_m);
+    const auto inside = ground_samples_of(simulation_->terrain(), place_m);
+    if (inside || !surroundings_) return inside;
+    const glm::dvec3 over = surroundings_->backdrop().camera_over_tiles({{place_m, 0}, {place_m, 1}}).eye;
+    return ground_samples_of(surroundings_->tiles().surface(), {over.x, over.y});
 }
 
 void Session::follow_height(std::optional<double> ground_m) {
-    if (!overflight_) return;
+    if (!tiles()) return;
     // The ground below passes by as fast wherever the camera flies.
     constexpr double heights_per_s = 1.5;
     constexpr double slowest_m_per_s = 5;
@@ -261,6 +279,7 @@ void Session::set(const std::string& name, const Value& value) {
     }
     scene_.view.set(name, value);
     follow_undo_memory();
+    if (name == "tiles.backdrop") follow_surroundings();
 }
 
 void Session::unset(const std::string& name) {
@@ -268,6 +287,7 @@ void Session::unset(const std::string& name) {
     scene_.view.reset(name);
     suggest_for_terrain();
     follow_undo_memory();
+    if (name == "tiles.backdrop") follow_surroundings();
 }
 
 void Session::follow_undo_memory() {

@@ -11,6 +11,7 @@
 #include "app/core/overflight.h"
 #include "app/core/scene.h"
 #include "app/core/sculpting.h"
+#include "app/core/surroundings.h"
 #include "app/core/tick_pacing.h"
 #include "render/renderer.h"
 #include "sim/gpu/context.h"
@@ -30,6 +31,12 @@ class Session {
     render::Renderer& renderer() { return *renderer_; }
     /// The terrain in tiles that is looked at instead of the simulation's. Null: the simulation's terrain is.
     const Overflight* overflight() const { return overflight_.get(); }
+    /// What stands around the terrain in pictures; null: nothing.
+    const Surroundings* surroundings() const { return surroundings_.get(); }
+    /// The tiles that pictures are made of, around the terrain or in its place; null: none.
+    const PagedTiles* tiles() const {
+        return overflight_ ? &overflight_->tiles() : surroundings_ ? &surroundings_->tiles() : nullptr;
+    }
     /// Parameters of drawing and of the hand: not recorded.
     Parameters& view() { return scene_.view; }
     const Parameters& view() const { return scene_.view; }
@@ -68,9 +75,9 @@ class Session {
     /// not known.
     void follow_height(std::optional<double> ground_m);
     /// True while tiles are read that a frame may show.
-    bool awaits_tiles() const { return overflight_ && overflight_->awaits_tiles(); }
+    bool awaits_tiles() const { return tiles() && tiles()->awaits_tiles(); }
     /// True while some have come for a frame.
-    bool has_tiles() const { return overflight_ && overflight_->has_news(); }
+    bool has_tiles() const { return tiles() && tiles()->has_news(); }
     /// Throws talus::Error where the terrain is in tiles: it can be looked at, and not changed or written.
     void check_editable() const;
 
@@ -141,7 +148,9 @@ class Session {
     void poll() { simulation_->poll_undo(); }
     /// What is to be told that nobody asked for, once.
     std::optional<std::string> take_message() {
-        return overflight_ ? overflight_->take_message() : std::nullopt;
+        return overflight_     ? overflight_->tiles().take_message()
+               : surroundings_ ? surroundings_->tiles().take_message()
+                               : std::nullopt;
     }
 
     /// Reads the ledger now. Waits for the device: an act, not part of a frame.
@@ -162,6 +171,7 @@ class Session {
     void start(Scene scene);
     /// Makes anew what hangs on the terrain's size, where another one took its place.
     void follow_terrain();
+    void follow_surroundings();
     void suggest_for_terrain();
     void forget_rectangle();
     void follow_undo_memory();
@@ -175,6 +185,7 @@ class Session {
     std::unique_ptr<Simulation> simulation_;
     std::unique_ptr<render::Renderer> renderer_;
     std::unique_ptr<Overflight> overflight_;
+    std::unique_ptr<Surroundings> surroundings_;
     render::Camera camera_;
     int terrain_number_ = 0;
     glm::dvec2 bounds_{0};

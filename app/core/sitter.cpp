@@ -7,6 +7,7 @@
 
 #include "app/core/calibration.h"
 #include "app/core/opening.h"
+#include "app/core/surroundings.h"
 #include "render/tiled/tile_loading.h"
 #include "render/tiled/tiled_renderer.h"
 #include "sim/error.h"
@@ -20,10 +21,11 @@ Sitter whole_sitter(const SceneRequest& request, const gpu::Device& device) {
         Scene scene;
         Terrain terrain;
         render::Renderer renderer;
+        std::unique_ptr<Surroundings> around;  // null: nothing stands around
         Held(Scene made, double patch_px)
             : scene(std::move(made)), terrain(scene.document.state), renderer(terrain, patch_px) {}
     };
-    auto held = std::make_shared<Held>(make_scene(request), patch_pixels(device));
+    auto held = std::make_shared<Held>(open_scene(request, on_terminal()), patch_pixels(device));
     const Scene& scene = held->scene;
     const std::vector<float> ground = scene.document.state.ground();
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
@@ -38,7 +40,10 @@ Sitter whole_sitter(const SceneRequest& request, const gpu::Device& device) {
     sitter.samples = scene.view.whole("render.samples");
     sitter.legends = render::legend_of(settings, *low, *high);
     sitter.notes = scene.document.notes;
-    sitter.painter = painter_of(held->renderer, held->terrain, settings);
+    held->around = surroundings_of(scene, sitter.grid, scene.document.state.georeference);
+    if (held->around) held->renderer.stand_before(&held->around->backdrop());
+    sitter.painter = held->around ? held->around->painter(held->renderer, held->terrain, settings)
+                                  : painter_of(held->renderer, held->terrain, settings);
     sitter.held = held;
     return sitter;
 }

@@ -177,11 +177,13 @@ void draw_status_line(const Session& session, const StatusFigures& figures, int 
                 ? fmt::format("  |  height {:.1f} m", std::round(*figures.cursor_height_m * 10) / 10 + 0.0)
                 : "  |  height –";
     if (const Overflight* overflight = session.overflight())
-        text += fmt::format("  |  {}  |  ", overflight->state());
+        text += fmt::format("  |  {}  |  ", overflight->tiles().state());
     else
         text += fmt::format("  |  {:.2f} s, speed {} of {}  |  tick {:.1f} ms, ",
                             session.simulation().clock().simulated_s, figure(session.speed_reached(), 3),
                             figure(session.view().number("time.speed"), 3), session.tick_ms());
+    if (const Surroundings* around = session.surroundings(); around && around->tiles().awaited_tiles() > 0)
+        text += fmt::format("{} tiles on their way, ", around->tiles().awaited_tiles());
     text += fmt::format("frame {:.1f} ms at {:.0f} %  |  {}", figures.frame_ms, 100 * figures.scale,
                         figures.device);
     ImDrawList* list = ImGui::GetForegroundDrawList();

@@ -18,14 +18,13 @@ void draw_profiler_panel(PanelContext& context) {
         figure_line("water", fmt::format("{} of {}", activity.water_tiles, all));
         figure_line("a tick", fmt::format("{:.2f} ms", session.tick_ms()));
     }
-    if (const Overflight* overflight = session.overflight()) {
+    if (const PagedTiles* tiles = session.tiles()) {
         heading("Tiles of the picture");
-        figure_line("drawn", fmt::format("{}", overflight->drawn_tiles()));
-        figure_line("on their way", fmt::format("{}", overflight->awaited_tiles()));
-        figure_line("there is room for", fmt::format("{}", overflight->surface().slots()));
-        figure_line(
-            "memory of the device",
-            fmt::format("{:.1f} MiB", static_cast<double>(overflight->surface().bytes()) / (1 << 20)));
+        figure_line("drawn", fmt::format("{}", tiles->drawn_tiles()));
+        figure_line("on their way", fmt::format("{}", tiles->awaited_tiles()));
+        figure_line("there is room for", fmt::format("{}", tiles->surface().slots()));
+        figure_line("memory of the device",
+                    fmt::format("{:.1f} MiB", static_cast<double>(tiles->surface().bytes()) / (1 << 20)));
     }
     heading("Passes, ms a second");
     if (context.state.passes_s <= 0) return;

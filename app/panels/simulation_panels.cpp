@@ -32,8 +32,14 @@ void draw_view_panel(PanelContext& context) {
     const bool draped = !context.session.scene().texture.rgba.empty();
     std::vector<std::string> shown;
     for (std::string& name : names_in(context.session, "render"))
-        if (changes_picture(name, context.session.view(), draped)) shown.push_back(std::move(name));
+        if (changes_picture(name, context.session.view(), draped) ||
+            (name == "render.tolerance_px" && context.session.surroundings()))
+            shown.push_back(std::move(name));
     draw_parameters(context.session, context.requests, shown);
+    if (context.session.scene().whole) {
+        heading("Around");
+        draw_parameters(context.session, context.requests, {"tiles.backdrop"});
+    }
     heading("Camera");
     draw_section(context.session, context.requests, "camera");
 }

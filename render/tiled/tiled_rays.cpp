@@ -1,22 +1,36 @@
 #include "render/tiled/tiled_rays.h"
 
+#include <utility>
+
 namespace talus::render {
 namespace {
 
-RayOptions tiled_ray_options(Detail detail) {
+RayOptions tiled_ray_options(std::vector<std::string> defines) {
     RayOptions options;
-    options.defines = {detail == Detail::steps ? "COUNT_STEPS" : "TELL_SLOT"};
+    options.defines = std::move(defines);
     options.tiled = true;
     return options;
 }
 
 }  // namespace
 
-TiledRays::TiledRays(Detail detail) : rays_(tiled_ray_options(detail)) {}
+TiledRays::TiledRays(Detail detail)
+    : rays_(tiled_ray_options({detail == Detail::steps ? "COUNT_STEPS" : "TELL_SLOT"})) {}
+
+TiledRays::TiledRays(glm::ivec2 hole_first, glm::ivec2 hole_end)
+    : hole_(Hole{hole_first, hole_end}), rays_(tiled_ray_options({"TELL_SLOT", "HOLE"})) {}
+
+void set_hole(gpu::Program& program, glm::ivec2 first, glm::ivec2 end) {
+    program.set("hole_first", first);
+    program.set("hole_end", end);
+}
 
 void TiledRays::cast(const TiledSurface& surface, const Camera& camera, glm::ivec2 size,
                      const gpu::Framebuffer& hits) {
-    const RayPicture picture{size, hits, [&](gpu::Program& program) { surface.bind(program, camera, size); }};
+    const RayPicture picture{size, hits, [&](gpu::Program& program) {
+                                 surface.bind(program, camera, size);
+                                 if (hole_) set_hole(program, hole_->first, hole_->end);
+                             }};
     rays_.cast_beams(picture);
     rays_.draw(picture);
 }

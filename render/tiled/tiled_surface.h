@@ -50,6 +50,9 @@ class TiledSurface {
     /// Which tiles a picture would want that may come after the last one; the worst first, as many as
     /// put_aside() has slots for. Those that are there already are kept for it.
     std::vector<TileId> look_ahead(const Camera& camera, glm::ivec2 size, double tolerance_px);
+    /// How far off the surface that is shown may be from the finest one, m for each metre of distance, when
+    /// all tiles are there that the last look asked for.
+    double off_m(const Camera& camera, glm::ivec2 size) const;
     /// Binds what was looked at for shaders/render/tile_surface.glsl, with the camera.
     void bind(gpu::Program& program, const Camera& camera, glm::ivec2 size) const;
 

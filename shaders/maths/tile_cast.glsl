@@ -24,24 +24,29 @@ struct TileHit {
     real distance_m;  // along the ray; < 0: nothing hit
     int steps;        // of both walks
     int slot;         // of the tile that was hit
+    bool on_wall;     // where the distances in which ground counts begin
 };
 
 // A walk through a tile that a ray comes into from another one starts at this level of its pyramid.
 const int tile_entry_level = 4;
 
 // Parameters as of cast_ray(), of the finest level. start_level: where in a pyramid over it to start; its levels from the size of
-// the finest tiles on are the tree's, but none finer than first_tile_level.
-TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_m, int start_level, int first_tile_level, real height_m) {
+// the finest tiles on are the tree's, but none finer than first_tile_level. within: distances between which ground counts; a ray
+// that is below it at the first hits there.
+TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_m, int start_level, int first_tile_level, real height_m,
+                   real2 within) {
     TileHit hit;
     hit.distance_m = real(-1);
     hit.steps = 0;
     hit.slot = 0;
+    hit.on_wall = false;
 
     real2 inverse = real2(cast_inverse(direction.x), cast_inverse(direction.y));
     real inverse_z = cast_inverse(direction.z);
     int2 side = int2(direction.x < real(0) ? 0 : 1, direction.y < real(0) ? 0 : 1);
     int2 forward = int2(2 * side.x - 1, 2 * side.y - 1);
     real2 span = cast_span(int2(0, 0), patches, load_highest() - height_m, origin_cell, fraction, direction, inverse, inverse_z, side);
+    span = real2(max(span.x, within.x), min(span.y, within.y));
     real end = span.y;
     real down = direction.z < real(0) ? direction.z : real(0);
     real up_or_level = direction.z < real(0) ? real(0) : direction.z;
@@ -125,5 +130,39 @@ TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_
             inside = hit.distance_m < real(0) && at < end && hit.steps < cast_step_limit;
         }
     } while (inside);
+    hit.on_wall = hit.distance_m >= real(0) && hit.distance_m <= within.x;
+    return hit;
+}
+
+// The same where the ground has a hole, of patches from `first` to before `end`: up to where the ray comes over it, then from where
+// it has passed it. Its sides are walls: a ray that passed it below the ground hits there.
+TileHit cast_tiles_around(int2 first, int2 end, int2 origin_cell, real2 fraction, real3 direction, real from_m, int start_level,
+                          int first_tile_level, real height_m) {
+    real2 inverse = real2(cast_inverse(direction.x), cast_inverse(direction.y));
+    int2 side = int2(direction.x < real(0) ? 0 : 1, direction.y < real(0) ? 0 : 1);
+    int2 near_edge = int2(side.x == 1 ? first.x : end.x, side.y == 1 ? first.y : end.y);
+    int2 far_edge = int2(side.x == 1 ? end.x : first.x, side.y == 1 ? end.y : first.y);
+    real2 enter = cast_planes(near_edge - origin_cell, fraction, inverse);
+    real2 leave = cast_planes(far_edge - origin_cell, fraction, inverse);
+    real2 gap = real2(max(enter.x, enter.y), min(leave.x, leave.y));
+    bool meets = gap.x < gap.y && gap.y > real(0);
+
+    TileHit hit;
+    hit.distance_m = real(-1);
+    hit.steps = 0;
+    hit.slot = 0;
+    hit.on_wall = false;
+    int part = 0;
+    bool going = true;
+    do {
+        real2 within = real2(part == 0 ? real(0) : gap.y, part == 0 && meets ? gap.x : real(1e30));
+        TileHit here = cast_tiles(origin_cell, fraction, direction, from_m, start_level, first_tile_level, height_m, within);
+        hit.distance_m = going ? here.distance_m : hit.distance_m;
+        hit.steps += going ? here.steps : 0;
+        hit.slot = going ? here.slot : hit.slot;
+        hit.on_wall = going ? here.on_wall && part == 1 : hit.on_wall;
+        part += 1;
+        going = going && meets && hit.distance_m < real(0) && part < 2;
+    } while (going);
     return hit;
 }

@@ -10,6 +10,7 @@ layout(std430) buffer ShadeBlocks { uint block_words[]; };
 
 uniform int2 blocks;
 uniform int2 size;  // of the picture
+uniform int skips_walls;  // 1: hits with a detail below 0 count as nothing
 
 const int head_words = 2 * draw_words;
 
@@ -31,7 +32,8 @@ void main() {
     bool any_hit = false;
     for (int k = 0; k < side * side; ++k) {
         int2 at = min(first + int2(k % side, k / side), size - 1);
-        any_hit = any_hit || !isinf(texelFetch(hits, at, 0).r);
+        vec2 hit = texelFetch(hits, at, 0).rg;
+        any_hit = any_hit || !(isinf(hit.r) || (skips_walls == 1 && hit.g < 0.0));
     }
     int2 block = int2(gl_LocalInvocationID.xy) * side / block_pixels;
     if (any_hit) atomicOr(seen[block.y * large_block + block.x], 1u);

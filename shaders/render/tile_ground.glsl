@@ -5,7 +5,7 @@
 #define FROM_ELSEWHERE
 #endif
 #include "render/tile_surface.glsl"
-#include "maths/tile_cast.glsl"
+#include "render/tile_hole.glsl"
 
 uniform real tile_lowest_m;
 uniform real tile_off_m;  // how far off a level may be, for each metre of distance
@@ -23,9 +23,9 @@ int2 relief_last() { return tile_patches(relief_slot).zw; }
 real2 relief_cell_m() { return cell_m / relief_tile.scale; }
 
 // A place of the picture, in columns and rows of the finest level from the eye's cell, as relief.glsl counts it. detail: of
-// the hit, the slot of its tile.
+// the hit, the slot of its tile; minus that and 1 on the wall of a hole.
 real2 relief_place_of(real2 place, real detail) {
-    relief_slot = int(detail);
+    relief_slot = int(detail < 0.0 ? -1.0 - detail : detail);
     relief_tile = load_tile(relief_slot);
     return relief_tile.fraction + (place - origin_fraction) * relief_tile.scale;
 }
@@ -38,6 +38,6 @@ real shadow_lift_m(real distance_m) { return 1e-3 * min(cell_m.x, cell_m.y) + ma
 real shadow_distance_m(real2 from, real height_m, real3 direction) {
     int2 from_cell = int2(floor(from));
     tile_start = from - origin_fraction;
-    return cast_tiles(origin_cell + from_cell, from - real2(from_cell), direction, 0.0, 30, 0, height_m).distance_m;
+    return cast_tiles_drawn(origin_cell + from_cell, from - real2(from_cell), direction, 0.0, 30, 0, height_m).distance_m;
 }
 #endif

@@ -7,7 +7,7 @@ const bool count_steps = false;
 #include "render/picture.glsl"
 #include "render/tile_surface.glsl"
 #include "render/beam_pixels.glsl"
-#include "maths/tile_cast.glsl"
+#include "render/tile_hole.glsl"
 
 layout(location = 0) out vec2 hit_out;  // distance along the ray in metres (infinity: nothing hit), detail
 uniform sampler2D beams;
@@ -17,10 +17,14 @@ void main() {
     real2 at = picture_position();
     real from_m = beam.x * length(ray_forward + at.x * ray_right + at.y * ray_up);
     // Beams stop at cells some pixels wide; a ray does best to start two levels finer, and from the tile that is drawn there.
-    TileHit hit = cast_tiles(origin_cell, origin_fraction, pixel_ray(at), from_m, max(int(beam.y) - 2, 1),
-                             int(64.0 * fract(beam.y)), 0.0);
+    TileHit hit = cast_tiles_drawn(origin_cell, origin_fraction, pixel_ray(at), from_m, max(int(beam.y) - 2, 1),
+                                   int(64.0 * fract(beam.y)), 0.0);
     hit_out = vec2(hit.distance_m < 0.0 ? uintBitsToFloat(0x7f800000u) : hit.distance_m, float(hit.steps));
 #ifdef TELL_SLOT
     hit_out.y = float(hit.slot);
+#ifdef HOLE
+    // On the wall of the hole: minus the slot and 1.
+    if (hit.on_wall) hit_out.y = -1.0 - float(hit.slot);
+#endif
 #endif
 }

@@ -266,6 +266,53 @@ TEST_P(Tiled, DrawsWhatIsThereAsItsTwin) {
     EXPECT_EQ(finer > 0, GetParam() != "spikes");
 }
 
+// Around a hole the device's hits are the twin's, bit for bit; none lies in the hole, and its walls are
+// marked.
+TEST_P(Tiled, GoesAroundAHoleAsItsTwin) {
+    const gpu::Context context;
+    const scenes::Scene scene = scenes::make(GetParam());
+    const scenes::MemoryTiles tiles(scene.grid, scene.heights, 16);
+    scenes::TiledEasel easel(tiles, size, static_cast<int>(tiles.tree().count()));
+    const glm::ivec2 patches(scene.grid.nx - 1, scene.grid.ny - 1);
+    const glm::ivec2 first = patches / 3 + 1;
+    const glm::ivec2 end = 2 * patches / 3 + 3;
+    render::TiledRays rays(first, end);
+    const render::HitsTarget target(size.x, size.y);
+    int walls = 0;
+    for (const render::NamedCamera& view : render::survey(scene.grid, scene.heights)) {
+        const render::TileChoice choice = easel.load(view.camera, 1);
+        rays.cast(easel.surface, view.camera, size, target.framebuffer());
+        const std::vector<float> shown = target.read_distances(size.x, size.y);
+        const std::vector<float> details = target.read_details(size.x, size.y);
+        maths::TileCastTwin<float> twin(tiles);
+        twin.look(choice, easel.surface, view.camera, size.x, size.y);
+        int different = 0;
+        int in_hole = 0;
+        const render::CameraRays way = render::camera_rays(view.camera, size.x, size.y);
+        for_pixels([&](glm::ivec2 pixel, std::size_t i) {
+            if (i % 5 != 0) return;
+            const glm::vec2 at = place_of(pixel);
+            const auto hit = twin.cast_pixel_around(first, end, at.x, at.y);
+            const float slot = static_cast<float>(hit.slot);
+            const float detail = hit.on_wall ? -1 - slot : slot;
+            const bool same = shown[i] == hit.distance_m && details[i] == detail;
+            different += (hit.distance_m < 0 ? std::isinf(shown[i]) : same) ? 0 : 1;
+            walls += hit.on_wall ? 1 : 0;
+            if (std::isinf(shown[i])) return;
+            const glm::dvec3 point =
+                view.camera.eye + static_cast<double>(shown[i]) *
+                                      glm::normalize(way.middle + static_cast<double>(at.x) * way.right +
+                                                     static_cast<double>(at.y) * way.up);
+            const glm::dvec2 place(scene.grid.column_of(point.x), scene.grid.row_of(point.y));
+            const glm::dvec2 inside = glm::min(place - glm::dvec2(first), glm::dvec2(end) - place);
+            in_hole += std::min(inside.x, inside.y) > 0.02 ? 1 : 0;
+        });
+        EXPECT_EQ(different, 0) << view.name;
+        EXPECT_EQ(in_hole, 0) << view.name;
+    }
+    EXPECT_GT(walls, 1000);
+}
+
 // Where all tiles are of the finest level, each view colours them as it colours the whole, but for rounding.
 TEST_P(Tiled, LooksAsTheWhole) {
     const gpu::Context context;

@@ -87,7 +87,13 @@ class TileCastTwin {
 
     TileHit cast_pixel(real x, real y) {
         return cast_tiles(origin_.cell, real2(origin_.fraction), pixel_ray(real2(x, y)), real(0), 30, 0,
-                          real(0));
+                          real(0), real2(real(0), real(1e30)));
+    }
+
+    /// The same around a hole of these patches.
+    TileHit cast_pixel_around(int2 first, int2 end, real x, real y) {
+        return cast_tiles_around(first, end, origin_.cell, real2(origin_.fraction), pixel_ray(real2(x, y)),
+                                 real(0), 30, 0, real(0));
     }
 
     int2 patches;

@@ -110,6 +110,34 @@ void draw_tiles() {
         }
 }
 
+// What stands around a terrain that was cut out of one in tiles.
+void draw_backdrop() {
+    const TileTree tree(grid, 16, halved_levels({grid.nx, grid.ny}));
+    render::TiledSurface surface(tree, std::vector<TileBounds>(tree.count()), 4);
+    const TileId coarsest = {tree.top_level(), 0, 0};
+    const glm::ivec2 count = tree.samples_of(coarsest).count;
+    surface.put(coarsest, std::vector<float>(static_cast<std::size_t>(count.x) * count.y));
+    const Grid inner{20, 20, grid.dx, grid.dy};
+    TerrainState state = bedrock_terrain(inner, std::vector<float>(inner.count(), 3));
+    state.water.assign(inner.count(), glm::vec4(1, 0, 0, 0));
+    Terrain terrain(state);
+    render::Backdrop backdrop(surface, inner, {10, 12});
+    render::Renderer renderer(terrain, 8);
+    renderer.stand_before(&backdrop);
+    const render::Camera camera = render::overview(inner, 0, 30);
+    surface.look(backdrop.camera_over_tiles(camera), {64, 48}, 1);
+    const std::vector<std::uint8_t> picture(4 * 4 * 4, 200);
+    for (const render::View& view : render::views())
+        for (int choice = 0; choice < (view.natural ? 8 : 1); ++choice) {
+            render::ViewSettings settings;
+            settings.view = view.name;
+            settings.shadows = (choice & 1) == 0;
+            settings.occlusion = (choice & 2) == 0;
+            if ((choice & 4) != 0) renderer.drape(4, 4, std::as_bytes(std::span(picture)));
+            renderer.draw(terrain, camera, settings, 64, 48);
+        }
+}
+
 TEST(Shaders, AreGlslForTheReferenceCompiler) {
     const fs::path folder = fs::temp_directory_path() / ("talus_shaders_" + std::to_string(::getpid()));
     fs::create_directories(folder);
@@ -134,6 +162,7 @@ TEST(Shaders, AreGlslForTheReferenceCompiler) {
         static_cast<void>(claims::arithmetic_of_device());
         const render::GroundDepth depth;
         draw_tiles();
+        draw_backdrop();
         for (const ThermalScheme scheme : {ThermalScheme::olsen, ThermalScheme::olsen_fast}) {
             ThermalSettings settings;
             settings.scheme = scheme;

@@ -16,9 +16,12 @@ vec3 view_colour(ViewPoint point) {
 #ifdef DRAPED
     vec3 albedo = draped(point.absolute, footprint);
 #else
-    vec3 albedo = material(point.absolute, footprint, point.share, point.height_m, point.relief);
+    vec3 albedo = material(material_place(point.absolute), footprint, point.share, point.height_m, point.relief);
 #endif
     float light = max(dot(point.normal, sun), 0.0);
+#ifdef BESIDE
+    light *= 1.0 - texelFetch(beside_shadow, ivec2(gl_FragCoord.xy), 0).r;
+#endif
     light *= light > 0.0 && !point.missed ? sunlight_at(point.place, point.ray, point.above_eye_m, point.distance_m) : 1.0;
     vec3 ambient = mix(vec3(0.16, 0.15, 0.13), vec3(0.36, 0.46, 0.62), 0.5 + 0.5 * point.normal.z) * sky_share_at(point.absolute);
     vec3 colour = albedo * (light * vec3(3.5, 3.2, 2.75) + 0.9 * ambient);

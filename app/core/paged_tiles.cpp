@@ -1,0 +1,98 @@
+#include "app/core/paged_tiles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "sim/error.h"
+
+namespace talus::app {
+namespace {
+
+// Whether the file has changed is asked no more often, and takes no more than a twentieth of the time.
+constexpr std::chrono::seconds between_looks(2);
+constexpr int share_of_looks = 20;
+
+// A still for which no tile comes for so long is given up.
+constexpr std::chrono::seconds longest_wait(20);
+
+// Reads, and now and then sees whether the file has changed. For one thread.
+ReadSamples watching(const io::TiledFile& file, std::atomic<bool>& changed) {
+    using Clock = std::chrono::steady_clock;
+    return [&file, &changed, read = file.make_reader(), next = Clock::now() + between_looks](
+               int level, const TileSamples& samples, std::vector<float>& heights) mutable {
+        const Clock::time_point begin = Clock::now();
+        if (!changed && begin >= next) {
+            changed = file.has_changed();
+            const Clock::duration took = Clock::now() - begin;
+            next = begin + std::max<Clock::duration>(between_looks, share_of_looks * took);
+        }
+        read(level, samples, heights);
+    };
+}
+
+}  // namespace
+
+PagedTiles::PagedTiles(std::shared_ptr<const TiledTerrain> terrain, int gpu_mib)
+    : terrain_(std::move(terrain)),
+      surface_(terrain_->tree, terrain_->bounds, slots_within(*terrain_, gpu_mib)),
+      paging_(terrain_->tree, watching(terrain_->file, changed_)) {
+    const ReadSamples read = terrain_->file.make_reader();
+    std::vector<float> heights;
+    for (const TileId& tile : terrain_->tree.coarsest_tiles()) {
+        read(tile.level, terrain_->tree.samples_of(tile), heights);
+        surface_.put(tile, heights);
+    }
+}
+
+bool PagedTiles::follow(const render::Camera& camera, glm::ivec2 size, double tolerance_px) {
+    const render::TileChoice& choice = paging_.follow(surface_, camera, size, tolerance_px);
+    asked_px_ = tolerance_px;
+    tolerance_px_ = choice.tolerance_px;
+    if (nodes_ == choice.nodes && drawn_ == choice.drawn) return false;
+    nodes_ = choice.nodes;
+    drawn_ = choice.drawn;
+    return true;
+}
+
+void PagedTiles::begin_still(const render::Camera& camera, glm::ivec2 size, double tolerance_px) {
+    still_px_ = surface_.look(camera, size, tolerance_px).tolerance_px;
+}
+
+void PagedTiles::wait_for_still(const render::Camera& camera, glm::ivec2 size) {
+    auto end = std::chrono::steady_clock::now() + longest_wait;
+    std::size_t before = 0;
+    do {
+        follow(camera, size, still_px_);
+        const auto now = std::chrono::steady_clock::now();
+        if (paging_.on_their_way() != std::exchange(before, paging_.on_their_way())) end = now + longest_wait;
+        if (now > end)
+            throw Error(fmt::format("'{}' gave no tile for {} s, and {} are missing in the picture",
+                                    terrain_->file.path().string(), longest_wait.count(), before));
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    } while (paging_.on_their_way() > 0);
+}
+
+std::optional<std::string> PagedTiles::take_message() {
+    if (changed_ && !std::exchange(change_told_, true))
+        return fmt::format(
+            "'{}' was changed by another program since it was opened: open it again to see it as it is",
+            terrain_->file.path().string());
+    return paging_.take_message();
+}
+
+std::string PagedTiles::state() const {
+    std::string text = tolerance_px_ > asked_px_
+                           ? fmt::format("within {:.2f} px: for {:.2f} px there is not enough tiles.gpu_mib",
+                                         tolerance_px_, asked_px_)
+                           : fmt::format("within {:.2f} px", tolerance_px_);
+    if (paging_.on_their_way() > 0)
+        text = fmt::format("{} tiles on their way, then {}", paging_.on_their_way(), text);
+    if (paging_.failed() > 0) text += fmt::format(", {} tiles cannot be read", paging_.failed());
+    return text;
+}
+
+}  // namespace talus::app

@@ -1,0 +1,27 @@
+#include "app/core/surroundings.h"
+
+namespace talus::app {
+
+StillPainter Surroundings::painter(render::Renderer& renderer, const Terrain& terrain,
+                                   const render::ViewSettings& settings) {
+    StillPainter painter = painter_of(renderer, terrain, settings);
+    painter.begin = [this, settings](const render::Camera& camera, glm::ivec2 size) {
+        tiles_.begin_still(backdrop_.camera_over_tiles(camera), size, settings.tolerance_px);
+    };
+    painter.draw = [this, draw = painter.draw](const render::Camera& camera, glm::ivec2 size) {
+        tiles_.wait_for_still(backdrop_.camera_over_tiles(camera), size);
+        backdrop_.note_change();
+        draw(camera, size);
+    };
+    return painter;
+}
+
+std::unique_ptr<Surroundings> surroundings_of(const Scene& scene, const Grid& grid,
+                                              const std::optional<Georeference>& place) {
+    if (!scene.whole) return nullptr;
+    const std::optional<glm::ivec2> first = io::first_sample_in(scene.whole->file, grid, place);
+    if (!first) return nullptr;
+    return std::make_unique<Surroundings>(scene.whole, scene.view.whole("tiles.gpu_mib"), grid, *first);
+}
+
+}  // namespace talus::app

@@ -1,0 +1,157 @@
+#include "render/tiled/backdrop.h"
+
+#include <algorithm>
+
+#include "render/view.h"
+
+namespace talus::render {
+namespace {
+
+bool throws_shadows(const ViewSettings& settings) {
+    return view_named(settings.view).natural && settings.shadows && !settings.quick;
+}
+
+// What a view shows of ground that has no layer but itself.
+ViewSettings settings_around(const ViewSettings& settings) {
+    ViewSettings around = settings;
+    const View& view = view_named(settings.view);
+    if (view.layer || view.whole || view.detail != Detail::none) around.view = "hillshade";
+    return around;
+}
+
+gpu::Program shade_program(bool by_tiles) {
+    return gpu::Program(std::vector<std::string>{"render/fullscreen.vert", "render/beside_shadow.frag"},
+                        by_tiles
+                            ? std::vector<std::string>{"GROUND_FILE render/tile_ground.glsl", "TILED", "HOLE"}
+                            : std::vector<std::string>{"GROUND_FILE render/whole_ground.glsl"});
+}
+
+gpu::Program lay_over_program(std::vector<std::string> defines) {
+    return gpu::Program(std::vector<std::string>{"render/fullscreen.vert", "render/backdrop.frag"},
+                        std::move(defines));
+}
+
+}  // namespace
+
+Backdrop::Backdrop(const TiledSurface& surface, const Grid& terrain, glm::ivec2 first)
+    : surface_(surface),
+      terrain_(terrain),
+      first_(first),
+      rays_(first, first + glm::ivec2(terrain.nx, terrain.ny) - 1),
+      shades_terrain_(shade_program(true)),
+      shades_tiles_(shade_program(false)),
+      lay_over_(lay_over_program({})),
+      find_nearest_(lay_over_program({"NEAREST"})),
+      no_shadow_("no shadow", gpu::Format::rgba8, 1, 1) {
+    no_shadow_.fill(0);
+}
+
+Camera Backdrop::camera_over_tiles(const Camera& camera) const {
+    const Grid& tiles = surface_.tree().grid();
+    const glm::dvec3 moved(first_.x * tiles.dx, (tiles.ny - first_.y - terrain_.ny) * tiles.dy, 0);
+    Camera over = camera;
+    over.eye += moved;
+    over.target += moved;
+    return over;
+}
+
+Beside Backdrop::beside_of(glm::ivec2 first, const gpu::Texture& shadow) const {
+    const Grid& tiles = surface_.tree().grid();
+    return {{surface_.lowest_m(), surface_.highest_m()},
+            std::max(tiles.width_m(), tiles.height_m()),
+            first,
+            &shadow};
+}
+
+void Backdrop::resize(glm::ivec2 size) {
+    if (colour_.width() >= size.x && colour_.height() >= size.y) return;
+    const int w = std::max(size.x, colour_.width());
+    const int h = std::max(size.y, colour_.height());
+    target_ = HitsTarget(w, h);
+    nearest_ = HitsTarget(w, h);
+    colour_ = gpu::Texture("backdrop", gpu::Format::rgba8, w, h);
+    const std::array<const gpu::Texture*, 1> colour = {&colour_};
+    colour_buffer_ = gpu::Framebuffer("backdrop", colour);
+    shadow_ = gpu::Texture("shadow of the other", gpu::Format::rgba8, w, h);
+    const std::array<const gpu::Texture*, 1> shadow = {&shadow_};
+    shadow_buffer_ = gpu::Framebuffer("shadow of the other", shadow);
+    drawn_.reset();
+}
+
+Beside Backdrop::beside(const ShadeFrame& frame) {
+    const glm::ivec2 size(frame.width, frame.height);
+    resize(size);
+    if (!throws_shadows(frame.settings)) return beside_of(first_, no_shadow_);
+    const Camera over = camera_over_tiles(frame.camera);
+    surface_.bind(shades_terrain_, over, size);
+    set_hole(shades_terrain_, first_, first_ + glm::ivec2(terrain_.nx, terrain_.ny) - 1);
+    shades_terrain_.bind_sampled("hits", frame.hits);
+    shades_terrain_.set("sun", glm::vec3(frame.settings.sun));
+    shades_terrain_.set("other_off_m", 0.0F);
+    shadow_buffer_.bind({0, 0, size.x, size.y});
+    shades_terrain_.draw_fullscreen();
+    return beside_of(first_, shadow_);
+}
+
+void Backdrop::draw(const BackdropFrame& frame) {
+    const glm::ivec2 size(frame.shade.width, frame.shade.height);
+    resize(size);
+    const Camera over = camera_over_tiles(frame.shade.camera);
+    const ViewSettings settings = settings_around(frame.shade.settings);
+    const Picture picture{over, settings, size, changes_, throws_shadows(settings) ? frame.changes : 0};
+    if (drawn_ != picture) {
+        const bool same_hits =
+            drawn_ && drawn_->camera == over && drawn_->size == size && drawn_->tiles == changes_;
+        drawn_.reset();
+        if (!same_hits) rays_.cast(surface_, over, size, target_.framebuffer());
+        colour(frame, {over, settings, size.x, size.y, target_.hits(), colour_buffer_});
+        drawn_ = picture;
+    }
+    lay_over(frame);
+}
+
+void Backdrop::colour(const BackdropFrame& frame, const ShadeFrame& around) {
+    const glm::ivec2 size(around.width, around.height);
+    const bool shadows = throws_shadows(around.settings);
+    if (shadows) {
+        set_camera(shades_tiles_, frame.ground.grid, frame.shade.camera, size.x, size.y);
+        frame.ground.bind(shades_tiles_);
+        shades_tiles_.bind_sampled("hits", around.hits);
+        shades_tiles_.set("sun", glm::vec3(around.settings.sun));
+        shades_tiles_.set("other_off_m", static_cast<float>(surface_.off_m(around.camera, size)));
+        shadow_buffer_.bind({0, 0, size.x, size.y});
+        shades_tiles_.draw_fullscreen();
+    }
+    const ShadedGround ground{surface_.tree().grid(),
+                              true,
+                              true,
+                              false,
+                              [&](gpu::Program& program) {
+                                  surface_.bind(program, around.camera, size);
+                                  set_hole(program, first_,
+                                           first_ + glm::ivec2(terrain_.nx, terrain_.ny) - 1);
+                              },
+                              true,
+                              beside_of({0, 0}, shadows ? shadow_ : no_shadow_)};
+    shading_.draw(around, ground, nullptr);
+}
+
+void Backdrop::lay_over(const BackdropFrame& frame) {
+    const gpu::Region all{0, 0, frame.shade.width, frame.shade.height};
+    const auto prepare = [&](gpu::Program& program) {
+        program.bind_sampled("hits", frame.shade.hits);
+        program.bind_sampled("water_hits", frame.water_hits ? *frame.water_hits : frame.shade.hits);
+        program.bind_sampled("backdrop_hits", target_.hits());
+        program.bind_sampled("backdrop_colours", colour_);
+        program.set("watered", frame.water_hits ? 1 : 0);
+    };
+    prepare(lay_over_);
+    frame.shade.target.bind(all);
+    lay_over_.draw_fullscreen();
+    if (!frame.is_kept) return;
+    prepare(find_nearest_);
+    nearest_.framebuffer().bind(all);
+    find_nearest_.draw_fullscreen();
+}
+
+}  // namespace talus::render

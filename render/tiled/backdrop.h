@@ -1,0 +1,85 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "render/hits_target.h"
+#include "render/shading.h"
+#include "render/tiled/tiled_rays.h"
+#include "render/tiled/tiled_surface.h"
+
+namespace talus::render {
+
+/// A picture of the terrain in the middle, while it is drawn.
+struct BackdropFrame {
+    const ShadeFrame& shade;
+    /// Of the terrain's water along the same rays; null: it has none that is shown.
+    const gpu::Texture* water_hits;
+    const ShadedGround& ground;  ///< the terrain's
+    std::uint64_t changes;       ///< another number where the ground may be another
+    bool is_kept;                ///< the picture itself, no sample of its refinement
+};
+
+/// What stands around a terrain that was cut out of one in tiles: the rest of it, with a hole where the
+/// terrain is. Both are drawn along the same rays, the nearer hit shows, and each throws its shadow on the
+/// other.
+class Backdrop {
+  public:
+    /// first: the tiled terrain's column and row of the terrain's first sample. The terrain has the spacing
+    /// of the tiled one. The surface must outlive this.
+    Backdrop(const TiledSurface& surface, const Grid& terrain, glm::ivec2 first);
+
+    /// The camera in the tiled terrain's own metres.
+    Camera camera_over_tiles(const Camera& camera) const;
+    /// A number for what the surface shows: another one where it looked at something else.
+    std::uint64_t changes() const { return changes_; }
+    void note_change() { ++changes_; }
+
+    /// What colours the terrain's hits need of what stands around. Draws its shadow on them, where the
+    /// settings ask for shadows.
+    Beside beside(const ShadeFrame& frame);
+    /// Draws what stands around into the frame's target, over the terrain's colours. The surface must have
+    /// looked from the same eye.
+    void draw(const BackdropFrame& frame);
+
+    /// Of the picture that is kept: the nearest hits of both.
+    const gpu::Texture& hits() const { return nearest_.hits(); }
+    const HitsTarget& nearest() const { return nearest_; }
+
+  private:
+    // What the backdrop's own picture was drawn from.
+    struct Picture {
+        Camera camera;
+        ViewSettings settings;
+        glm::ivec2 size{0};
+        std::uint64_t tiles = 0;
+        std::uint64_t ground = 0;  // that shades it
+        bool operator==(const Picture&) const = default;
+    };
+
+    void resize(glm::ivec2 size);
+    void colour(const BackdropFrame& frame, const ShadeFrame& around);
+    void lay_over(const BackdropFrame& frame);
+    Beside beside_of(glm::ivec2 first, const gpu::Texture& shadow) const;
+
+    const TiledSurface& surface_;
+    Grid terrain_;
+    glm::ivec2 first_;
+    std::uint64_t changes_ = 0;
+    TiledRays rays_;
+    Shading shading_;
+    gpu::Program shades_terrain_;
+    gpu::Program shades_tiles_;
+    gpu::Program lay_over_;
+    gpu::Program find_nearest_;
+    HitsTarget target_;
+    HitsTarget nearest_;
+    gpu::Texture colour_;
+    gpu::Framebuffer colour_buffer_;
+    gpu::Texture shadow_;
+    gpu::Framebuffer shadow_buffer_;
+    gpu::Texture no_shadow_;
+    std::optional<Picture> drawn_;
+};
+
+}  // namespace talus::render

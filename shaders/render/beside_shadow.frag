@@ -1,0 +1,24 @@
+// Which hits of a picture one ground shades that are another one's: 1, else 0. The ground that shades is GROUND_FILE's, with the camera in its
+// own columns and rows; the hits are along the same rays.
+#define SHADOWS
+const bool count_steps = false;
+#include "render/picture.glsl"
+#include GROUND_FILE
+
+layout(location = 0) out vec4 shade_out;
+
+uniform sampler2D hits;
+uniform real3 sun;          // towards it: east, north, up
+uniform real other_off_m;   // how far off the other ground may be, for each metre of distance
+
+void main() {
+    real distance_m = texelFetch(hits, ivec2(gl_FragCoord.xy), 0).r;
+    shade_out = vec4(0.0);
+    if (isinf(distance_m)) return;
+    vec3 ray = pixel_ray(picture_position());
+    vec2 place = origin_fraction + distance_m * ray.xy;
+    real lift = shadow_lift_m(distance_m) + other_off_m * distance_m;
+    vec3 to_sun = vec3(sun.x / cell_m.x, -sun.y / cell_m.y, sun.z);
+    bool shaded = shadow_distance_m(place - ray.xy * lift, distance_m * ray.z + 2.0 * lift, to_sun) > lift;
+    shade_out = vec4(shaded ? 1.0 : 0.0);
+}
