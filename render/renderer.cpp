@@ -248,10 +248,7 @@ void Renderer::draw_ring(const Grid& grid) {
 }
 
 std::vector<std::uint8_t> Renderer::read_rgb(int width, int height) const {
-    return read_picture_rgb(ringed_     ? ringed_colour_
-                            : refined() ? refinement_.mean()
-                                        : colour_,
-                            width, height);
+    return read_picture_rgb(colours(), width, height);
 }
 
 std::vector<float> Renderer::read_depth(int width, int height) const {

@@ -53,7 +53,12 @@ class Renderer {
     const gpu::Framebuffer& framebuffer() const {
         return ringed_ ? ringed_buffer_ : refined() ? refinement_.mean_buffer() : colour_buffer_;
     }
-    /// Distance in metres along each pixel's normalised ray (infinity: nothing hit) and steps.
+    /// The same as a texture.
+    const gpu::Texture& colours() const {
+        return ringed_ ? ringed_colour_ : refined() ? refinement_.mean() : colour_;
+    }
+    /// Distance in metres along each pixel's normalised ray (infinity: nothing hit) and steps, of what stands
+    /// around too.
     const gpu::Texture& hits() const { return backdrop_ ? backdrop_->hits() : target_.hits(); }
     const Pyramid& pyramid() const { return pyramid_; }
 

@@ -53,10 +53,14 @@ std::vector<Parameter> app_parameters() {
         number("map.base_m", 0, -1e6, 1e6, "m", "Whole map: the height that scaling keeps."),
         number("map.noise_m", 100, 0, 1e5, "m", "Whole map: height of the noise that is added."),
         number("map.blur_m", 20, 1e-3, 1e6, "m", "Whole map: standard deviation of the blur."),
-        number("map.west_m", 0, -1e6, 1e6, "m", "Crop: western edge, from the south-west sample."),
-        number("map.south_m", 0, -1e6, 1e6, "m", "Crop: southern edge."),
-        number("map.east_m", 0, -1e6, 1e6, "m", "Crop: eastern edge; unless set, the terrain's."),
-        number("map.north_m", 0, -1e6, 1e6, "m", "Crop: northern edge; unless set, the terrain's."),
+        number("map.west_m", 0, -1e8, 1e8, "m",
+               "Crop and cut out: western edge, from the south-west sample."),
+        number("map.south_m", 0, -1e8, 1e8, "m", "Crop and cut out: southern edge."),
+        number("map.east_m", 0, -1e8, 1e8, "m", "Crop and cut out: eastern edge; unless set, the terrain's."),
+        number("map.north_m", 0, -1e8, 1e8, "m",
+               "Crop and cut out: northern edge; unless set, the terrain's."),
+        number("map.feather_m", 0, 0, 1e6, "m",
+               "Put back: so far from the cut-out's edges work fades into what it was cut out of."),
         choice("mask.from", MaskSettings().source, mask_source_names(),
                "What a mask is made of: height, slope, curvature (crests above 0, hollows below), depth of "
                "water, "

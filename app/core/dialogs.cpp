@@ -3,8 +3,8 @@
 namespace talus::app {
 
 bool PanelRequests::any() const {
-    return open || save || import || look_at || import_here || stamp || write || map || reset || undo ||
-           redo || framing || verify || !acts.empty() || answer;
+    return open || save || put_back || import || look_at || import_here || stamp || write || map || reset ||
+           undo || redo || framing || verify || !acts.empty() || answer;
 }
 
 bool is_dialog_open(const PanelState& state) {
@@ -20,9 +20,10 @@ void FileDialog::begin(Purpose what, const std::string& near) {
                  .parent_path()
                  .lexically_normal()
                  .string();
-    name = what == Purpose::save
-               ? (near.empty() ? "terrain.exr" : std::filesystem::path(near).filename().string())
-               : "";
+    const std::filesystem::path proposed = near.empty() ? "terrain.exr" : near;
+    name = what == Purpose::save       ? proposed.filename().string()
+           : what == Purpose::put_back ? proposed.stem().string() + "-worked.vrt"
+                                       : "";
     error.clear();
     accepted = cancelled = false;
 }

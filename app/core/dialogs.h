@@ -25,6 +25,7 @@ struct PanelRequests {
     std::optional<SceneRequest> open;         ///< another scene; unsaved work is asked about
     std::optional<SceneRequest> begin;        ///< what the window was started for
     std::optional<std::string> save;          ///< the document, to this path
+    std::optional<std::string> put_back;      ///< the ground into the whole, as this mosaic
     std::optional<std::string> import;        ///< a file, by the import dialog
     std::optional<ImportWish> look_at;        ///< a file, shown by the same dialog, whatever kind it is of
     std::optional<ImportWish> import_here;    ///< a file in place of the terrain
@@ -47,7 +48,7 @@ struct PanelRequests {
 
 /// A dialog that picks a path; the window keeps one.
 struct FileDialog {
-    enum class Purpose { none, open, save, import, stamp };
+    enum class Purpose { none, open, save, import, stamp, put_back };
     Purpose purpose = Purpose::none;
     std::string folder;
     std::string name;
@@ -119,7 +120,8 @@ struct PanelState {
     bool panels_shown = true;
     bool start_page = false;
     bool placing_gauge = false;
-    bool only_looks = false;  ///< the terrain is in tiles: what changes it is not there
+    bool choosing_part = false;  ///< the next drag over tiles chooses the part that is cut out
+    bool only_looks = false;     ///< the terrain is in tiles: what changes it is not there
     FileDialog dialog;
     ImportDialog import;
     ExportDialog write;

@@ -7,6 +7,7 @@
 
 #include "render/tiled/tiled_renderer.h"
 #include "sim/error.h"
+#include "sim/io/endings.h"
 
 namespace talus::app {
 
@@ -29,7 +30,19 @@ void check_tiled_request(const SceneRequest& request) {
 
 bool is_in_tiles(const SceneRequest& request) {
     if (request.import.window) return false;
-    return request.tiled || (!request.input.empty() && io::is_larger_than_a_terrain(request.input));
+    return request.tiled || io::ending_of(request.input) == ".vrt" ||
+           (!request.input.empty() && io::is_larger_than_a_terrain(request.input));
+}
+
+bool is_to_be_measured(const SceneRequest& request) {
+    if (is_in_tiles(request)) return !is_measured(request.input, request.import);
+    if (!request.import.window) return false;
+    try {
+        return !is_measured(request.input, request.import);
+    } catch (const Error&) {
+        // Then nothing is shown around it.
+        return false;
+    }
 }
 
 TiledScene open_tiled_scene(const SceneRequest& request,

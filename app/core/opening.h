@@ -4,9 +4,13 @@
 
 namespace talus::app {
 
-/// Whether what is asked for is looked at in tiles: it says so, or its file is too large to be held as a
-/// whole.
+/// Whether what is asked for is looked at in tiles: it says so, or its file is a mosaic (.vrt), or too large
+/// to be held as a whole. A window of a file is not.
 bool is_in_tiles(const SceneRequest& request);
+
+/// Whether opening takes long: tiles, of what is asked for or stands around it, are not measured yet. Throws
+/// talus::Error where what is_in_tiles() cannot be opened.
+bool is_to_be_measured(const SceneRequest& request);
 
 /// Throws talus::Error where a request that is_in_tiles() asks for what a terrain in tiles has not: a preset,
 /// parameters of simulations, a method, views of layers.

@@ -11,6 +11,7 @@
 #include "app/core/outputs.h"
 #include "app/core/recent_files.h"
 #include "app/core/sources.h"
+#include "sim/io/put_back.h"
 
 namespace talus::app {
 
@@ -82,6 +83,7 @@ void Project::serve(const PanelRequests& asked) {
     if (asked.write)
         when_replaceable(asked.write->path.string(),
                          [this, settings = *asked.write] { export_files(settings); });
+    if (asked.put_back) when_replaceable(*asked.put_back, [this, path = *asked.put_back] { put_back(path); });
     if (asked.map) act_on_map(*asked.map);
     if (asked.verify) verify();
     if (asked.reset) when_saved([this] { reset(); });
@@ -199,6 +201,22 @@ void Project::export_files(const io::ExportSettings& settings) {
         };
     };
     work_.start(fmt::format("Writing {}", settings.path.string()), write);
+}
+
+void Project::put_back(const std::string& path) {
+    session_.pause();
+    auto document = std::make_shared<io::Document>(session_.document());
+    const io::PutBackSettings settings{path, session_.view().number("map.feather_m")};
+    work_.start(fmt::format("Putting back into {}", path),
+                [this, settings, document](const Progress& progress) -> Work::Then {
+                    const std::optional<io::PutBack> done = io::put_back(*document, settings, progress);
+                    if (!done) return [] {};
+                    return [this, settings, changed = done->changed] {
+                        voice_.tell(fmt::format("put {} samples back: {} is the whole with them", changed,
+                                                settings.mosaic.string()));
+                        remember(settings.mosaic.string());
+                    };
+                });
 }
 
 void Project::verify() {

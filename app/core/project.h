@@ -49,6 +49,7 @@ class Project {
     void open(const SceneRequest& request);
     void save(const std::string& path, const std::function<void()>& then);
     void export_files(const io::ExportSettings& settings);
+    void put_back(const std::string& path);
     void look_at(const ImportWish& wish);
     void verify();
     void act_on_map(const Operation& operation);

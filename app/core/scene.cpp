@@ -103,6 +103,7 @@ Scene make_scene(const SceneRequest& request) {
     scene.start.import_guess = to_text(request.import);
     scene.title =
         request.input.empty() ? preset.title : std::filesystem::path(request.input).filename().string();
+    if (request.import.window) scene.title = "a part of " + scene.title;
     return scene;
 }
 

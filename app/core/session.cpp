@@ -53,6 +53,7 @@ void Session::start(Scene scene) {
     activity_.forget();
     playing = false;
     sculpting_.forget();
+    in_place_ = false;
     simulated_terrain_ = simulation_->terrain_number();
     forget_rectangle();
     suggest_for_terrain();
@@ -88,6 +89,15 @@ void Session::suggest_for_terrain() {
         scene_.view.suggest("map.ny", g.ny);
         scene_.view.suggest("map.east_m", g.width_m());
         scene_.view.suggest("map.north_m", g.height_m());
+    } else {
+        // A part in the middle, of a size to work in.
+        constexpr double samples = 1024;
+        const glm::dvec2 all(g.width_m(), g.height_m());
+        const glm::dvec2 size = glm::min(all, samples * glm::dvec2(g.dx, g.dy));
+        scene_.view.suggest("map.west_m", (all.x - size.x) / 2);
+        scene_.view.suggest("map.south_m", (all.y - size.y) / 2);
+        scene_.view.suggest("map.east_m", (all.x + size.x) / 2);
+        scene_.view.suggest("map.north_m", (all.y + size.y) / 2);
     }
     scene_.view.suggest("terrace.step_m", std::max(0.01, (bounds_.y - bounds_.x) / 20));
     scene_.view.suggest("brush.height_m", bounds_.x);
@@ -136,6 +146,7 @@ bool Session::refine() {
 }
 
 const gpu::Framebuffer& Session::framebuffer() const {
+    if (outlined_) return outline_.framebuffer();
     return overflight_ ? overflight_->renderer().framebuffer() : renderer_->framebuffer();
 }
 
@@ -209,9 +220,71 @@ SceneRequest Session::request_for(const SceneRequest& wish) const {
 }
 
 void Session::open(const SceneRequest& request, Scene scene) {
+    const TiledTerrain* whole = tiles() ? &tiles()->terrain() : nullptr;
+    const std::string whole_before = whole ? whole->file.path().string() : "";
+    const Grid grid_before = whole ? whole->tree.grid() : Grid();
+    const render::Camera over_whole =
+        surroundings_ ? surroundings_->backdrop().camera_over_tiles(camera_) : camera_;
     start(std::move(scene));
     request_ = request;
     path_ = document_path();
+    stay_in_place(whole_before, grid_before, over_whole);
+}
+
+// Who cuts a part out, or goes back to the whole, sees what he saw.
+void Session::stay_in_place(const std::string& whole_before, const Grid& grid_before,
+                            const render::Camera& over_whole) {
+    // Or a mosaic over it.
+    in_place_ = !whole_before.empty() && tiles() && tiles()->terrain().tree.grid() == grid_before &&
+                tiles()->terrain().file.is_made_of(whole_before);
+    if (!in_place_) return;
+    camera_ = surroundings_ ? surroundings_->backdrop().camera_from_tiles(over_whole) : over_whole;
+}
+
+void Session::outline_part(bool shown, glm::ivec2 size) {
+    outlined_ = shown && tiles();
+    if (!outlined_) return;
+    const Rectangle edges = overflight_ ? part() : Rectangle{0, 0, grid().width_m(), grid().height_m()};
+    const gpu::Texture& colours = overflight_ ? overflight_->renderer().colours() : renderer_->colours();
+    // Of all that is seen.
+    const Grid& whole = tiles()->terrain().tree.grid();
+    const glm::dvec3 corner =
+        surroundings_ ? surroundings_->backdrop().camera_from_tiles({}).eye : glm::dvec3(0);
+    const double margin = 0.01 * std::min(whole.dx, whole.dy);
+    const Rectangle ground{corner.x + margin, corner.y + margin, corner.x + whole.width_m() - margin,
+                           corner.y + whole.height_m() - margin};
+    outline_.draw(colours, hits(), grid(), camera_, size, edges, ground);
+}
+
+Rectangle Session::part() const {
+    const Parameters& view = scene_.view;
+    return {view.number("map.west_m"), view.number("map.south_m"), view.number("map.east_m"),
+            view.number("map.north_m")};
+}
+
+SceneRequest Session::request_for_part() const {
+    const gpu::Region samples = samples_in(grid(), part());
+    if (std::min(samples.width, samples.height) < min_samples ||
+        std::max(samples.width, samples.height) > max_samples)
+        throw Error(fmt::format("a part of {} x {} samples cannot be worked in, each side must have {} to {}",
+                                samples.width, samples.height, min_samples, max_samples));
+    const Grid& g = grid();
+    const int last_row = samples.y + samples.height - 1;
+    const glm::dvec2 south_west(samples.x * g.dx, (g.ny - 1 - last_row) * g.dy);
+    const glm::dvec2 north_east((samples.x + samples.width - 1) * g.dx, (g.ny - 1 - samples.y) * g.dy);
+    SceneRequest request;
+    request.input = request_.input;
+    request.import = request_.import;
+    request.import.window = io::window_of(overflight_->terrain().file, south_west, north_east);
+    return request;
+}
+
+SceneRequest Session::request_for_whole() const {
+    SceneRequest request;
+    request.input = scene_.document.cut_out->path.string();
+    request.import = scene_.document.cut_out->import;
+    request.tiled = true;
+    return request;
 }
 
 void Session::recovered(const std::string& project, const std::string& title) {

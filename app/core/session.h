@@ -13,6 +13,7 @@
 #include "app/core/sculpting.h"
 #include "app/core/surroundings.h"
 #include "app/core/tick_pacing.h"
+#include "render/outline.h"
 #include "render/renderer.h"
 #include "sim/gpu/context.h"
 #include "sim/gpu/timestamp.h"
@@ -65,6 +66,18 @@ class Session {
     const gpu::Framebuffer& framebuffer() const;
     const gpu::Texture& hits() const;
     std::vector<render::Legend> legends(const render::ViewSettings& settings) const;
+    /// The part of a terrain in tiles that `map.west_m` and its like say.
+    Rectangle part() const;
+    /// After draw() and refine(), for a picture of that size: lays over it the outline of that part, or of
+    /// the scene before what stands around it.
+    void outline_part(bool shown, glm::ivec2 size);
+    /// What opens that part to be worked in. Throws talus::Error where it has too few or too many samples.
+    SceneRequest request_for_part() const;
+    /// What opens all of what the scene was cut out of, to be looked at. The scene must have been cut out.
+    SceneRequest request_for_whole() const;
+    /// Whether the camera stayed where it was when the scene was opened: that is a part of what was looked
+    /// at, or the whole around it.
+    bool is_in_place() const { return in_place_; }
     /// The next picture is drawn anew.
     void forget_picture();
     /// A picture of this size for a file.
@@ -172,6 +185,8 @@ class Session {
     /// Makes anew what hangs on the terrain's size, where another one took its place.
     void follow_terrain();
     void follow_surroundings();
+    void stay_in_place(const std::string& whole_before, const Grid& grid_before,
+                       const render::Camera& over_whole);
     void suggest_for_terrain();
     void forget_rectangle();
     void follow_undo_memory();
@@ -203,6 +218,9 @@ class Session {
     gpu::Timestamp tick_timer_{"ticks"};
     TickPacing::Ran timed_;  // what the timer is of
     double speed_reached_ = 0;
+    bool in_place_ = false;
+    render::Outline outline_;
+    bool outlined_ = false;
     int simulated_terrain_ = 0;  // the simulation's number of it
 };
 

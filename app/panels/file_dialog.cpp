@@ -17,6 +17,8 @@ const char* title_of(FileDialog::Purpose purpose) {
     switch (purpose) {
         case FileDialog::Purpose::save:
             return "Save as";
+        case FileDialog::Purpose::put_back:
+            return "Put back";
         case FileDialog::Purpose::import:
             return "Import";
         case FileDialog::Purpose::stamp:
@@ -58,6 +60,8 @@ void accept(FileDialog& dialog, PanelRequests& requests) {
             return;
         }
         requests.save = path;
+    } else if (dialog.purpose == FileDialog::Purpose::put_back) {
+        requests.put_back = io::with_ending(path, ".vrt").string();
     } else if (dialog.purpose == FileDialog::Purpose::stamp) {
         requests.stamp = path;
     } else if (dialog.purpose == FileDialog::Purpose::import) {

@@ -15,14 +15,16 @@ struct SidePanel {
     const char* what;
     void (*draw)(PanelContext&);
     bool only_looks = false;  ///< it is there too where the terrain can be looked at and not changed
+    bool (*is_there)(const Session&) = nullptr;  ///< null: always
 };
-constexpr std::array<SidePanel, 12> side_panels = {{
+constexpr std::array<SidePanel, 13> side_panels = {{
     {"Simulation", "time, and slopes that slide", draw_simulation_panel},
     {"Water", "rain, sea, edges, waves", draw_water_panel},
     {"Erosion", "what water takes, carries and lays down", draw_erosion_panel},
     {"View", "what the colours show, sun, camera", draw_view_panel, true},
     {"Mask", "where brushes and simulations act", draw_mask_panel},
     {"Map", "size, place, heights and noise of the whole map", draw_map_panel},
+    {"Cut out", "a part of a large terrain, to work in", draw_cut_out_panel, true, has_cut_out_panel},
     {"History", "what was done; back and forth", draw_history_panel},
     {"Ledger", "where all rock and water is", draw_ledger_panel},
     {"Gauges", "the water at a place, against time", draw_gauges_panel},
@@ -78,7 +80,8 @@ void draw_side(PanelContext& context, bool with_tools) {
     if (!with_tools && !state.only_looks && state.shown == tools) state.shown = side_panels.front().name;
     std::vector<const SidePanel*> panels;
     for (const SidePanel& panel : side_panels)
-        if (panel.only_looks || !state.only_looks) panels.push_back(&panel);
+        if ((panel.only_looks || !state.only_looks) && (!panel.is_there || panel.is_there(context.session)))
+            panels.push_back(&panel);
     // What a person chose is kept for a terrain that has it.
     const bool is_there = std::any_of(panels.begin(), panels.end(),
                                       [&](const SidePanel* panel) { return panel->name == state.shown; });

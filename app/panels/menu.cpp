@@ -26,6 +26,13 @@ void draw_file_menu(PanelContext& context) {
     if (menu_item("Import into this terrain…", nullptr, changes))
         state.dialog.begin(FileDialog::Purpose::import, session.path());
     if (menu_item("Export…", "Ctrl+E", changes)) state.write.shown = true;
+    if (session.scene().document.cut_out) {
+        if (menu_item("Put back…", nullptr))
+            state.dialog.begin(
+                FileDialog::Purpose::put_back,
+                session.path().empty() ? session.scene().document.cut_out->path.string() : session.path());
+        if (menu_item("Fly over the whole", nullptr)) requests.open = session.request_for_whole();
+    }
     if (menu_item("Save a picture", "F12")) requests.picture = true;
     ImGui::Separator();
     if (menu_item("Quit", "Ctrl+Q")) requests.quit = true;

@@ -48,6 +48,10 @@ void draw_view_panel(PanelContext& context);
 void draw_mask_panel(PanelContext& context);
 /// Acts on the whole map: its size and place, its heights, noise, another heightmap.
 void draw_map_panel(PanelContext& context);
+/// The part of a terrain in tiles that is cut out to be worked in, and the way back.
+void draw_cut_out_panel(PanelContext& context);
+/// Whether there is one: the terrain is in tiles, or was cut out.
+bool has_cut_out_panel(const Session& session);
 /// What was done, by name; a click goes there.
 void draw_history_panel(PanelContext& context);
 /// The ledger of rock and water, followed while it is open: its last reading, its stores and what is missing

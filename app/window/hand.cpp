@@ -11,13 +11,16 @@
 namespace talus::app {
 
 void Hand::act(Session& session, glm::dvec2 mouse, double passed_s, glm::ivec2 size, const HandMay& may,
-               bool& placing_gauge) {
+               const HandErrand& errand) {
     moving_s_ = std::max(0.0, moving_s_ - passed_s);
     follow_terrain(session);
     read_cursor(session.grid());
     move_camera(session, mouse, passed_s, size.y, may);
     mouse_ = mouse;
-    sculpt(session, passed_s, may, placing_gauge);
+    if (session.overflight())
+        choose_part(session, may, errand.choosing_part);
+    else
+        sculpt(session, passed_s, may, errand.placing_gauge);
 }
 
 // What was read of another terrain is not of this one.
@@ -131,8 +134,29 @@ void Hand::meet_ground(Session& session, render::Camera& camera, bool walking, d
         keep_above(camera, *ground_m + 0.02 * std::min(grid.dx, grid.dy));
 }
 
+// From where the button was pressed to where it is let go.
+void Hand::choose_part(Session& session, const HandMay& may, bool& choosing_part) {
+    const bool held = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS && may.use_mouse;
+    const bool presses = std::exchange(held_before_, held) && held;
+    if (!choosing_part) part_from_m_.reset();
+    if (!choosing_part) return;
+    if (presses && !part_from_m_ && cursor_) part_from_m_ = glm::dvec2(*cursor_);
+    if (!part_from_m_) return;
+    moving_s_ = 0.25;
+    if (cursor_) {
+        const glm::dvec2 low = glm::min(*part_from_m_, glm::dvec2(*cursor_));
+        const glm::dvec2 high = glm::max(*part_from_m_, glm::dvec2(*cursor_));
+        session.set("map.west_m", low.x);
+        session.set("map.south_m", low.y);
+        session.set("map.east_m", high.x);
+        session.set("map.north_m", high.y);
+    }
+    if (held) return;
+    part_from_m_.reset();
+    choosing_part = false;
+}
+
 void Hand::sculpt(Session& session, double passed_s, const HandMay& may, bool& placing_gauge) {
-    if (session.overflight()) return;
     const bool held = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS && may.use_mouse;
     const auto down = [&](int left, int right) {
         return glfwGetKey(window_, left) == GLFW_PRESS || glfwGetKey(window_, right) == GLFW_PRESS;

@@ -16,6 +16,12 @@ struct HandMay {
     bool use_keys = true;
 };
 
+/// What the next click or drag is for, until it is done; else it is the brush's.
+struct HandErrand {
+    bool& placing_gauge;
+    bool& choosing_part;  ///< over tiles
+};
+
 /// A person's hand over the terrain: where the mouse's ray meets the ground, strokes of the brush, and the
 /// camera's ways.
 class Hand {
@@ -24,9 +30,8 @@ class Hand {
 
     /// Moves the camera and makes the stroke of `passed_s` seconds; the mouse is in pixels of a picture of
     /// this size.
-    /// `placing_gauge`: the next click on the ground places one, and ends that.
     void act(Session& session, glm::dvec2 mouse, double passed_s, glm::ivec2 size, const HandMay& may,
-             bool& placing_gauge);
+             const HandErrand& errand);
     /// After a picture was drawn: asks where the mouse's ray meets it. `drawn`: the picture's size,
     /// `changed`: whether it is another one than before.
     void look(Session& session, glm::dvec2 mouse, glm::ivec2 size, glm::ivec2 drawn, bool changed);
@@ -44,6 +49,7 @@ class Hand {
     void move_camera(Session& session, glm::dvec2 mouse, double passed_s, int height, const HandMay& may);
     void meet_ground(Session& session, render::Camera& camera, bool walking, double passed_s);
     void sculpt(Session& session, double passed_s, const HandMay& may, bool& placing_gauge);
+    void choose_part(Session& session, const HandMay& may, bool& choosing_part);
     void follow_terrain(const Session& session);
 
     GLFWwindow* window_;
@@ -62,8 +68,9 @@ class Hand {
     double wheel_ = 0;
     double moving_s_ = 0;
     bool camera_moved_ = false;
-    bool placed_ = false;       // a gauge, by the click that is held
-    bool held_before_ = false;  // the left button, in the frame before
+    std::optional<glm::dvec2> part_from_m_;  // where the drag began that chooses a part
+    bool placed_ = false;                    // a gauge, by the click that is held
+    bool held_before_ = false;               // the left button, in the frame before
 };
 
 }  // namespace talus::app

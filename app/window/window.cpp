@@ -42,8 +42,7 @@ class Window {
     Window(const Glfw& glfw, const WindowOptions& options, const WindowLayout& layout)
         : window_(glfw.open(options.size.value_or(layout.size), true)),
           device_(gpu::adopt_current_context("window")),
-          begins_later_(is_in_tiles(options.scene) &&
-                        !is_measured(options.scene.input, options.scene.import)),
+          begins_later_(is_to_be_measured(options.scene)),
           session_(begins_later_ ? SceneRequest() : options.scene, device_),
           hand_(window_),
           input_(window_,
@@ -64,7 +63,7 @@ class Window {
                         glm::ivec2 size(0);
                         glfwGetFramebufferSize(window_, &size.x, &size.y);
                         follow_area(size);
-                        session_.frame_terrain();
+                        if (!session_.is_in_place()) session_.frame_terrain();
                         note_start();
                     }}),
           frame_log_path_(options.frame_log),
@@ -293,6 +292,7 @@ class Window {
         mouse_ = mouse;
         state_.only_looks = session_.overflight() != nullptr;
         state_.placing_gauge = state_.placing_gauge && !state_.only_looks;
+        state_.choosing_part = state_.choosing_part && state_.only_looks;
         follow_area(size);
 
         const ImGuiIO& io = ImGui::GetIO();
@@ -305,7 +305,7 @@ class Window {
         const int dabs_before = session_.sculpting().dabs();
         attempt([&] {
             hand_.act(session_, mouse - glm::dvec2(area_.corner), passed_s, area_.size, may,
-                      state_.placing_gauge);
+                      {state_.placing_gauge, state_.choosing_part});
         });
         if (stroked && !session_.stroking()) title();
         times.act_ms = since(now);
@@ -357,6 +357,7 @@ class Window {
             else
                 refining_ =
                     !pacing_.is_awake() && refining_ && !session_.awaits_tiles() && !ImGui::IsAnyItemActive();
+            session_.outline_part(state_.panels_shown && state_.shown == "Cut out", drawn_size);
         } catch (const std::exception& error) {
             refining_ = false;
             if (message_ != error.what()) tell(error.what());

@@ -46,13 +46,24 @@ Backdrop::Backdrop(const TiledSurface& surface, const Grid& terrain, glm::ivec2 
     no_shadow_.fill(0);
 }
 
-Camera Backdrop::camera_over_tiles(const Camera& camera) const {
+// The terrain's south-west sample in the tiled one's metres.
+glm::dvec3 Backdrop::corner_m() const {
     const Grid& tiles = surface_.tree().grid();
-    const glm::dvec3 moved(first_.x * tiles.dx, (tiles.ny - first_.y - terrain_.ny) * tiles.dy, 0);
+    return {first_.x * tiles.dx, (tiles.ny - first_.y - terrain_.ny) * tiles.dy, 0};
+}
+
+Camera Backdrop::camera_over_tiles(const Camera& camera) const {
     Camera over = camera;
-    over.eye += moved;
-    over.target += moved;
+    over.eye += corner_m();
+    over.target += corner_m();
     return over;
+}
+
+Camera Backdrop::camera_from_tiles(const Camera& over_tiles) const {
+    Camera camera = over_tiles;
+    camera.eye -= corner_m();
+    camera.target -= corner_m();
+    return camera;
 }
 
 Beside Backdrop::beside_of(glm::ivec2 first, const gpu::Texture& shadow) const {

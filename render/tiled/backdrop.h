@@ -31,6 +31,7 @@ class Backdrop {
 
     /// The camera in the tiled terrain's own metres.
     Camera camera_over_tiles(const Camera& camera) const;
+    Camera camera_from_tiles(const Camera& over_tiles) const;
     /// A number for what the surface shows: another one where it looked at something else.
     std::uint64_t changes() const { return changes_; }
     void note_change() { ++changes_; }
@@ -57,6 +58,7 @@ class Backdrop {
         bool operator==(const Picture&) const = default;
     };
 
+    glm::dvec3 corner_m() const;
     void resize(glm::ivec2 size);
     void colour(const BackdropFrame& frame, const ShadeFrame& around);
     void lay_over(const BackdropFrame& frame);

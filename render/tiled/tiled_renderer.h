@@ -44,6 +44,7 @@ class TiledRenderer {
     const gpu::Framebuffer& framebuffer() const {
         return is_refined() ? refinement_.mean_buffer() : colour_buffer_;
     }
+    const gpu::Texture& colours() const { return is_refined() ? refinement_.mean() : colour_; }
     /// Distance in metres along each pixel's normalised ray (infinity: nothing hit) and detail.
     const gpu::Texture& hits() const { return target_.hits(); }
     /// The picture, top row first; waits for the device.

@@ -15,6 +15,7 @@ const std::vector<HeightmapFormat>& heightmap_formats() {
         {.name = "SRTM", .endings = {".hgt"}, .read = read_geographic, .gdal_driver = "SRTMHGT"},
         {.name = "ESRI ASCII grid", .endings = {".asc"}, .read = read_geographic, .gdal_driver = "AAIGrid"},
         {.name = "ESRI BIL", .endings = {".bil"}, .read = read_geographic, .gdal_driver = "EHdr"},
+        {.name = "mosaic", .endings = {".vrt"}, .read = read_geographic, .gdal_driver = "VRT"},
         {.name = "EXR", .endings = {".exr"}, .read = read_picture, .write = write_picture},
         {.name = "PNG of 16 bits",
          .endings = {".png"},
