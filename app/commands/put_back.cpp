@@ -5,6 +5,7 @@
 #include "app/commands/commands.h"
 #include "app/core/long_work.h"
 #include "app/core/outputs.h"
+#include "app/core/tiled_terrain.h"
 #include "sim/error.h"
 
 namespace talus::app {
@@ -20,6 +21,7 @@ void put_back(const PutBackOptions& options) {
         done = io::put_back(document, options.settings, [&](double share) { return work(share); });
     }
     if (!done) throw Error(fmt::format("interrupted, '{}' was not written", mosaic));
+    keep_bounds_of_mosaic(*document.cut_out, mosaic, done->rectangle);
     fmt::print("{}: {} samples changed, {} x {} are in {}\n", mosaic, done->changed, done->rectangle.count.x,
                done->rectangle.count.y, done->patch.string());
 }

@@ -11,6 +11,7 @@
 #include "app/core/outputs.h"
 #include "app/core/recent_files.h"
 #include "app/core/sources.h"
+#include "app/core/tiled_terrain.h"
 #include "sim/io/put_back.h"
 
 namespace talus::app {
@@ -211,6 +212,7 @@ void Project::put_back(const std::string& path) {
                 [this, settings, document](const Progress& progress) -> Work::Then {
                     const std::optional<io::PutBack> done = io::put_back(*document, settings, progress);
                     if (!done) return [] {};
+                    keep_bounds_of_mosaic(*document->cut_out, settings.mosaic.string(), done->rectangle);
                     return [this, settings, changed = done->changed] {
                         voice_.tell(fmt::format("put {} samples back: {} is the whole with them", changed,
                                                 settings.mosaic.string()));

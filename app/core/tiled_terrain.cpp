@@ -69,6 +69,22 @@ bool is_measured(const std::string& path, const io::ImportSettings& import) {
     return io::read_tile_sidecar(file, tree_of(file)).has_value();
 }
 
+void keep_bounds_of_mosaic(const io::CutOut& whole, const std::string& mosaic, const TileSamples& patch) {
+    try {
+        const io::TiledFile before(whole.path, whole.import);
+        const TileTree tree = tree_of(before);
+        std::optional<std::vector<TileBounds>> bounds = io::read_tile_sidecar(before, tree);
+        if (!bounds || before.source().void_value || before.level_places() != LevelPlaces::by_halves) return;
+        const io::TiledFile after(mosaic, {});
+        const BoundsBefore known{std::move(*bounds), patch};
+        io::write_tile_sidecar(after, tree,
+                               measure_tile_bounds(
+                                   tree, [&] { return after.make_reader(); }, {}, &known));
+    } catch (const Error&) {
+        // It is measured when it is opened, and what is wrong is said there.
+    }
+}
+
 int slots_within(const TiledTerrain& terrain, int gpu_mib) {
     const std::size_t room = static_cast<std::size_t>(gpu_mib) << 20;
     const std::size_t beside = std::min(room, render::TiledSurface::bytes_of_nodes(terrain.tree));

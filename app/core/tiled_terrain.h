@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/core/progress.h"
+#include "sim/io/cut_out.h"
 #include "sim/io/tiled_file.h"
 
 namespace talus::app {
@@ -35,6 +36,12 @@ TiledTerrain open_tiled(const std::string& path, const io::ImportSettings& impor
 
 /// Whether open_tiled() has no long work: the bounds are beside the file. Throws as it does.
 bool is_measured(const std::string& path, const io::ImportSettings& import);
+
+/// After a part was put back into what it was cut out of: keeps the bounds of the mosaic's tiles beside it,
+/// so that it opens at once. They are those of the whole, but where the patch is. Where the whole was not
+/// measured, or has voids, which are filled from afar, nothing is kept, and the mosaic is measured when it is
+/// opened.
+void keep_bounds_of_mosaic(const io::CutOut& whole, const std::string& mosaic, const TileSamples& patch);
 
 /// Slots that fit into so much memory of the device. Throws talus::Error where they are too few.
 int slots_within(const TiledTerrain& terrain, int gpu_mib);

@@ -128,6 +128,16 @@ class Worker {
     std::vector<float> coarser_line_;
 };
 
+// Whether a tile's samples, or those of a level over it, may be others where these of the finest level are.
+bool touches(const TileTree& tree, const TileId& tile, int level, const TileSamples& changed) {
+    // A sample stands for so many of the finest, and surfaces between samples reach to the next one.
+    const int reach = 3 << level;
+    const glm::ivec2 first = tree.first_patch(tile) - reach;
+    const glm::ivec2 last = tree.last_patch(tile) + reach;
+    return glm::all(glm::lessThanEqual(first, changed.first + changed.count - 1)) &&
+           glm::all(glm::greaterThanEqual(last, changed.first));
+}
+
 struct TileGroup {
     int level;
     glm::ivec2 first;  // column and row of its first tile
@@ -151,8 +161,13 @@ std::vector<TileGroup> groups_of(const TileTree& tree) {
 
 std::vector<TileBounds> measure_tile_bounds(const TileTree& tree,
                                             const std::function<ReadSamples()>& make_reader,
-                                            const std::function<bool(double)>& told) {
-    std::vector<TileBounds> bounds(tree.count());
+                                            const std::function<bool(double)>& told,
+                                            const BoundsBefore* before) {
+    std::vector<TileBounds> bounds = before ? before->bounds : std::vector<TileBounds>(tree.count());
+    for (TileBounds& one : bounds) one.error_m = 0;
+    const auto is_to_do = [&](const TileId& tile, int level) {
+        return !before || touches(tree, tile, level, before->changed);
+    };
     const std::vector<TileGroup> groups = groups_of(tree);
     std::atomic<std::size_t> next = 0;
     std::atomic<bool> stopped = false;
@@ -160,14 +175,24 @@ std::vector<TileBounds> measure_tile_bounds(const TileTree& tree,
     std::size_t done = 0;
     std::exception_ptr failure;
     const auto measure = [&](Worker& worker, const TileId& tile) {
+        // What a coarser level changes reaches farther.
+        const bool extent_is_to_do = is_to_do(tile, tile.level);
+        const int reaching = tile.level == 0 ? tree.top_level() : tile.level;
+        if (!is_to_do(tile, reaching)) {
+            const std::lock_guard lock(merging);
+            ++done;
+            return;
+        }
         const TileBounds extent = worker.extent_of(tile);
         std::vector<float> errors;
         for (int level = 1; tile.level == 0 && level <= tree.top_level(); ++level)
-            errors.push_back(worker.error_over(tile, level));
+            errors.push_back(is_to_do(tile, level) ? worker.error_over(tile, level) : 0);
         const std::lock_guard lock(merging);
         TileBounds& here = bounds[tree.index_of(tile)];
-        here.lowest_m = extent.lowest_m;
-        here.highest_m = extent.highest_m;
+        if (extent_is_to_do) {
+            here.lowest_m = extent.lowest_m;
+            here.highest_m = extent.highest_m;
+        }
         for (int level = 1; level <= static_cast<int>(errors.size()); ++level) {
             TileBounds& above = bounds[tree.index_of({level, tile.column >> level, tile.row >> level})];
             above.error_m = std::max(above.error_m, errors[static_cast<std::size_t>(level) - 1]);
@@ -204,6 +229,7 @@ std::vector<TileBounds> measure_tile_bounds(const TileTree& tree,
         TileBounds& one = bounds[index];
         const float largest = std::max(std::abs(one.lowest_m), std::abs(one.highest_m));
         one.error_m += 16 * std::numeric_limits<float>::epsilon() * (largest + one.error_m);
+        if (before) one.error_m = std::max(one.error_m, before->bounds[index].error_m);
     }
     return bounds;
 }

@@ -111,6 +111,42 @@ TEST(TileBounds, AreNeverTooSmallAndHardlyTooLarge) {
     }
 }
 
+// Where some samples are others, what else is known holds; the errors are bounds still.
+TEST(TileBounds, AreMeasuredAnewWhereSamplesChanged) {
+    const Grid grid{777, 601, 10, 10};
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> unit(0, 1);
+    std::vector<float> heights(grid.count());
+    for (float& h : heights) h = 1000 + 40 * unit(random);
+    const scenes::MemoryTiles before(grid, heights, 16);
+    for (const TileSamples changed : {TileSamples{{300, 200}, {70, 40}}, TileSamples{{0, 590}, {9, 11}}}) {
+        std::vector<float> other = heights;
+        for (int y = changed.first.y; y < changed.first.y + changed.count.y; ++y)
+            for (int x = changed.first.x; x < changed.first.x + changed.count.x; ++x)
+                other[static_cast<std::size_t>(y) * grid.nx + x] += 300 * unit(random);
+        const scenes::MemoryTiles after(grid, other, 16);
+        std::atomic<int> readings = 0;
+        const auto read = [&](int level, const TileSamples& samples, std::vector<float>& read_heights) {
+            ++readings;
+            after.read(level, samples, read_heights);
+        };
+        const BoundsBefore known{before.bounds(), changed};
+        const std::vector<TileBounds> found = measure_tile_bounds(
+            after.tree(), [&] { return read; }, {}, &known);
+        const int of_some = readings.exchange(0);
+        const std::vector<TileBounds> fresh = measure_tile_bounds(after.tree(), [&] { return read; });
+        EXPECT_LT(of_some, readings / 3);
+        for (std::size_t i = 0; i < fresh.size(); ++i) {
+            EXPECT_EQ(found[i].lowest_m, fresh[i].lowest_m) << i;
+            EXPECT_EQ(found[i].highest_m, fresh[i].highest_m) << i;
+            // What is added for rounding goes by the heights where each error was found.
+            const float expected = std::max(fresh[i].error_m, before.bounds()[i].error_m);
+            EXPECT_LE(found[i].error_m, expected) << i;
+            EXPECT_GE(found[i].error_m, expected - 16 * 1.2e-7F * 300) << i;
+        }
+    }
+}
+
 TEST(TileBounds, EndWhereTheyAreTold) {
     const Grid grid{1025, 257, 1, 1};
     const scenes::MemoryTiles tiles(grid, std::vector<float>(grid.count(), 3), 16);
