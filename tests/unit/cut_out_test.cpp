@@ -1,5 +1,6 @@
 // A part cut out of a raster, worked on and put back: what was not worked on keeps its bits, on every level.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -293,6 +294,58 @@ TEST_F(CutOuts, AreCutOutOfWhatWasPutBack) {
         level_of(io::TiledFile(path("b.vrt"), {}), 0)[static_cast<std::size_t>(115) * whole_size.x + 122] -
             hilly(122, 115),
         8, 1e-3);
+}
+
+// Whatever folders and files are called; both are moved, and the mosaic still knows its parts.
+TEST_F(CutOuts, FindTheirPartsFromTheMosaic) {
+    fs::create_directories(path("a & <b>/x y"));
+    const fs::path whole = write_whole("a & <b>/whole \"1\".tif", hilly);
+    io::Document document = io::open_document(whole, window({200, 300}, {80, 80}));
+    raise(document, {5, 5}, {9, 9}, 2);
+    ASSERT_TRUE(io::put_back(document, {path("a & <b>/x y/ö & ü.vrt"), 0}, {}));
+    fs::rename(path("a & <b>"), path("moved"));
+    const io::TiledFile mosaic(path("moved/x y/ö & ü.vrt"), {});
+    const std::vector<float> heights = level_of(mosaic, 0);
+    EXPECT_FLOAT_EQ(heights[static_cast<std::size_t>(306) * whole_size.x + 206], hilly(206, 306) + 2);
+    EXPECT_EQ(heights.front(), hilly(0, 0));
+    level_of(mosaic, 1);
+    // Without a part nothing is made up.
+    fs::remove(path("moved/x y/ö & ü.parts/patch.tif"));
+    const std::string said = refusal([&] {
+        const io::TiledFile broken(path("moved/x y/ö & ü.vrt"), {});
+        level_of(broken, 0);
+    });
+    EXPECT_NE(said.find("patch.tif"), std::string::npos) << said;
+}
+
+// What was there before is there still, and it is said in a sentence.
+TEST_F(CutOuts, LoseNothingWhereThereIsNoSpace) {
+    const fs::path whole = write_whole("whole.tif", hilly);
+    io::Document document = io::open_document(whole, window({200, 300}, {150, 80}));
+    raise(document, {30, 20}, {60, 50}, 25);
+    ASSERT_TRUE(io::put_back(document, {path("out.vrt"), 0}, {}));
+    const std::string mosaic = io::read_text(path("out.vrt"));
+    const std::string patch = io::read_text(path("out.parts/patch.tif"));
+    const auto files = [&] {
+        return std::distance(fs::recursive_directory_iterator(folder()), fs::recursive_directory_iterator());
+    };
+    const auto files_before = files();
+    raise(document, {90, 40}, {120, 70}, 25);
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    // For the patch, and for the mosaic's text too.
+    for (const rlim_t bytes : {100000U, 300U}) {
+        rlimit small = before;
+        small.rlim_cur = bytes;
+        ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+        const std::string said = refusal([&] { io::put_back(document, {path("out.vrt"), 0}, {}); });
+        ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+        EXPECT_NE(said.find("cannot write"), std::string::npos) << said;
+        EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+        EXPECT_EQ(io::read_text(path("out.vrt")), mosaic);
+        EXPECT_EQ(io::read_text(path("out.parts/patch.tif")), patch);
+        EXPECT_EQ(files(), files_before);
+    }
 }
 
 TEST_F(CutOuts, AreRefusedWhereTheyHaveNoPlace) {
