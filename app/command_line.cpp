@@ -243,6 +243,8 @@ Command put_back_command(CLI::App& app, Texts& t) {
     command->add_option(
         "--feather", t.feather,
         "metres from the cut-out's edges within which work fades into the raster; 0 unless given");
+    command->add_flag("--though-changed", options->settings.though_changed,
+                      "although the raster was changed since: what changed there within the part goes");
     return {command, [&t, options, mosaic] {
                 options->settings.mosaic = *mosaic;
                 if (!t.feather.empty())

@@ -53,6 +53,10 @@ io::ImportSettings Texts::import() const {
     if (!window.empty()) {
         const std::vector<double> v = numbers("--window", window, ',', 4);
         settings.window = io::FileWindow{v[0], v[1], v[2], v[3]};
+        if (!raw.empty())
+            throw Error(
+                "--window cuts a part out of a raster, and --raw reads a file of another kind: leave one "
+                "out");
         if (tiled)
             throw Error(
                 "--tiled shows the whole file, and --window cuts a part out of it: leave one of the two out");
@@ -79,6 +83,8 @@ SceneRequest Texts::scene(const std::string& file_given) const {
     request.preset = preset;
     request.input = file_given;
     request.import = import();
+    if (request.import.window && file_given.empty())
+        throw Error("--window cuts a part out of a file: name the file too");
     request.assignments = assignments;
     request.texture = texture;
     request.tiled = tiled;
@@ -89,8 +95,9 @@ SceneRequest Texts::scene(const std::string& file_given) const {
 }
 
 void add_tiled(CLI::App& app, Texts& t) {
-    app.add_flag("--tiled", t.tiled,
-                 "show the file in tiles, as rasters of more than 8192 samples a side are anyway");
+    app.add_flag(
+        "--tiled", t.tiled,
+        "show the file in tiles, as mosaics (.vrt) and rasters of more than 8192 samples a side are anyway");
 }
 
 void add_gpu(CLI::App& app, Texts& t) {

@@ -132,7 +132,8 @@ Drawn Renderer::redraw(const Terrain& terrain, const Picture& picture, const std
     bool redraws_blocks = false;
     const Method& method = method_of(picture.settings, " drawn ", redraws_blocks);
     // What water shows of the ground may lie anywhere in the picture.
-    const bool blocks = redraws_blocks && same_view && before->settings == picture.settings && !terrain.water;
+    const bool blocks = redraws_blocks && same_view && before->settings == picture.settings &&
+                        before->around == picture.around && !terrain.water;
     const bool natural = is_natural(picture.settings);
     const bool shadows = picture.settings.shadows && !picture.settings.quick && natural;
     const glm::dvec3 sun = shadows ? picture.settings.sun : glm::dvec3(0);
@@ -223,7 +224,7 @@ void Renderer::draw_ring(const Grid& grid) {
                             std::vector<std::string>{"STAMP 1"});
     gpu::Program& ring = ring_on_.stamp ? *stamp_ring_ : ring_;
     set_camera(ring, grid, picture.camera, picture.width, picture.height);
-    ring.bind_sampled("hits", target_.hits());
+    ring.bind_sampled("hits", hits());
     ring.bind_sampled("picture_colour", refined() ? refinement_.mean() : colour_);
     // As wide at any resolution, but never thinner than a pixel.
     const double pixels = std::max(1.3 * picture.height / 720, 0.6);

@@ -40,7 +40,10 @@ class Renderer {
     /// it was made.
     bool refine(const Terrain& terrain, int samples);
     /// The next draw() draws everything.
-    void forget() { drawn_.reset(); }
+    void forget() {
+        drawn_.reset();
+        if (backdrop_) backdrop_->forget();
+    }
     /// What stands around the terrain in its pictures from now on; null: nothing. It must outlive that.
     void stand_before(Backdrop* backdrop) {
         backdrop_ = backdrop;

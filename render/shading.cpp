@@ -54,7 +54,7 @@ gpu::Program& Shading::program_of(const View& view, const ViewSettings& settings
     } else if (view.natural) {
         if (!gpu::filters_along()) defines.emplace_back("FILTERS_ROUND");
         if (settings.shadows && !settings.quick) defines.emplace_back("SHADOWS");
-        if (settings.occlusion && ground.has_sky_share) defines.emplace_back("OCCLUSION");
+        if (settings.occlusion && ground.has_sky_share && !ground.beside) defines.emplace_back("OCCLUSION");
         if (drape_.width() > 0) defines.emplace_back("DRAPED");
     } else if (!ground.has_layer) {
         defines.emplace_back("ABSENT");

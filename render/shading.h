@@ -25,8 +25,9 @@ struct ShadeFrame {
 };
 
 /// What of another ground in the same picture matters to the colours of this one (render/tiled/backdrop.h).
+/// The sky's share is not heeded then: neither ground knows what of the sky the other one takes.
 struct Beside {
-    glm::dvec2 range_m;          ///< lowest and highest of both
+    glm::dvec2 range_m;          ///< lowest and highest of the larger one
     double extent_m = 0;         ///< of the larger one
     glm::ivec2 first{0};         ///< where among the other's columns and rows this one's first is
     const gpu::Texture* shadow;  ///< 1 at pixels whose hit the other one shades

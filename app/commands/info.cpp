@@ -94,6 +94,7 @@ void info(const std::string& file, const io::ImportSettings& import, bool json) 
     about["simulated_s"] = state.clock.simulated_s;
     about["hash"] = fmt::format("{:016x}", state_hash(state));
     add_place(state.georeference, about);
+    if (document.cut_out) about["cut_out_of"] = document.cut_out->path.string();
     about["notes"] = document.notes;
     if (json) return print_json(about);
     print_samples(file, document.kind, state.grid);
@@ -101,6 +102,7 @@ void info(const std::string& file, const io::ImportSettings& import, bool json) 
     if (state.clock.ticks > 0)
         fmt::print("{} ticks, {:.6g} s simulated\n", state.clock.ticks, state.clock.simulated_s);
     print_place(state.georeference);
+    if (document.cut_out) fmt::print("cut out of {}\n", document.cut_out->path.string());
     for (const std::string& note : document.notes) fmt::print("note: {}\n", note);
 }
 

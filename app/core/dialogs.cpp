@@ -28,6 +28,11 @@ void FileDialog::begin(Purpose what, const std::string& near) {
     accepted = cancelled = false;
 }
 
+void FileDialog::begin_put_back(const Session& session) {
+    begin(Purpose::put_back,
+          session.path().empty() ? session.scene().document.cut_out->path.string() : session.path());
+}
+
 void ExportDialog::close() {
     shown = false;
     error.clear();

@@ -56,6 +56,8 @@ struct FileDialog {
     bool accepted = false;   ///< Enter was pressed
     bool cancelled = false;  ///< Escape was pressed
     void begin(Purpose what, const std::string& near);
+    /// To put the session's scene back, which must have been cut out.
+    void begin_put_back(const Session& session);
 };
 
 /// What a file holds when it is read so.

@@ -35,10 +35,12 @@ bool is_in_tiles(const SceneRequest& request) {
 }
 
 bool is_to_be_measured(const SceneRequest& request) {
+    if (request.input.empty()) return false;
     if (is_in_tiles(request)) return !is_measured(request.input, request.import);
-    if (!request.import.window) return false;
     try {
-        return !is_measured(request.input, request.import);
+        if (request.import.window) return !is_measured(request.input, request.import);
+        const std::optional<io::CutOut> cut_out = io::cut_out_of(request.input);
+        return cut_out && !is_measured(cut_out->path.string(), cut_out->import);
     } catch (const Error&) {
         // Then nothing is shown around it.
         return false;
@@ -60,14 +62,22 @@ void open_whole(Scene& scene, const std::function<Progress(const std::string& pa
     const std::optional<io::CutOut>& cut_out = scene.document.cut_out;
     if (!cut_out || !scene.view.toggle("tiles.backdrop")) return;
     std::vector<std::string>& notes = scene.document.notes;
+    bool ended = false;
+    const auto begin_heeded = [&](const std::string& path) -> Progress {
+        return [&ended, told = begin_progress(path)](double share) {
+            if (!told(share)) ended = true;
+            return !ended;
+        };
+    };
     try {
         io::limit_read_memory(static_cast<std::size_t>(scene.view.whole("tiles.host_mib")) << 20);
         scene.whole = std::make_shared<const TiledTerrain>(
-            open_tiled(cut_out->path.string(), cut_out->import, begin_progress));
+            open_tiled(cut_out->path.string(), cut_out->import, begin_heeded));
         if (scene.whole->file.fingerprint() != cut_out->fingerprint)
             notes.push_back(
                 fmt::format("'{}' was changed since this was cut out of it", cut_out->path.string()));
     } catch (const Error& error) {
+        if (ended) throw;
         notes.push_back(fmt::format("what stands around is not shown: {}", error.what()));
     }
 }

@@ -84,7 +84,7 @@ void Project::serve(const PanelRequests& asked) {
     if (asked.write)
         when_replaceable(asked.write->path.string(),
                          [this, settings = *asked.write] { export_files(settings); });
-    if (asked.put_back) when_replaceable(*asked.put_back, [this, path = *asked.put_back] { put_back(path); });
+    if (asked.put_back) put_back(*asked.put_back);
     if (asked.map) act_on_map(*asked.map);
     if (asked.verify) verify();
     if (asked.reset) when_saved([this] { reset(); });
@@ -204,21 +204,45 @@ void Project::export_files(const io::ExportSettings& settings) {
     work_.start(fmt::format("Writing {}", settings.path.string()), write);
 }
 
+// Asks before work that was put back earlier is lost, or what others changed in the whole since.
 void Project::put_back(const std::string& path) {
     session_.pause();
     auto document = std::make_shared<io::Document>(session_.document());
-    const io::PutBackSettings settings{path, session_.view().number("map.feather_m")};
-    work_.start(fmt::format("Putting back into {}", path),
-                [this, settings, document](const Progress& progress) -> Work::Then {
-                    const std::optional<io::PutBack> done = io::put_back(*document, settings, progress);
-                    if (!done) return [] {};
-                    keep_bounds_of_mosaic(*document->cut_out, settings.mosaic.string(), done->rectangle);
-                    return [this, settings, changed = done->changed] {
-                        voice_.tell(fmt::format("put {} samples back: {} is the whole with them", changed,
-                                                settings.mosaic.string()));
-                        remember(settings.mosaic.string());
-                    };
-                });
+    const io::CutOut& whole = document->cut_out.value();
+    const bool changed = io::TiledFile(whole.path, whole.import).fingerprint() != whole.fingerprint;
+    std::error_code ignored;
+    const bool replaces = std::filesystem::exists(path, ignored);
+    const io::PutBackSettings settings{path, session_.view().number("map.feather_m"), changed};
+    if (!changed && !replaces) return write_back(document, settings);
+    Question question;
+    if (changed)
+        question.text = fmt::format(
+            "'{}' was changed since this was cut out of it. What changed there, within this part, goes. ",
+            whole.path.string());
+    if (replaces)
+        question.text += fmt::format(
+            "'{}' is there already. What was put back into it before goes: to keep it, cut out of that "
+            "mosaic.",
+            path);
+    question.answers.emplace_back("Put it back",
+                                  [this, document, settings] { write_back(document, settings); });
+    question.answers.emplace_back("Cancel", [] {});
+    state_.question = std::move(question);
+    voice_.changed();
+}
+
+void Project::write_back(const std::shared_ptr<io::Document>& document, const io::PutBackSettings& settings) {
+    const std::string path = settings.mosaic.string();
+    const auto write = [this, path, settings, document](const Progress& progress) -> Work::Then {
+        const std::optional<io::PutBack> done = io::put_back(*document, settings, progress);
+        if (!done) return [] {};
+        keep_bounds_of_mosaic(*document->cut_out, path, done->rectangle);
+        return [this, path, changed = done->changed] {
+            voice_.tell(fmt::format("put {} samples back: {} is the whole with them", changed, path));
+            remember(path);
+        };
+    };
+    work_.start(fmt::format("Putting back into {}", path), write);
 }
 
 void Project::verify() {

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -7,6 +8,7 @@
 #include "app/core/recovery.h"
 #include "app/core/session.h"
 #include "app/core/work.h"
+#include "sim/io/put_back.h"
 
 namespace talus::app {
 
@@ -50,6 +52,7 @@ class Project {
     void save(const std::string& path, const std::function<void()>& then);
     void export_files(const io::ExportSettings& settings);
     void put_back(const std::string& path);
+    void write_back(const std::shared_ptr<io::Document>& document, const io::PutBackSettings& settings);
     void look_at(const ImportWish& wish);
     void verify();
     void act_on_map(const Operation& operation);

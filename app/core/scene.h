@@ -22,6 +22,7 @@ struct SceneRequest {
     std::vector<std::string> assignments;  ///< section.name=value
     std::string texture;                   ///< a picture draped over the terrain; empty: none
     bool tiled = false;                    ///< in tiles, also where it could be held as a whole
+    bool in_place = false;  ///< a part of what is looked at, or the whole around it: the camera stays
 };
 
 /// A terrain ready to run: where every session, live or replayed, begins.

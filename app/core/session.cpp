@@ -65,6 +65,16 @@ void Session::follow_surroundings() {
     renderer_->stand_before(nullptr);
     surroundings_.reset();
     if (!scene_.view.toggle("tiles.backdrop")) return;
+    try {
+        make_surroundings();
+    } catch (const std::exception& error) {
+        // The scene is there without them.
+        surroundings_.reset();
+        message_ = fmt::format("what stands around is not shown: {}", error.what());
+    }
+}
+
+void Session::make_surroundings() {
     surroundings_ =
         surroundings_of(scene_, simulation_->terrain().grid(), simulation_->moment_state().georeference);
     if (surroundings_) renderer_->stand_before(&surroundings_->backdrop());
@@ -156,7 +166,8 @@ const gpu::Texture& Session::hits() const {
 
 std::vector<render::Legend> Session::legends(const render::ViewSettings& settings) const {
     if (overflight_) return render::tiled_legend_of(settings, overflight_->surface());
-    const glm::dvec2 bounds = renderer_->bounds();
+    // Colours go by what stands around too.
+    const glm::dvec2 bounds = surroundings_ ? surroundings_->backdrop().range_m() : renderer_->bounds();
     return render::legend_of(settings, bounds.x, bounds.y);
 }
 
@@ -214,31 +225,63 @@ SceneRequest Session::request_for(const SceneRequest& wish) const {
     request.size.reset();
     request.assignments.clear();
     request.tiled = wish.tiled;
-    // An image over one terrain is not one over another.
-    if (wish.input != request_.input) request.texture.clear();
+    request.in_place = wish.in_place;
+    // An image over one terrain is not one over another, nor over a part of it.
+    if (wish.input != request_.input || wish.import.window != request_.import.window) request.texture.clear();
     return request;
 }
 
 void Session::open(const SceneRequest& request, Scene scene) {
-    const TiledTerrain* whole = tiles() ? &tiles()->terrain() : nullptr;
-    const std::string whole_before = whole ? whole->file.path().string() : "";
-    const Grid grid_before = whole ? whole->tree.grid() : Grid();
-    const render::Camera over_whole =
-        surroundings_ ? surroundings_->backdrop().camera_over_tiles(camera_) : camera_;
+    const std::optional<Outlook> before = outlook();
     start(std::move(scene));
     request_ = request;
     path_ = document_path();
-    stay_in_place(whole_before, grid_before, over_whole);
+    // Who cuts a part out, or goes back to the whole, sees what he saw; so does who opens a mosaic over it.
+    if (before && tiles() && (request.in_place || is_over(*before))) look_as(*before);
 }
 
-// Who cuts a part out, or goes back to the whole, sees what he saw.
-void Session::stay_in_place(const std::string& whole_before, const Grid& grid_before,
-                            const render::Camera& over_whole) {
-    // Or a mosaic over it.
-    in_place_ = !whole_before.empty() && tiles() && tiles()->terrain().tree.grid() == grid_before &&
-                tiles()->terrain().file.is_made_of(whole_before);
-    if (!in_place_) return;
-    camera_ = surroundings_ ? surroundings_->backdrop().camera_from_tiles(over_whole) : over_whole;
+std::optional<Session::Outlook> Session::outlook() const {
+    if (!tiles()) return std::nullopt;
+    const TiledTerrain& whole = tiles()->terrain();
+    return Outlook{whole.file.path().string(), whole.tree.grid(),
+                   surroundings_ ? surroundings_->backdrop().camera_over_tiles(camera_) : camera_,
+                   scene_.view, overflight_ ? part() : part_of_whole()};
+}
+
+// The scene's edges in metres of the whole around it.
+Rectangle Session::part_of_whole() const {
+    const glm::dvec3 corner = surroundings_->backdrop().camera_over_tiles({}).eye;
+    return {corner.x, corner.y, corner.x + grid().width_m(), corner.y + grid().height_m()};
+}
+
+bool Session::is_over(const Outlook& before) const {
+    if (!overflight_ || !(overflight_->terrain().tree.grid() == before.grid)) return false;
+    const io::TiledFile& file = overflight_->terrain().file;
+    std::error_code ignored;
+    return !std::filesystem::equivalent(file.path(), before.whole, ignored) && file.is_made_of(before.whole);
+}
+
+// Sun, view and way of flying stay, and the camera is where it was over the whole. What hangs on the
+// terrain's own rectangle does not.
+void Session::look_as(const Outlook& before) {
+    in_place_ = true;
+    for (const Parameter& one : before.view.declared()) {
+        const bool not_of_tiles = overflight_ && one.name == "render.view" &&
+                                  !render::is_of_tiles(render::view_named(before.view.choice(one.name)));
+        const bool stays = one.name.starts_with("render.") || one.name.starts_with("camera.");
+        if (stays && before.view.is_given(one.name) && !not_of_tiles)
+            scene_.view.set(one.name, before.view.value(one.name));
+    }
+    if (overflight_) set_part(before.part);
+    camera_ =
+        surroundings_ ? surroundings_->backdrop().camera_from_tiles(before.over_whole) : before.over_whole;
+}
+
+void Session::set_part(const Rectangle& part) {
+    scene_.view.set("map.west_m", part.west_m);
+    scene_.view.set("map.south_m", part.south_m);
+    scene_.view.set("map.east_m", part.east_m);
+    scene_.view.set("map.north_m", part.north_m);
 }
 
 void Session::outline_part(bool shown, glm::ivec2 size) {
@@ -246,14 +289,18 @@ void Session::outline_part(bool shown, glm::ivec2 size) {
     if (!outlined_) return;
     const Rectangle edges = overflight_ ? part() : Rectangle{0, 0, grid().width_m(), grid().height_m()};
     const gpu::Texture& colours = overflight_ ? overflight_->renderer().colours() : renderer_->colours();
-    // Of all that is seen.
-    const Grid& whole = tiles()->terrain().tree.grid();
-    const glm::dvec3 corner =
-        surroundings_ ? surroundings_->backdrop().camera_from_tiles({}).eye : glm::dvec3(0);
-    const double margin = 0.01 * std::min(whole.dx, whole.dy);
-    const Rectangle ground{corner.x + margin, corner.y + margin, corner.x + whole.width_m() - margin,
-                           corner.y + whole.height_m() - margin};
+    const double margin = 0.01 * std::min(grid().dx, grid().dy);
+    const Rectangle all = ground_edges();
+    const Rectangle ground{all.west_m + margin, all.south_m + margin, all.east_m - margin,
+                           all.north_m - margin};
     outline_.draw(colours, hits(), grid(), camera_, size, edges, ground);
+}
+
+Rectangle Session::ground_edges() const {
+    if (!surroundings_) return {0, 0, grid().width_m(), grid().height_m()};
+    const Grid& whole = surroundings_->tiles().terrain().tree.grid();
+    const glm::dvec3 corner = surroundings_->backdrop().camera_from_tiles({}).eye;
+    return {corner.x, corner.y, corner.x + whole.width_m(), corner.y + whole.height_m()};
 }
 
 Rectangle Session::part() const {
@@ -275,6 +322,7 @@ SceneRequest Session::request_for_part() const {
     SceneRequest request;
     request.input = request_.input;
     request.import = request_.import;
+    request.in_place = true;
     request.import.window = io::window_of(overflight_->terrain().file, south_west, north_east);
     return request;
 }
@@ -284,6 +332,7 @@ SceneRequest Session::request_for_whole() const {
     request.input = scene_.document.cut_out->path.string();
     request.import = scene_.document.cut_out->import;
     request.tiled = true;
+    request.in_place = true;
     return request;
 }
 

@@ -2,6 +2,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/core/activity.h"
@@ -68,6 +69,7 @@ class Session {
     std::vector<render::Legend> legends(const render::ViewSettings& settings) const;
     /// The part of a terrain in tiles that `map.west_m` and its like say.
     Rectangle part() const;
+    void set_part(const Rectangle& part);
     /// After draw() and refine(), for a picture of that size: lays over it the outline of that part, or of
     /// the scene before what stands around it.
     void outline_part(bool shown, glm::ivec2 size);
@@ -84,6 +86,8 @@ class Session {
     Still still(glm::ivec2 size);
     /// Samples of the ground around a place, on the device; none beside the terrain.
     std::optional<GroundSamples> ground_samples(glm::dvec2 place_m) const;
+    /// Where there is ground, around the terrain too: edges in the terrain's metres.
+    Rectangle ground_edges() const;
     /// In tiles the camera's speed follows its height, unless somebody set it. ground_m: below the eye; none:
     /// not known.
     void follow_height(std::optional<double> ground_m);
@@ -161,6 +165,7 @@ class Session {
     void poll() { simulation_->poll_undo(); }
     /// What is to be told that nobody asked for, once.
     std::optional<std::string> take_message() {
+        if (message_) return std::exchange(message_, std::nullopt);
         return overflight_     ? overflight_->tiles().take_message()
                : surroundings_ ? surroundings_->tiles().take_message()
                                : std::nullopt;
@@ -185,8 +190,19 @@ class Session {
     /// Makes anew what hangs on the terrain's size, where another one took its place.
     void follow_terrain();
     void follow_surroundings();
-    void stay_in_place(const std::string& whole_before, const Grid& grid_before,
-                       const render::Camera& over_whole);
+    void make_surroundings();
+    // What somebody sees of a terrain in tiles, or around a part of it.
+    struct Outlook {
+        std::string whole;  // the file
+        Grid grid;          // its
+        render::Camera over_whole;
+        Parameters view;
+        Rectangle part;
+    };
+    std::optional<Outlook> outlook() const;
+    bool is_over(const Outlook& before) const;
+    void look_as(const Outlook& before);
+    Rectangle part_of_whole() const;
     void suggest_for_terrain();
     void forget_rectangle();
     void follow_undo_memory();
@@ -219,6 +235,7 @@ class Session {
     TickPacing::Ran timed_;  // what the timer is of
     double speed_reached_ = 0;
     bool in_place_ = false;
+    std::optional<std::string> message_;
     render::Outline outline_;
     bool outlined_ = false;
     int simulated_terrain_ = 0;  // the simulation's number of it

@@ -41,7 +41,11 @@ Sitter whole_sitter(const SceneRequest& request, const gpu::Device& device) {
     sitter.legends = render::legend_of(settings, *low, *high);
     sitter.notes = scene.document.notes;
     held->around = surroundings_of(scene, sitter.grid, scene.document.state.georeference);
-    if (held->around) held->renderer.stand_before(&held->around->backdrop());
+    if (held->around) {
+        held->renderer.stand_before(&held->around->backdrop());
+        const glm::dvec2 range_m = held->around->backdrop().range_m();
+        sitter.legends = render::legend_of(settings, range_m.x, range_m.y);
+    }
     sitter.painter = held->around ? held->around->painter(held->renderer, held->terrain, settings)
                                   : painter_of(held->renderer, held->terrain, settings);
     sitter.held = held;

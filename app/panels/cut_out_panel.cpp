@@ -33,19 +33,22 @@ void draw_way_back(PanelContext& context) {
     const std::string whole = session.scene().document.cut_out->path.string();
     heading("Cut out of");
     ImGui::TextWrapped("%s", whole.c_str());
-    draw_parameters(session, context.requests, {"tiles.backdrop"});
+    if (has_backdrop_switch(session)) draw_parameters(session, context.requests, {"tiles.backdrop"});
     heading("Put back");
     draw_parameters(session, context.requests, {"map.feather_m"});
     if (button("Put back…",
                "writes what changed as a patch, and a mosaic over both; the file itself stays as it is"))
-        context.state.dialog.begin(FileDialog::Purpose::put_back,
-                                   session.path().empty() ? whole : session.path());
+        context.state.dialog.begin_put_back(session);
     heading("The whole");
     if (button("Fly over the whole", "closes this scene; what is not saved is asked for"))
         context.requests.open = session.request_for_whole();
 }
 
 }  // namespace
+
+bool has_backdrop_switch(const Session& session) {
+    return session.scene().whole && (session.surroundings() || !session.view().toggle("tiles.backdrop"));
+}
 
 bool has_cut_out_panel(const Session& session) {
     return session.overflight() || session.scene().document.cut_out;

@@ -61,7 +61,12 @@ void accept(FileDialog& dialog, PanelRequests& requests) {
         }
         requests.save = path;
     } else if (dialog.purpose == FileDialog::Purpose::put_back) {
-        requests.put_back = io::with_ending(path, ".vrt").string();
+        path = io::with_ending(path, ".vrt").string();
+        if (io::ending_of(path) != ".vrt") {
+            dialog.error = "a mosaic ends in .vrt";
+            return;
+        }
+        requests.put_back = path;
     } else if (dialog.purpose == FileDialog::Purpose::stamp) {
         requests.stamp = path;
     } else if (dialog.purpose == FileDialog::Purpose::import) {

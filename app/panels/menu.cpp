@@ -27,10 +27,7 @@ void draw_file_menu(PanelContext& context) {
         state.dialog.begin(FileDialog::Purpose::import, session.path());
     if (menu_item("Export…", "Ctrl+E", changes)) state.write.shown = true;
     if (session.scene().document.cut_out) {
-        if (menu_item("Put back…", nullptr))
-            state.dialog.begin(
-                FileDialog::Purpose::put_back,
-                session.path().empty() ? session.scene().document.cut_out->path.string() : session.path());
+        if (menu_item("Put back…", nullptr)) state.dialog.begin_put_back(session);
         if (menu_item("Fly over the whole", nullptr)) requests.open = session.request_for_whole();
     }
     if (menu_item("Save a picture", "F12")) requests.picture = true;

@@ -50,6 +50,8 @@ void draw_mask_panel(PanelContext& context);
 void draw_map_panel(PanelContext& context);
 /// The part of a terrain in tiles that is cut out to be worked in, and the way back.
 void draw_cut_out_panel(PanelContext& context);
+/// Whether what stands around the terrain can be shown and hidden.
+bool has_backdrop_switch(const Session& session);
 /// Whether there is one: the terrain is in tiles, or was cut out.
 bool has_cut_out_panel(const Session& session);
 /// What was done, by name; a click goes there.

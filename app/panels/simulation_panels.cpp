@@ -36,7 +36,7 @@ void draw_view_panel(PanelContext& context) {
             (name == "render.tolerance_px" && context.session.surroundings()))
             shown.push_back(std::move(name));
     draw_parameters(context.session, context.requests, shown);
-    if (context.session.scene().whole) {
+    if (has_backdrop_switch(context.session)) {
         heading("Around");
         draw_parameters(context.session, context.requests, {"tiles.backdrop"});
     }

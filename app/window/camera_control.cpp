@@ -90,10 +90,11 @@ void stand(render::Camera& camera, double height_m, double lowest_m, double pass
     keep_above(camera, lowest_m);
 }
 
-void keep_within(render::Camera& camera, const Grid& grid) {
+void keep_within(render::Camera& camera, const Rectangle& ground) {
     const glm::dvec2 place(camera.eye);
-    const glm::dvec2 move =
-        glm::clamp(place, glm::dvec2(0), glm::dvec2(grid.width_m(), grid.height_m())) - place;
+    const glm::dvec2 move = glm::clamp(place, glm::dvec2(ground.west_m, ground.south_m),
+                                       glm::dvec2(ground.east_m, ground.north_m)) -
+                            place;
     camera.eye += glm::dvec3(move, 0);
     camera.target += glm::dvec3(move, 0);
 }

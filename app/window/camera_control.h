@@ -1,5 +1,6 @@
 #pragma once
 #include "render/camera.h"
+#include "sim/terrain/reshape.h"
 
 namespace talus::app {
 
@@ -22,7 +23,7 @@ void walk(render::Camera& camera, double ahead_m, double right_m);
 /// 0.2 s, and never lower than `lowest_m`.
 void stand(render::Camera& camera, double height_m, double lowest_m, double passed_s);
 /// Brings eye and target together over the terrain's rectangle.
-void keep_within(render::Camera& camera, const Grid& grid);
+void keep_within(render::Camera& camera, const Rectangle& ground);
 /// Lifts eye and target together so that the eye is no lower.
 void keep_above(render::Camera& camera, double lowest_m);
 

@@ -31,6 +31,7 @@ void Hand::follow_terrain(const Session& session) {
     last_ground_m_.reset();
     cursor_readback_.cancel();
     cursor_.reset();
+    seen_.reset();
     cursor_mouse_ = glm::dvec2(-1);
 }
 
@@ -40,9 +41,11 @@ void Hand::read_cursor(const Grid& grid) {
     if (!texels) return;
     const float distance = (*texels)[0];
     cursor_.reset();
+    seen_.reset();
     if (!std::isfinite(distance)) return;
     const glm::dvec3 point = cursor_camera_.eye + cursor_direction_ * static_cast<double>(distance);
-    // On the terrain's sides there is nothing to sculpt.
+    seen_ = point;
+    // On the terrain's sides, and around it, there is nothing to sculpt.
     const glm::dvec2 edge(1e-3 * grid.dx, 1e-3 * grid.dy);
     if (point.x > edge.x && point.y > edge.y && point.x < grid.width_m() - edge.x &&
         point.y < grid.height_m() - edge.y)
@@ -74,7 +77,7 @@ void Hand::move_camera(Session& session, glm::dvec2 mouse, double passed_s, int 
     const std::string& mode = session.view().choice("camera.mode");
     const bool walking = mode == "walk";
     const bool flying = mode == "fly" || walking;
-    const glm::dvec3 ahead = cursor_.value_or(camera.target);
+    const glm::dvec3 ahead = seen_.value_or(camera.target);
     const auto held = [&](int button) { return glfwGetMouseButton(window_, button) == GLFW_PRESS; };
     const bool turning = held(GLFW_MOUSE_BUTTON_RIGHT) && may.use_mouse;
     if (turning && !turning_) pivot_ = ahead;
@@ -119,7 +122,7 @@ void Hand::meet_ground(Session& session, render::Camera& camera, bool walking, d
     // Who begins to walk looks ahead.
     if (walking && !walking_) look_level(camera);
     walking_ = walking;
-    if (walking) keep_within(camera, grid);
+    if (walking) keep_within(camera, session.ground_edges());
     const std::optional<GroundSamples> ground = session.ground_samples(camera.eye);
     ground_.follow(ground);
     const std::optional<double> ground_m = ground_.height_m(ground);
@@ -146,14 +149,13 @@ void Hand::choose_part(Session& session, const HandMay& may, bool& choosing_part
     if (cursor_) {
         const glm::dvec2 low = glm::min(*part_from_m_, glm::dvec2(*cursor_));
         const glm::dvec2 high = glm::max(*part_from_m_, glm::dvec2(*cursor_));
-        session.set("map.west_m", low.x);
-        session.set("map.south_m", low.y);
-        session.set("map.east_m", high.x);
-        session.set("map.north_m", high.y);
+        session.set_part({low.x, low.y, high.x, high.y});
     }
     if (held) return;
+    // A click alone chooses nothing.
+    const Rectangle part = session.part();
+    choosing_part = std::min(part.east_m - part.west_m, part.north_m - part.south_m) <= 0;
     part_from_m_.reset();
-    choosing_part = false;
 }
 
 void Hand::sculpt(Session& session, double passed_s, const HandMay& may, bool& placing_gauge) {

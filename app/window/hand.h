@@ -60,6 +60,7 @@ class Hand {
     render::Camera cursor_camera_;
     glm::dvec2 cursor_mouse_{-1};  // where the last read-back began
     glm::dvec3 cursor_direction_{0};
+    std::optional<glm::dvec3> seen_;  // where the mouse's ray met ground, around the terrain too
     std::optional<glm::dvec3> cursor_;
     glm::dvec2 mouse_{0};
     glm::dvec3 pivot_{0};

@@ -292,7 +292,8 @@ class Window {
         mouse_ = mouse;
         state_.only_looks = session_.overflight() != nullptr;
         state_.placing_gauge = state_.placing_gauge && !state_.only_looks;
-        state_.choosing_part = state_.choosing_part && state_.only_looks;
+        state_.choosing_part =
+            state_.choosing_part && state_.only_looks && state_.panels_shown && state_.shown == "Cut out";
         follow_area(size);
 
         const ImGuiIO& io = ImGui::GetIO();

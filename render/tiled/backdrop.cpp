@@ -68,10 +68,7 @@ Camera Backdrop::camera_from_tiles(const Camera& over_tiles) const {
 
 Beside Backdrop::beside_of(glm::ivec2 first, const gpu::Texture& shadow) const {
     const Grid& tiles = surface_.tree().grid();
-    return {{surface_.lowest_m(), surface_.highest_m()},
-            std::max(tiles.width_m(), tiles.height_m()),
-            first,
-            &shadow};
+    return {range_m(), std::max(tiles.width_m(), tiles.height_m()), first, &shadow};
 }
 
 void Backdrop::resize(glm::ivec2 size) {

@@ -31,10 +31,16 @@ class Backdrop {
 
     /// The camera in the tiled terrain's own metres.
     Camera camera_over_tiles(const Camera& camera) const;
+    /// And one of those in the terrain's metres.
+    /// And one of those in the terrain's metres.
     Camera camera_from_tiles(const Camera& over_tiles) const;
+    /// Lowest and highest of the whole, by which both are coloured.
+    glm::dvec2 range_m() const { return {surface_.lowest_m(), surface_.highest_m()}; }
     /// A number for what the surface shows: another one where it looked at something else.
     std::uint64_t changes() const { return changes_; }
     void note_change() { ++changes_; }
+    /// The next picture is drawn anew.
+    void forget() { drawn_.reset(); }
 
     /// What colours the terrain's hits need of what stands around. Draws its shadow on them, where the
     /// settings ask for shadows.

@@ -79,7 +79,7 @@ CutOut cut_out_from(const fs::path& document, const std::string& text) {
 
 CutOutHeights cut_out_heights(const fs::path& path, const ImportSettings& settings) {
     CutOutHeights part;
-    part.cut_out.path = fs::absolute(path).lexically_normal();
+    part.cut_out.path = path.string().starts_with("/vsi") ? path : fs::absolute(path);
     part.cut_out.import = settings;
     part.cut_out.import.window.reset();
     const TiledFile whole(path, part.cut_out.import);
@@ -99,6 +99,12 @@ CutOutHeights cut_out_heights(const fs::path& path, const ImportSettings& settin
     t[3] += t[4] * samples.first.x + t[5] * samples.first.y;
     heightmap.kind = fmt::format("cut out of {}", whole.kind());
     heightmap.notes = whole.notes();
+    if (!whole.holds_plain_heights())
+        heightmap.notes.push_back(
+            fmt::format("work cannot be put back into '{}', whose numbers are not heights as they stand or "
+                        "begin in the south or "
+                        "east: cut the part out of what 'talus tile' makes of it",
+                        path.string()));
     check_finite(path, heightmap);
     return part;
 }

@@ -88,12 +88,15 @@ void read_layer(const fs::path& path, OIIO::ImageInput& input, const LayerDescri
     }
 }
 
-// What a terrain was cut out of may have been moved with its document, or changed.
-void follow_whole(const fs::path& path, Document& document) {
-    fs::path& whole = document.cut_out->path;
+// What a terrain was cut out of may have been moved with its document.
+std::optional<CutOut> cut_out_told(const fs::path& path, const OIIO::ImageSpec& spec) {
+    const std::string text = spec.get_string_attribute("talus:cut_out");
+    if (text.empty()) return std::nullopt;
+    CutOut cut_out = cut_out_from(path, text);
     std::error_code ignored;
-    const fs::path beside = fs::absolute(path).parent_path() / whole.filename();
-    if (!fs::exists(whole, ignored) && fs::exists(beside, ignored)) whole = beside;
+    const fs::path beside = fs::absolute(path).parent_path() / cut_out.path.filename();
+    if (!fs::exists(cut_out.path, ignored) && fs::exists(beside, ignored)) cut_out.path = beside;
+    return cut_out;
 }
 
 Document read_document(const fs::path& path, const ImportSettings& settings) {
@@ -121,9 +124,7 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
                         &t[5]) == 6)
             document.state.georeference = georeference;
     }
-    const std::string cut_out = spec.get_string_attribute("talus:cut_out");
-    if (!cut_out.empty()) document.cut_out = cut_out_from(path, cut_out);
-    if (document.cut_out) follow_whole(path, document);
+    document.cut_out = cut_out_told(path, spec);
     for (const LayerDescription& layer : layers()) read_layer(path, *input, layer, state);
     state.springs = springs_from(path, spec.get_string_attribute("talus:springs"));
     for (const Spring& spring : state.springs) check_spring(state.grid, spring);
@@ -145,6 +146,11 @@ bool is_document(const fs::path& path) {
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored) || fs::file_size(path, ignored) == 0) return false;
     return open_picture(path)->spec().channelindex("bedrock") >= 0;
+}
+
+std::optional<CutOut> cut_out_of(const fs::path& path) {
+    if (!is_document(path)) return std::nullopt;
+    return cut_out_told(path, open_picture(path)->spec());
 }
 
 Document open_document(const fs::path& path, const ImportSettings& settings) {

@@ -10,6 +10,8 @@
 #include <mutex>
 #include <numbers>
 
+#include "sim/error.h"
+
 namespace talus::io {
 namespace {
 
@@ -36,6 +38,14 @@ void start_gdal() {
         GDALAllRegister();
     });
     CPLErrorReset();
+}
+
+Dataset open_raster(const std::filesystem::path& path) {
+    start_gdal();
+    Dataset dataset(static_cast<GDALDataset*>(
+        GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr)));
+    if (!dataset) throw Error(fmt::format("'{}' cannot be read: {}", path.string(), gdal_says()));
+    return dataset;
 }
 
 std::string gdal_says() {

@@ -1,6 +1,7 @@
 #pragma once
 #include <gdal_priv.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,6 +18,9 @@ using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 
 /// Makes GDAL ready, once, and forgets its last message. Call it before GDAL is used.
 void start_gdal();
+
+/// Opens any raster to be read. Throws talus::Error naming it.
+Dataset open_raster(const std::filesystem::path& path);
 
 /// GDAL's last message of this thread as part of a sentence.
 std::string gdal_says();

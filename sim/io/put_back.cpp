@@ -1,21 +1,14 @@
 #include "sim/io/put_back.h"
 
-#include <cpl_minixml.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <ogr_spatialref.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <deque>
-#include <fstream>
 
 #include "sim/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/endings.h"
-#include "sim/io/gdal_dataset.h"
+#include "sim/io/mosaic.h"
 #include "sim/io/tile_writer.h"
 
 namespace talus::io {
@@ -130,192 +123,55 @@ TiledSource patch_source(const TiledFile& whole, const Placed& in, const TileSam
     return source;
 }
 
-// GDAL's trees of XML, as text that a mosaic is.
-class Element {
-  public:
-    explicit Element(const char* name) : node_(CPLCreateXMLNode(nullptr, CXT_Element, name)) {}
-    ~Element() { CPLDestroyXMLNode(node_); }
-    Element(const Element&) = delete;
-    Element& operator=(const Element&) = delete;
-    CPLXMLNode* get() const { return node_; }
-    std::string text() const {
-        char* serialised = CPLSerializeXMLTree(node_);
-        std::string text(serialised);
-        CPLFree(serialised);
-        return text;
-    }
-
-  private:
-    CPLXMLNode* node_;
-};
-
-CPLXMLNode* add(CPLXMLNode* parent, const char* name) {
-    return CPLCreateXMLNode(parent, CXT_Element, name);
-}
-
-void add(CPLXMLNode* parent, const char* name, const std::string& value) {
-    CPLCreateXMLElementAndValue(parent, name, value.c_str());
-}
-
-void attribute(CPLXMLNode* node, const char* name, const std::string& value) {
-    CPLAddXMLAttributeAndValue(node, name, value.c_str());
-}
-
-// A raster of one band, made of the whole's and the patch's samples of a level as they are.
-struct LevelMosaic {
-    fs::path path;
-    int level = 0;
-    glm::ivec2 size{0};
-    std::optional<float> void_value;
-};
-
-// A file's samples of the level, from sample `first` of the mosaic's on.
-void add_part(CPLXMLNode* band, const LevelMosaic& mosaic, const fs::path& file, glm::ivec2 first,
-              glm::ivec2 count) {
-    CPLXMLNode* part = add(band, mosaic.void_value ? "ComplexSource" : "SimpleSource");
-    std::error_code failed;
-    const fs::path from = fs::weakly_canonical(fs::absolute(mosaic.path), failed).parent_path();
-    const fs::path to = fs::weakly_canonical(fs::absolute(file), failed);
-    CPLXMLNode* name = add(part, "SourceFilename");
-    attribute(name, "relativeToVRT", "1");
-    CPLCreateXMLNode(name, CXT_Text, to.lexically_relative(from).c_str());
-    if (mosaic.level > 0) {
-        CPLXMLNode* option = add(add(part, "OpenOptions"), "OOI");
-        attribute(option, "key", "OVERVIEW_LEVEL");
-        CPLCreateXMLNode(option, CXT_Text, std::to_string(mosaic.level - 1).c_str());
-    }
-    add(part, "SourceBand", "1");
-    for (const char* const rectangle : {"SrcRect", "DstRect"}) {
-        CPLXMLNode* node = add(part, rectangle);
-        const glm::ivec2 offset = std::string(rectangle) == "SrcRect" ? glm::ivec2(0) : first;
-        attribute(node, "xOff", std::to_string(offset.x));
-        attribute(node, "yOff", std::to_string(offset.y));
-        attribute(node, "xSize", std::to_string(count.x));
-        attribute(node, "ySize", std::to_string(count.y));
-    }
-    if (mosaic.void_value) add(part, "NODATA", fmt::format("{}", *mosaic.void_value));
-}
-
-// The band of a level; the mosaic's size becomes the root's.
-CPLXMLNode* add_band(CPLXMLNode* root, const LevelMosaic& mosaic, const fs::path& whole,
-                     const PutBack& done) {
-    attribute(root, "rasterXSize", std::to_string(mosaic.size.x));
-    attribute(root, "rasterYSize", std::to_string(mosaic.size.y));
-    CPLXMLNode* band = add(root, "VRTRasterBand");
-    attribute(band, "dataType", "Float32");
-    attribute(band, "band", "1");
-    if (mosaic.void_value) add(band, "NoDataValue", fmt::format("{}", *mosaic.void_value));
-    add_part(band, mosaic, whole, {0, 0}, mosaic.size);
-    const glm::ivec2 first(done.rectangle.first.x >> mosaic.level, done.rectangle.first.y >> mosaic.level);
-    const glm::ivec2 count = halved_levels(done.rectangle.count)[static_cast<std::size_t>(mosaic.level)];
-    add_part(band, mosaic, done.patch, first, count);
-    return band;
-}
-
-void add_place(CPLXMLNode* root, GDALDataset& whole) {
-    if (const OGRSpatialReference* system = whole.GetSpatialRef()) {
-        char* wkt = nullptr;
-        system->exportToWkt(&wkt);
-        CPLXMLNode* node = add(root, "SRS");
-        attribute(node, "dataAxisToSRSAxisMapping",
-                  fmt::format("{}", fmt::join(system->GetDataAxisToSRSAxisMapping(), ",")));
-        CPLCreateXMLNode(node, CXT_Text, wkt ? wkt : "");
-        CPLFree(wkt);
-    }
-    std::array<double, 6> transform{};
-    if (whole.GetGeoTransform(transform.data()) == CE_None)
-        add(root, "GeoTransform", fmt::format("{}", fmt::join(transform, ", ")));
-}
-
-fs::path level_path(const PutBack& done, std::size_t level) {
-    return done.patch.parent_path() / fmt::format("level_{}.vrt", level);
-}
-
-// The whole and the patch as one raster. GDAL could make up the levels of a mosaic, but only those of sizes
-// that are powers of two fall on the parts' own samples; so each is a mosaic of its own.
-std::string mosaic_text(const TiledFile& whole, const PutBack& done, const LevelMosaic& mosaic) {
-    const Element root("VRTDataset");
-    if (mosaic.level > 0) {
-        add_band(root.get(), mosaic, whole.path(), done);
-        return root.text();
-    }
-    const Dataset dataset(static_cast<GDALDataset*>(
-        GDALOpenEx(whole.path().c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr)));
-    if (!dataset) throw Error(fmt::format("'{}' cannot be read: {}", whole.path().string(), gdal_says()));
-    add_place(root.get(), *dataset);
-    if (whole.level_places() == LevelPlaces::by_halves) {
-        CPLXMLNode* metadata = add(root.get(), "Metadata");
-        attribute(metadata, "domain", levels_domain);
-        CPLXMLNode* item = add(metadata, "MDI");
-        attribute(item, "key", levels_item);
-        CPLCreateXMLNode(item, CXT_Text, levels_by_halves);
-    }
-    CPLXMLNode* band = add_band(root.get(), mosaic, whole.path(), done);
-    for (std::size_t level = 1; level < whole.levels().size(); ++level) {
-        CPLXMLNode* overview = add(band, "Overview");
-        CPLXMLNode* name = add(overview, "SourceFilename");
-        attribute(name, "relativeToVRT", "1");
-        const fs::path path = level_path(done, level);
-        CPLCreateXMLNode(name, CXT_Text, (path.parent_path().filename() / path.filename()).c_str());
-        add(overview, "SourceBand", "1");
-    }
-    return root.text();
-}
-
-void check_names(const TiledFile& whole, const PutBackSettings& settings, const fs::path& patch) {
+void check_names(const TiledFile& whole, const PutBackSettings& settings, const fs::path& mosaic) {
     if (ending_of(settings.mosaic) != ".vrt")
         throw Error(
             fmt::format("cannot put back into '{}': a mosaic's name ends in .vrt", settings.mosaic.string()));
-    for (const fs::path& file : {settings.mosaic, patch})
-        if (whole.is_made_of(file))
-            throw Error(
-                fmt::format("'{}' is a part of what the terrain was cut out of, and stays as it is: give "
-                            "the mosaic another name",
-                            file.string()));
+    if (whole.is_made_of(mosaic))
+        throw Error(
+            fmt::format("'{}' is a part of what the terrain was cut out of, and stays as it is: give the "
+                        "mosaic another name",
+                        settings.mosaic.string()));
 }
 
-void write_text(const fs::path& path, const fs::path& as, const std::string& text) {
-    std::ofstream file(as);
-    if (!file.write(text.data(), static_cast<std::streamsize>(text.size())).flush())
-        throw Error(fmt::format("cannot write '{}': {}", path.string(), std::strerror(errno)));
-}
-
-// A folder that goes again where nothing was put into it.
+// A folder for the parts of one mosaic, numbered, beside those of the mosaic that it replaces. It goes again
+// unless it is kept.
 class PartsFolder {
   public:
-    explicit PartsFolder(fs::path path) : path_(std::move(path)) {
+    explicit PartsFolder(const fs::path& mosaic) : all_(fs::path(mosaic).replace_extension(".parts")) {
         std::error_code failed;
-        fs::create_directory(path_, failed);
+        fs::create_directory(all_, failed);
+        int number = 1;
+        while (!failed && !fs::create_directory(own_ = all_ / std::to_string(number), failed)) ++number;
         if (failed)
-            throw Error(fmt::format("cannot make the folder '{}': {}", path_.string(), failed.message()));
+            throw Error(fmt::format("cannot make the folder '{}': {}", all_.string(), failed.message()));
     }
     ~PartsFolder() {
         std::error_code ignored;
-        fs::remove(path_, ignored);
+        if (!kept_) fs::remove_all(own_, ignored);
+        fs::remove(all_, ignored);  // where it is empty
     }
     PartsFolder(const PartsFolder&) = delete;
     PartsFolder& operator=(const PartsFolder&) = delete;
 
-  private:
-    fs::path path_;
-};
-
-// All that can fail comes before anything is in its place: the mosaic that was there may be of the patch
-// before.
-bool write_files(const TiledFile& whole, const PutBack& done, const fs::path& path, const TiledSource& patch,
-                 const std::function<bool(double)>& told) {
-    const PartsFolder folder(done.patch.parent_path());
-    std::deque<AtomicFile> mosaics;
-    for (std::size_t level = 0; level < whole.levels().size(); ++level) {
-        const LevelMosaic mosaic{level == 0 ? path : level_path(done, level), static_cast<int>(level),
-                                 whole.levels()[level], whole.source().void_value};
-        const AtomicFile& file = mosaics.emplace_front(mosaic.path);
-        write_text(mosaic.path, file.temporary(), mosaic_text(whole, done, mosaic));
+    const fs::path& path() const { return own_; }
+    // The mosaic that the others belonged to is replaced.
+    void keep_alone() {
+        kept_ = true;
+        std::error_code ignored;
+        for (const fs::directory_entry& one : fs::directory_iterator(all_, ignored)) {
+            const std::string name = one.path().filename().string();
+            const bool numbered = !name.empty() && std::all_of(name.begin(), name.end(),
+                                                               [](char c) { return c >= '0' && c <= '9'; });
+            if (numbered && one.path() != own_) fs::remove_all(one.path(), ignored);
+        }
     }
-    if (!write_tiled(done.patch, patch, told, whole.levels().size())) return false;
-    for (AtomicFile& mosaic : mosaics) mosaic.commit();
-    return true;
-}
+
+  private:
+    fs::path all_;
+    fs::path own_;
+    bool kept_ = false;
+};
 
 }  // namespace
 
@@ -328,19 +184,33 @@ std::optional<PutBack> put_back(const Document& document, const PutBackSettings&
         throw Error(
             fmt::format("a feather of {} m cannot be used, it must be 0 or more", settings.feather_m));
     const TiledFile whole(document.cut_out->path, document.cut_out->import);
+    if (whole.fingerprint() != document.cut_out->fingerprint && !settings.though_changed)
+        throw Error(
+            fmt::format("'{}' was changed since the terrain was cut out of it: what changed there would be "
+                        "taken for work and be lost; --though-changed puts it back all the same",
+                        whole.path().string()));
     if (!whole.holds_plain_heights())
         throw Error(fmt::format(
             "'{}' holds numbers that are not heights as they stand, or begins in the south or east: "
             "cut the terrain out of what 'talus tile' makes of it",
             whole.path().string()));
-    PutBack done;
-    done.patch = fs::path(settings.mosaic).replace_extension(".parts") / "patch.tif";
-    check_names(whole, settings, done.patch);
+    // Where it is a link, the mosaic stands where that leads, and its parts beside it.
+    const fs::path mosaic = fs::weakly_canonical(fs::absolute(settings.mosaic));
+    check_names(whole, settings, mosaic);
     const Placed in = placed(document, whole, settings.feather_m);
+    // The mosaic that was there keeps its parts until the new one takes its place, which one rename does.
+    AtomicFile file(mosaic);
+    PartsFolder parts(mosaic);
+    PutBack done;
+    done.patch = parts.path() / "patch.tif";
     done.changed = in.changes;
     done.rectangle = patch_rectangle(in, whole);
-    if (!write_files(whole, done, settings.mosaic, patch_source(whole, in, done.rectangle), told))
+    if (!write_tiled(done.patch, patch_source(whole, in, done.rectangle), told, whole.levels().size()))
         return std::nullopt;
+    write_mosaic(whole, {done.patch, done.rectangle}, {mosaic, file.temporary(), parts.path()});
+    if (told && !told(1)) return std::nullopt;
+    file.commit();
+    parts.keep_alone();
     return done;
 }
 

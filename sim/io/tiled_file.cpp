@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <set>
 
 #include "sim/error.h"
 #include "sim/io/endings.h"
@@ -21,14 +23,6 @@ namespace {
 constexpr std::int64_t most_filled = std::int64_t{1} << 24;
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
-
-Dataset open_raster(const fs::path& path) {
-    start_gdal();
-    Dataset dataset(static_cast<GDALDataset*>(
-        GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr)));
-    if (!dataset) throw Error(fmt::format("'{}' cannot be read: {}", path.string(), gdal_says()));
-    return dataset;
-}
 
 GDALRasterBand* band_of(GDALDataset& dataset, int level) {
     GDALRasterBand* band = dataset.GetRasterBand(1);
@@ -70,9 +64,6 @@ std::vector<std::string> files_of(GDALDataset& dataset) {
     return all;
 }
 
-// Mosaics of mosaics are followed so far.
-constexpr int deepest_mosaic = 16;
-
 // Size and time of a file, also of those that GDAL alone can look into (/vsizip and the like).
 std::string stamp_of(const std::string& file) {
     VSIStatBufL found{};
@@ -84,39 +75,38 @@ std::string stamp_of(const std::string& file) {
                               : static_cast<std::int64_t>(time.time_since_epoch().count()));
 }
 
-bool is_mosaic_within(const std::string& file, GDALDataset& dataset, int depth) {
-    return ending_of(file) == ".vrt" && depth > 0 && file != dataset.GetDescription();
+// Calls `visit` for each file that a raster is made of, parts of mosaics too, once; until that returns true.
+// A mosaic lists its direct parts alone, but levels of its own too, which list the same parts again.
+bool any_part(GDALDataset& dataset, const std::function<bool(const std::string&)>& visit,
+              std::set<std::string>& visited) {
+    const std::vector<std::string> files = files_of(dataset);
+    return std::any_of(files.begin(), files.end(), [&](const std::string& file) {
+        std::error_code failed;
+        const fs::path full = fs::weakly_canonical(file, failed);
+        if (!visited.insert(failed ? file : full.string()).second) return false;
+        if (visit(file)) return true;
+        if (ending_of(file) != ".vrt" || file == dataset.GetDescription()) return false;
+        const Dataset inner(static_cast<GDALDataset*>(
+            GDALOpenEx(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr)));
+        return inner && any_part(*inner, visit, visited);
+    });
 }
 
 // Of all files that the raster is made of: where they lie seen from its folder, sizes and times.
-std::string parts_of(GDALDataset& dataset, const fs::path& folder, int depth) {
+std::string parts_of(GDALDataset& dataset, const fs::path& folder) {
     std::string told;
-    for (const std::string& file : files_of(dataset)) {
+    std::set<std::string> visited;
+    const auto tell = [&](const std::string& file) {
         std::error_code failed;
         const fs::path full = fs::weakly_canonical(file, failed);
         told +=
             fmt::format("{} {}\n", failed ? file : full.lexically_relative(folder).string(), stamp_of(file));
-        // What a mosaic lists are its direct parts; a part's overviews, and parts of its own, are not among
-        // them.
+        // A part's overviews are not listed.
         told += fmt::format("{}\n", stamp_of(file + ".ovr"));
-        if (!is_mosaic_within(file, dataset, depth)) continue;
-        const Dataset part(static_cast<GDALDataset*>(
-            GDALOpenEx(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr)));
-        if (part) told += parts_of(*part, folder, depth - 1);
-    }
+        return false;
+    };
+    any_part(dataset, tell, visited);
     return told;
-}
-
-bool is_part_of(GDALDataset& dataset, const fs::path& file, int depth) {
-    const std::vector<std::string> parts = files_of(dataset);
-    return std::any_of(parts.begin(), parts.end(), [&](const std::string& part) {
-        std::error_code ignored;
-        if (fs::equivalent(part, file, ignored)) return true;
-        if (!is_mosaic_within(part, dataset, depth)) return false;
-        const Dataset inner(static_cast<GDALDataset*>(
-            GDALOpenEx(part.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr)));
-        return inner && is_part_of(*inner, file, depth - 1);
-    });
 }
 
 // Gives samples of a rectangle that are not known the height of another one, bilinear. place_of: where a
@@ -354,7 +344,10 @@ TiledFile::TiledFile(const fs::path& path, const ImportSettings& settings) : pat
         notes_.emplace_back(range_unused);
     }
     source_.samples = type_of(type, picture);
-    plain_heights_ = !picture && !place.south_first && !place.east_first;
+    int scaled = 0;
+    int moved = 0;
+    const bool as_they_stand = band->GetScale(&scaled) == 1 && band->GetOffset(&moved) == 0;
+    plain_heights_ = !picture && as_they_stand && !place.south_first && !place.east_first;
     if (reading->void_value) source_.void_value = *reading->void_value;
     int block_x = 0;
     int block_y = 0;
@@ -368,7 +361,7 @@ TiledFile::TiledFile(const fs::path& path, const ImportSettings& settings) : pat
         if (!fill_voids_by_means(coarsest, size))
             throw Error(fmt::format("'{}' holds nothing but nodata, heights were expected", path.string()));
     }
-    parts_ = parts_of(*dataset, fs::weakly_canonical(path).parent_path(), deepest_mosaic);
+    parts_ = parts_of(*dataset, fs::weakly_canonical(path).parent_path());
     const std::string told =
         fmt::format("{}{} {} {} {}", parts_, reading->scale, reading->offset_m, has_nodata, nodata);
     fingerprint_ = bytes_hash(std::as_bytes(std::span(told)));
@@ -384,14 +377,21 @@ TiledFile::TiledFile(const fs::path& path, const ImportSettings& settings) : pat
 bool TiledFile::has_changed() const {
     try {
         const Dataset dataset = open_raster(path_);
-        return parts_of(*dataset, fs::weakly_canonical(path_).parent_path(), deepest_mosaic) != parts_;
+        return parts_of(*dataset, fs::weakly_canonical(path_).parent_path()) != parts_;
     } catch (const std::exception&) {
         return false;
     }
 }
 
 bool TiledFile::is_made_of(const fs::path& file) const {
-    return is_part_of(*open_raster(path_), file, deepest_mosaic);
+    std::set<std::string> visited;
+    return any_part(
+        *open_raster(path_),
+        [&](const std::string& part) {
+            std::error_code ignored;
+            return fs::equivalent(part, file, ignored);
+        },
+        visited);
 }
 
 ReadSamples TiledFile::make_reader() const {

@@ -155,10 +155,17 @@ click "history $last"
 save redone.exr
 [ "$(hash_of redone.exr)" = "$(hash_of breach.exr)" ] || fail "redo is not the breach to the bit"
 
-# Back into its place: a name that is the whole's is refused, another is taken.
+# Back into its place. A mosaic that is there is asked for.
 click "Cut out"
 click "Put back…"
+echo "of somebody else" >worked.vrt
 answer "$PWD/worked.vrt"
+click Cancel
+frames 8
+[ "$(cat worked.vrt)" = "of somebody else" ] || fail "a mosaic was replaced though that was not wanted"
+click "Put back…"
+answer "$PWD/worked.vrt"
+click "Put it back"
 await_word "put [0-9]* samples back: .*worked.vrt is the whole with them"
 shot 09_put_back
 click "Fly over the whole"

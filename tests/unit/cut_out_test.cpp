@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -161,7 +162,7 @@ TEST_F(CutOuts, ArePutBackAndTheRestKeepsItsBits) {
     const std::string bytes = io::read_text(whole);
     io::Document document = io::open_document(whole, window({200, 300}, {150, 80}));
     raise(document, {30, 20}, {60, 50}, 25);
-    const std::optional<io::PutBack> done = io::put_back(document, {path("out.vrt"), 0}, {});
+    const std::optional<io::PutBack> done = io::put_back(document, {path("out.vrt")}, {});
     ASSERT_TRUE(done);
     EXPECT_EQ(done->changed, 30 * 30);
     EXPECT_EQ(done->rectangle.first, glm::ivec2(0));
@@ -246,7 +247,7 @@ TEST_F(CutOuts, KeepVoidsThatNothingFilled) {
     const fs::path whole = write_whole("whole.tif", hilly_with_a_hole, -32768.0F);
     io::Document document = io::open_document(whole, window({280, 330}, {100, 60}));
     raise(document, {0, 0}, {40, 30}, 4);  // its last columns and rows lie in the hole
-    ASSERT_TRUE(io::put_back(document, {path("out.vrt"), 0}, {}));
+    ASSERT_TRUE(io::put_back(document, {path("out.vrt")}, {}));
     const io::TiledFile before(whole, {});
     const io::TiledFile after(path("out.vrt"), {});
     const std::vector<float> old_heights = level_of(before, 0);
@@ -287,9 +288,30 @@ TEST_F(CutOuts, AreCutOutOfWhatWasPutBack) {
         EXPECT_NE(refusal([&] { io::put_back(third, {path(name), 0}, {}); }).find(name), std::string::npos);
         EXPECT_EQ(io::read_text(path(name)), before);
     }
-    // Again to the same place: the new patch alone.
+    // Again to the same place: the new patch alone. Its levels are those of the mosaic below, where it is
+    // not.
     raise(second, {0, 0}, {10, 20}, 1);
-    ASSERT_TRUE(io::put_back(second, {path("b.vrt"), 0}, {}));
+    const std::optional<io::PutBack> again = io::put_back(second, {path("b.vrt"), 0}, {});
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->patch, path("b.parts/2/patch.tif"));
+    EXPECT_FALSE(fs::exists(path("b.parts/1")));
+    {
+        const io::TiledFile below(path("a.vrt"), {});
+        const io::TiledFile above(path("b.vrt"), {});
+        for (int level = 0; level < static_cast<int>(below.levels().size()); ++level) {
+            const glm::ivec2 size = below.levels()[static_cast<std::size_t>(level)];
+            const std::vector<float> a = level_of(below, level);
+            const std::vector<float> b = level_of(above, level);
+            const int end = 512 >> level;
+            for (int y = 0; y < size.y; ++y)
+                for (int x = 0; x < size.x; ++x) {
+                    const std::size_t at = static_cast<std::size_t>(y) * size.x + x;
+                    if (x >= end || y >= end) {
+                        ASSERT_EQ(a[at], b[at]) << level << ": " << x << ", " << y;
+                    }
+                }
+        }
+    }
     EXPECT_NEAR(
         level_of(io::TiledFile(path("b.vrt"), {}), 0)[static_cast<std::size_t>(115) * whole_size.x + 122] -
             hilly(122, 115),
@@ -310,7 +332,7 @@ TEST_F(CutOuts, FindTheirPartsFromTheMosaic) {
     EXPECT_EQ(heights.front(), hilly(0, 0));
     level_of(mosaic, 1);
     // Without a part nothing is made up.
-    fs::remove(path("moved/x y/ö & ü.parts/patch.tif"));
+    ASSERT_TRUE(fs::remove(path("moved/x y/ö & ü.parts/1/patch.tif")));
     const std::string said = refusal([&] {
         const io::TiledFile broken(path("moved/x y/ö & ü.vrt"), {});
         level_of(broken, 0);
@@ -323,9 +345,10 @@ TEST_F(CutOuts, LoseNothingWhereThereIsNoSpace) {
     const fs::path whole = write_whole("whole.tif", hilly);
     io::Document document = io::open_document(whole, window({200, 300}, {150, 80}));
     raise(document, {30, 20}, {60, 50}, 25);
-    ASSERT_TRUE(io::put_back(document, {path("out.vrt"), 0}, {}));
+    const std::optional<io::PutBack> done = io::put_back(document, {path("out.vrt")}, {});
+    ASSERT_TRUE(done);
     const std::string mosaic = io::read_text(path("out.vrt"));
-    const std::string patch = io::read_text(path("out.parts/patch.tif"));
+    const std::string patch = io::read_text(done->patch);
     const auto files = [&] {
         return std::distance(fs::recursive_directory_iterator(folder()), fs::recursive_directory_iterator());
     };
@@ -338,13 +361,72 @@ TEST_F(CutOuts, LoseNothingWhereThereIsNoSpace) {
         rlimit small = before;
         small.rlim_cur = bytes;
         ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
-        const std::string said = refusal([&] { io::put_back(document, {path("out.vrt"), 0}, {}); });
+        const std::string said = refusal([&] { io::put_back(document, {path("out.vrt")}, {}); });
         ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
         EXPECT_NE(said.find("cannot write"), std::string::npos) << said;
         EXPECT_EQ(said.find('\n'), std::string::npos) << said;
         EXPECT_EQ(io::read_text(path("out.vrt")), mosaic);
-        EXPECT_EQ(io::read_text(path("out.parts/patch.tif")), patch);
+        EXPECT_EQ(io::read_text(done->patch), patch);
         EXPECT_EQ(files(), files_before);
+    }
+}
+
+// A mosaic of a mosaic of a mosaic opens as fast: each part is looked at once.
+TEST_F(CutOuts, MayBePutBackManyTimes) {
+    fs::path whole = write_whole("whole.tif", hilly);
+    const auto begin = std::chrono::steady_clock::now();
+    for (int generation = 1; generation <= 8; ++generation) {
+        io::Document document = io::open_document(whole, window({100 + 20 * generation, 100}, {50, 50}));
+        raise(document, {10, 10}, {20, 20}, 5);
+        whole = path("g" + std::to_string(generation) + ".vrt");
+        ASSERT_TRUE(io::put_back(document, {whole, 0}, {})) << generation;
+    }
+    const io::TiledFile last(whole, {});
+    const std::vector<float> heights = level_of(last, 0);
+    for (int generation = 1; generation <= 8; ++generation) {
+        const int x = 115 + 20 * generation;
+        EXPECT_NEAR(heights[static_cast<std::size_t>(115) * whole_size.x + x] - hilly(x, 115), 5, 1e-3)
+            << generation;
+    }
+    EXPECT_TRUE(last.is_made_of(path("whole.tif")));
+    EXPECT_TRUE(last.is_made_of(path("g1.vrt")));
+    EXPECT_FALSE(last.has_changed());
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
+}
+
+// What another program changed in the whole is not taken for work.
+TEST_F(CutOuts, SayWhereTheWholeIsAnotherOne) {
+    const fs::path whole = write_whole("whole.tif", hilly);
+    io::Document document = io::open_document(whole, window({200, 300}, {80, 80}));
+    raise(document, {5, 5}, {9, 9}, 2);
+    write_whole("whole.tif",
+                [](int x, int y) { return hilly(x, y) + (x == 240 && y == 340 ? 50.0F : 0.0F); });
+    fs::last_write_time(whole, fs::last_write_time(whole) + std::chrono::seconds(5));
+    const std::string said = refusal([&] { io::put_back(document, {path("out.vrt")}, {}); });
+    EXPECT_NE(said.find("was changed since"), std::string::npos) << said;
+    EXPECT_FALSE(fs::exists(path("out.vrt")));
+    ASSERT_TRUE(io::put_back(document, {path("out.vrt"), 0, true}, {}));
+    EXPECT_EQ(
+        level_of(io::TiledFile(path("out.vrt"), {}), 0)[static_cast<std::size_t>(340) * whole_size.x + 240],
+        hilly(240, 340));
+}
+
+// Where the mosaic's name is a link, it stands where that leads, with its levels.
+TEST_F(CutOuts, FollowLinks) {
+    fs::create_directories(path("there"));
+    fs::create_directories(path("data"));
+    write_whole("data/real.tif", hilly);
+    fs::create_symlink(path("data/real.tif"), path("link.tif"));
+    std::ofstream(path("there/out.vrt")) << "before";
+    fs::create_symlink(path("there/out.vrt"), path("out.vrt"));
+    io::Document document = io::open_document(path("link.tif"), window({200, 300}, {80, 80}));
+    raise(document, {5, 5}, {9, 9}, 2);
+    ASSERT_TRUE(io::put_back(document, {path("out.vrt")}, {}));
+    EXPECT_TRUE(fs::is_symlink(path("out.vrt")));
+    for (const char* const name : {"out.vrt", "there/out.vrt"}) {
+        const io::TiledFile mosaic(path(name), {});
+        EXPECT_EQ(mosaic.levels(), io::TiledFile(path("data/real.tif"), {}).levels()) << name;
+        level_of(mosaic, 2);
     }
 }
 
