@@ -35,35 +35,6 @@ shot() {
     frames 20
     import -window root "$1.png"
 }
-# A drag of the left button, slowly enough that the cursor is read on the way.
-drag() {
-    xdotool mousemove "$1" "$2"
-    frames 8
-    xdotool mousedown 1
-    frames 8
-    xdotool mousemove $((($1 + $3) / 2)) $((($2 + $4) / 2))
-    frames 8
-    xdotool mousemove "$3" "$4"
-    frames 8
-    xdotool mouseup 1
-    frames 4
-}
-play() {
-    xdotool key space
-    sleep "$1"
-    xdotool key space
-    frames 4
-}
-save() {
-    local said
-    said=$(grep -c "saved .*saved.exr" window.log || true)
-    xdotool key ctrl+s
-    for _ in $(seq 150); do
-        [ "$(grep -c "saved .*saved.exr" window.log || true)" -gt "$said" ] && break
-        sleep 0.1
-    done
-    cp saved.exr "$1"
-}
 # The name that a file dialog asks for.
 answer() {
     await_widget "file name"
@@ -72,7 +43,6 @@ answer() {
     frames 4
     xdotool key Return
 }
-depth() { "$talus" convert "$1" depth.tif --layer water && "$talus" info --json depth.tif | sed -n 's/.*"height_max": \([0-9.]*\).*/\1/p'; }
 
 open_window whole.tif --tiled --ui-rects rects --window-size 1280x720
 await_widget Log

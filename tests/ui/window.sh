@@ -120,3 +120,36 @@ await_word() {
     fail "the window never said '$1'"
 }
 hash_of() { "$talus" info --json "$1" | sed -n 's/.*"hash": "\(.*\)".*/\1/p'; }
+# A drag of the left button, slowly enough that the cursor is read on the way.
+drag() {
+    xdotool mousemove "$1" "$2"
+    frames 8
+    xdotool mousedown 1
+    frames 8
+    xdotool mousemove $((($1 + $3) / 2)) $((($2 + $4) / 2))
+    frames 8
+    xdotool mousemove "$3" "$4"
+    frames 8
+    xdotool mouseup 1
+    frames 4
+}
+# Lets time run for so many seconds.
+play() {
+    xdotool key space
+    sleep "$1"
+    xdotool key space
+    frames 4
+}
+# How deep the water of a document is at most, m.
+depth() { "$talus" convert "$1" depth.tif --layer water && "$talus" info --json depth.tif | sed -n 's/.*"height_max": \([0-9.]*\).*/\1/p'; }
+# Saves to saved.exr, which the document must have been saved to before, and copies that.
+save() {
+    local said
+    said=$(grep -c "saved .*saved.exr" window.log || true)
+    xdotool key ctrl+s
+    for _ in $(seq 150); do
+        [ "$(grep -c "saved .*saved.exr" window.log || true)" -gt "$said" ] && break
+        sleep 0.1
+    done
+    cp saved.exr "$1"
+}

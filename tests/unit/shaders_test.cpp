@@ -8,6 +8,7 @@
 
 #include "app/claims/arithmetic.h"
 #include "render/ground_depth.h"
+#include "render/outline.h"
 #include "render/overview.h"
 #include "render/renderer.h"
 #include "render/tiled/tiled_renderer.h"
@@ -107,6 +108,8 @@ void draw_tiles() {
             settings.shadows = (choice & 1) == 0;
             if ((choice & 2) != 0) renderer.drape(2, 2, std::as_bytes(std::span(photo)));
             renderer.draw(surface, camera, settings, 64, 48);
+            render::Outline().draw(renderer.colours(), renderer.hits(), grid, camera, {64, 48},
+                                   {100, 100, 300, 300}, {0, 0, 690, 650});
         }
 }
 
