@@ -9,12 +9,23 @@
 #include "app/window/camera_control.h"
 
 namespace talus::app {
+namespace {
+
+// Whether a point is between edges and not on them.
+bool is_within(glm::dvec3 point, const Rectangle& edges, const Grid& grid) {
+    const double x_m = 1e-3 * grid.dx;
+    const double y_m = 1e-3 * grid.dy;
+    return point.x > edges.west_m + x_m && point.y > edges.south_m + y_m && point.x < edges.east_m - x_m &&
+           point.y < edges.north_m - y_m;
+}
+
+}  // namespace
 
 void Hand::act(Session& session, glm::dvec2 mouse, double passed_s, glm::ivec2 size, const HandMay& may,
                const HandErrand& errand) {
     moving_s_ = std::max(0.0, moving_s_ - passed_s);
     follow_terrain(session);
-    read_cursor(session.grid());
+    read_cursor(session);
     move_camera(session, mouse, passed_s, size.y, may);
     mouse_ = mouse;
     if (session.overflight())
@@ -36,7 +47,7 @@ void Hand::follow_terrain(const Session& session) {
 }
 
 // Where the mouse's ray met the ground when it was last read.
-void Hand::read_cursor(const Grid& grid) {
+void Hand::read_cursor(const Session& session) {
     const auto texels = cursor_readback_.poll();
     if (!texels) return;
     const float distance = (*texels)[0];
@@ -44,12 +55,10 @@ void Hand::read_cursor(const Grid& grid) {
     seen_.reset();
     if (!std::isfinite(distance)) return;
     const glm::dvec3 point = cursor_camera_.eye + cursor_direction_ * static_cast<double>(distance);
-    seen_ = point;
-    // On the terrain's sides, and around it, there is nothing to sculpt.
-    const glm::dvec2 edge(1e-3 * grid.dx, 1e-3 * grid.dy);
-    if (point.x > edge.x && point.y > edge.y && point.x < grid.width_m() - edge.x &&
-        point.y < grid.height_m() - edge.y)
-        cursor_ = point;
+    // Sides where all ground ends are none, and around the terrain there is nothing to sculpt.
+    const Grid& grid = session.grid();
+    if (is_within(point, session.ground_edges(), grid)) seen_ = point;
+    if (is_within(point, {0, 0, grid.width_m(), grid.height_m()}, grid)) cursor_ = point;
 }
 
 void Hand::look(Session& session, glm::dvec2 mouse, glm::ivec2 size, glm::ivec2 drawn, bool changed) {

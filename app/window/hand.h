@@ -45,7 +45,7 @@ class Hand {
     bool moving() const { return moving_s_ > 0; }
 
   private:
-    void read_cursor(const Grid& grid);
+    void read_cursor(const Session& session);
     void move_camera(Session& session, glm::dvec2 mouse, double passed_s, int height, const HandMay& may);
     void meet_ground(Session& session, render::Camera& camera, bool walking, double passed_s);
     void sculpt(Session& session, double passed_s, const HandMay& may, bool& placing_gauge);

@@ -130,7 +130,9 @@ click "Cut out"
 click "Put back…"
 echo "of somebody else" >worked.vrt
 answer "$PWD/worked.vrt"
+await_widget "Put it back"
 click Cancel
+for _ in $(seq 100); do [ -z "$(rect_of "Put it back")" ] && break; sleep 0.1; done
 frames 8
 [ "$(cat worked.vrt)" = "of somebody else" ] || fail "a mosaic was replaced though that was not wanted"
 click "Put back…"

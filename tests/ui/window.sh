@@ -16,6 +16,7 @@ export XDG_STATE_HOME=$PWD/state XDG_CONFIG_HOME=$PWD/config
 fail() {
     local ended=0
     echo "FAILED: $1"
+    import -window root failed.png 2>/dev/null || true
     if [ -n "${pid:-}" ] && ! kill -0 "$pid" 2>/dev/null; then
         wait "$pid" || ended=$?
         echo "the window has ended with $ended"
