@@ -37,7 +37,8 @@ Backdrop::Backdrop(const TiledSurface& surface, const Grid& terrain, glm::ivec2 
     : surface_(surface),
       terrain_(terrain),
       first_(first),
-      rays_(first, first + glm::ivec2(terrain.nx, terrain.ny) - 1),
+      end_(first + glm::ivec2(terrain.nx, terrain.ny) - 1),
+      rays_(first_, end_),
       shades_terrain_(shade_program(true)),
       shades_tiles_(shade_program(false)),
       lay_over_(lay_over_program({})),
@@ -92,7 +93,7 @@ Beside Backdrop::beside(const ShadeFrame& frame) {
     if (!throws_shadows(frame.settings)) return beside_of(first_, no_shadow_);
     const Camera over = camera_over_tiles(frame.camera);
     surface_.bind(shades_terrain_, over, size);
-    set_hole(shades_terrain_, first_, first_ + glm::ivec2(terrain_.nx, terrain_.ny) - 1);
+    set_hole(shades_terrain_, first_, end_);
     shades_terrain_.bind_sampled("hits", frame.hits);
     shades_terrain_.set("sun", glm::vec3(frame.settings.sun));
     shades_terrain_.set("other_off_m", 0.0F);
@@ -136,8 +137,7 @@ void Backdrop::colour(const BackdropFrame& frame, const ShadeFrame& around) {
                               false,
                               [&](gpu::Program& program) {
                                   surface_.bind(program, around.camera, size);
-                                  set_hole(program, first_,
-                                           first_ + glm::ivec2(terrain_.nx, terrain_.ny) - 1);
+                                  set_hole(program, first_, end_);
                               },
                               true,
                               beside_of({0, 0}, shadows ? shadow_ : no_shadow_)};

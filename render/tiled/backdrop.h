@@ -72,7 +72,8 @@ class Backdrop {
 
     const TiledSurface& surface_;
     Grid terrain_;
-    glm::ivec2 first_;
+    glm::ivec2 first_;  // the hole's patches, from these to before these
+    glm::ivec2 end_;
     std::uint64_t changes_ = 0;
     TiledRays rays_;
     Shading shading_;
