@@ -17,13 +17,15 @@ PackedBytes packed_texels(const gpu::Texture& texture, const gpu::Region& region
 }  // namespace
 
 std::size_t PackedTerrain::bytes() const {
-    return std::accumulate(optional.begin(), optional.end(), solid.bytes() + start.bytes(),
+    const std::size_t always = solid.bytes() + start.bytes() + bed_beyond.size() * sizeof(float);
+    return std::accumulate(optional.begin(), optional.end(), always,
                            [](std::size_t sum, const PackedBytes& layer) { return sum + layer.bytes(); });
 }
 
 PackedTerrain pack(const Terrain& terrain) {
     PackedTerrain packed;
     packed.grid = terrain.grid();
+    packed.bed_beyond = terrain.bed_beyond;
     packed.rain_painted = terrain.rain_painted;
     const gpu::Region all = terrain.ground.whole();
     packed.solid = packed_texels(terrain.solid.front, all);
@@ -37,7 +39,9 @@ PackedTerrain pack(const Terrain& terrain) {
 }
 
 Terrain unpack(const PackedTerrain& packed) {
-    Terrain terrain(bedrock_terrain(packed.grid, std::vector<float>(packed.grid.count())));
+    TerrainState flat = bedrock_terrain(packed.grid, std::vector<float>(packed.grid.count()));
+    flat.bed_beyond = packed.bed_beyond;
+    Terrain terrain(flat);
     const gpu::Region all = terrain.ground.whole();
     terrain.solid.front.write(all, packed.solid.unpack());
     terrain.start.write(all, packed.start.unpack());

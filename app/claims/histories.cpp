@@ -124,8 +124,10 @@ SkippedRest skipped_rest(int order, bool driven, double seconds) {
     scene.water = [bed = scene.bed](double x, double y, double) {
         return glm::dvec3(x < 300 && y < 300 ? std::max(0.0, 6 - bed(x, y)) : 0, 0, 0);
     };
-    // What wakes tiles besides: two springs, waves and a level at edges, and losses.
+    // What wakes tiles besides: two springs, waves and a level at edges, ground that falls beyond one, and
+    // losses.
     if (driven) {
+        scene.knows_bed_beyond = true;
         scene.settings.edges = {EdgeKind::wall, EdgeKind::open, EdgeKind::level, EdgeKind::wave};
         scene.settings.level_m = -1;
         scene.settings.wave_height_m = 0.5;

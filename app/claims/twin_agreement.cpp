@@ -111,7 +111,8 @@ maths::WaterTwin<Real> water_twin(const TerrainState& state, const WaterSettings
     std::vector<glm::vec<4, Real>> water;
     for (const float height : state.ground()) beds.push_back(height);
     for (const glm::vec4& texel : state.water) water.emplace_back(texel);
-    maths::WaterTwin<Real> twin(state.grid, beds, water, settings, state.painted, state.springs);
+    maths::WaterTwin<Real> twin(state.grid, beds, water, settings, state.painted, state.springs,
+                                state.bed_beyond);
     if (!settings.sediment.carried) return twin;
     std::vector<glm::vec<4, Real>> solid;
     for (const glm::vec4& texel : solid_of(state)) solid.emplace_back(texel);
@@ -129,6 +130,7 @@ WaterScene sloshing(const WaterCase& c) {
     scene.settings.rain_m_per_s = c.rain_m_per_s;
     scene.settings.infiltration_m_per_s = c.rain_m_per_s / 3;
     scene.settings.edges = {c.north, c.south, c.west, c.east};
+    scene.knows_bed_beyond = c.knows_bed_beyond;
     scene.settings.level_m = 3;
     scene.settings.wave_height_m = 0.7;
     scene.settings.wave_period_s = 4;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/terrain/bed_beyond.h"
+
 namespace talus::scenes {
 namespace {
 
@@ -49,16 +51,23 @@ TerrainState WaterScene::state() const {
     std::vector<glm::vec4> start;
     beds.reserve(grid.count());
     start.reserve(grid.count());
+    const auto place = [&](int column, int row) {
+        return glm::dvec2((column + 0.5) * grid.dx, (grid.ny - 1 - row + 0.5) * grid.dy);
+    };
     for (int row = 0; row < grid.ny; ++row)
         for (int column = 0; column < grid.nx; ++column) {
-            const double x = (column + 0.5) * grid.dx;
-            const double y = (grid.ny - 1 - row + 0.5) * grid.dy;
-            const glm::dvec3 w = water(x, y, 0);
-            beds.push_back(static_cast<float>(bed(x, y)));
+            const glm::dvec2 at = place(column, row);
+            const glm::dvec3 w = water(at.x, at.y, 0);
+            beds.push_back(static_cast<float>(bed(at.x, at.y)));
             start.emplace_back(w.x, 0, w.y, w.z);
         }
     TerrainState result = bedrock_terrain(grid, beds);
     result.water = start;
+    if (knows_bed_beyond)
+        result.bed_beyond = bed_beyond_of(grid, [&](glm::ivec2 sample) {
+            const glm::dvec2 at = place(sample.x, sample.y);
+            return static_cast<float>(bed(at.x, at.y));
+        });
     return result;
 }
 

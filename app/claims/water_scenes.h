@@ -23,6 +23,7 @@ struct WaterScene {
     double end_s = 1;
     std::function<double(double, double)> bed;
     std::function<glm::dvec3(double, double, double)> water;
+    bool knows_bed_beyond = false;  ///< edges see the bed go on
 
     TerrainState state() const;
 };

@@ -35,6 +35,26 @@ EdgeSample edge_sample(EdgeSample like, real depth, real velocity) {
     return ghost;
 }
 
+// The ghost on this bed at another depth, as fast as it was.
+EdgeSample edge_on_bed(EdgeSample ghost, real depth, real bed) {
+    EdgeSample moved = ghost;
+    moved.bed = bed;
+    if (depth == ghost.depth) return moved;
+    real2 velocity = water_velocity(ghost.depth, real2(ghost.outward, ghost.beside));
+    precise real outward = depth * velocity.x;
+    precise real beside = depth * velocity.y;
+    moved.depth = depth;
+    moved.outward = outward;
+    moved.beside = beside;
+    return moved;
+}
+
+// Depth over this bed where the ghost's level stays.
+real edge_depth_at_its_level(EdgeSample ghost, real bed) {
+    precise real depth = ghost.depth - (bed - ghost.bed);
+    return max(depth, real(0));
+}
+
 real edge_celerity(real depth) {
     precise real square = water_gravity * depth;
     precise real celerity = sqrt(square);
@@ -50,15 +70,26 @@ int edge_acts_as(int kind, EdgeSample inner) {
     return kind == edge_open && runs_in && inner.bed >= edge_level_m ? edge_wall : kind;
 }
 
-// Ghost of an edge with a held level. The outgoing invariant u + 2c gives its velocity, which is at most critical.
-EdgeSample edge_at_level(EdgeSample inner, real velocity) {
+// Beyond an open edge water flows on as deep and as fast as inside. It stands no higher than inside where the bed rises,
+// nor lower than the sea where that stands beyond.
+EdgeSample edge_that_is_open(EdgeSample inner, real bed) {
+    real at_its_level = edge_depth_at_its_level(inner, bed);
+    precise real sea = edge_level_m - bed;
+    return edge_on_bed(inner, max(min(at_its_level, inner.depth), min(at_its_level, sea)), bed);
+}
+
+// Ghost of an edge with a held level. The outgoing invariant u + 2c, over the bed inside, gives its velocity, which is at
+// most critical.
+EdgeSample edge_at_level(EdgeSample inner, real velocity, real bed) {
     precise real held = edge_level_m - inner.bed;
     real depth = max(held, real(0));
     real c = edge_celerity(depth);
     real c_inner = edge_celerity(inner.depth);
-    if (velocity >= c_inner && inner.depth > real(0)) return inner;
+    if (velocity >= c_inner && inner.depth > real(0))
+        return edge_on_bed(inner, edge_depth_at_its_level(inner, bed), bed);
     precise real reached = velocity + real(2) * (c_inner - c);
-    return edge_sample(inner, depth, min(max(reached, -c), c));
+    precise real held_there = edge_level_m - bed;
+    return edge_on_bed(edge_sample(inner, depth, min(max(reached, -c), c)), max(held_there, real(0)), bed);
 }
 
 // A discharge that is given, above 0: c solves -q g / c² + 2c = u + 2c of the wave that leaves, by Newton from below.
@@ -83,7 +114,7 @@ EdgeSample edge_with_inflow(EdgeSample inner, real velocity) {
 }
 
 // A simple wave enters, u = 2 (c - c0), and what comes from inside leaves: u = (in + out) / 2, c = (out - in) / 4.
-EdgeSample edge_with_wave(EdgeSample inner, real velocity) {
+EdgeSample edge_with_wave(EdgeSample inner, real velocity, real bed) {
     precise real still = edge_level_m - inner.bed;
     precise real wave = still + edge_wave_m;
     real c_still = edge_celerity(max(still, real(0)));
@@ -95,23 +126,30 @@ EdgeSample edge_with_wave(EdgeSample inner, real velocity) {
     precise real depth = (c * c) / water_gravity;
     // A wall, where there is no water to move.
     if (still <= real(0)) return edge_sample(inner, inner.depth, -velocity);
-    return edge_sample(inner, depth, u);
+    EdgeSample ghost = edge_sample(inner, depth, u);
+    return edge_on_bed(ghost, edge_depth_at_its_level(ghost, bed), bed);
 }
 
-// Fall of the bed from sample to sample beyond an open edge. Where water cascades out over drops greater than its depth,
-// the bed falls as the level does inside. Elsewhere the bed stays level, so that water at rest inside stays at rest.
+// Fall of the bed from sample to sample beyond an open edge where it is not known. Where water cascades out over drops
+// greater than its depth, the bed falls as the level does inside. Elsewhere the bed stays level, so that water at rest inside
+// stays at rest.
 real edge_fall(int kind, EdgeSample inner, EdgeSample before) {
     precise real fall = (before.depth - inner.depth) + (before.bed - inner.bed);
     bool cascades = inner.outward > real(0) && before.depth > water_film && fall > inner.depth;
     return kind == edge_open && cascades ? fall : real(0);
 }
 
-// The nearer ghost; for a wall or a periodic edge, `first` is the sample that it shows.
-EdgeSample edge_ghost(int kind, EdgeSample first) {
+// Kinds of edges beyond which the bed is the real one. The others show samples of the map, or give a discharge that must
+// not hang on it.
+bool edge_takes_bed(int kind) { return kind == edge_open || kind == edge_level || kind == edge_wave; }
+
+// The ghost over this bed; for a wall or a periodic edge, `first` is the sample that it shows.
+EdgeSample edge_ghost(int kind, EdgeSample first, real bed) {
     real velocity = water_velocity(first.depth, real2(first.outward, first.beside)).x;
-    if (kind == edge_level) return edge_at_level(first, velocity);
+    if (kind == edge_open) return edge_that_is_open(first, bed);
+    if (kind == edge_level) return edge_at_level(first, velocity, bed);
     if (kind == edge_inflow_kind) return edge_with_inflow(first, velocity);
-    if (kind == edge_wave) return edge_with_wave(first, velocity);
+    if (kind == edge_wave) return edge_with_wave(first, velocity, bed);
     EdgeSample ghost = first;
     if (kind == edge_wall) ghost.outward = -first.outward;
     return ghost;

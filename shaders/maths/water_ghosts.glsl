@@ -1,36 +1,12 @@
 // The two ghost samples beyond each sample of the map's edges (docs/numerics.md, "Edges of the water"). Needs
 // maths/water_edge.glsl, and
 //   real4 load_water(int2 at) and real load_bed(int2 at), ghost samples included
-
-// A place on the way round the map: the sample inside, the step out of the map, and the side.
-struct EdgePlace {
-    int2 at;
-    int2 outward;
-    int side;  // 0 north, 1 south, 2 west, 3 east
-};
-
-// Round the map are edge_places() of them: the rows in the north and south, then the columns in the west and east.
-int edge_places() { return 2 * (samples.x + samples.y); }
+//   real load_bed_beyond(int): the real bed at the nearer and the further ghost of each place, or unknown_bed
+#include "maths/bed_beyond.glsl"
+#include "maths/edge_places.glsl"
 
 int edge_kind_of(int side) {
     return side < 2 ? (side == 0 ? edge_kind_north : edge_kind_south) : (side == 2 ? edge_kind_west : edge_kind_east);
-}
-
-EdgePlace edge_place(int index) {
-    EdgePlace place;
-    if (index < 2 * samples.x) {
-        bool north = index < samples.x;
-        place.at = int2(north ? index : index - samples.x, north ? 0 : samples.y - 1);
-        place.outward = int2(0, north ? -1 : 1);
-        place.side = north ? 0 : 1;
-    } else {
-        int row = index - 2 * samples.x;
-        bool west = row < samples.y;
-        place.at = int2(west ? 0 : samples.x - 1, west ? row : row - samples.y);
-        place.outward = int2(west ? -1 : 1, 0);
-        place.side = west ? 2 : 3;
-    }
-    return place;
 }
 
 // Water as an edge sees it. Rows run southwards, discharge north.
@@ -54,6 +30,7 @@ real4 edge_water(EdgeSample ghost, int2 outward) {
 bool edge_mirrors(int kind) { return kind == edge_wall || kind == edge_periodic; }
 
 struct EdgeGhosts {
+    EdgePlace place;
     int kind;             // as it acts
     int2 shown_at;        // the sample that the nearer ghost is made from
     EdgeSample inside;
@@ -62,28 +39,35 @@ struct EdgeGhosts {
     EdgeSample ghost_2;   // one further out
 };
 
-EdgeGhosts edge_ghosts(EdgePlace place) {
+// A ghost over the real bed where that counts and is known, else over a copy of the bed inside that has fallen so far.
+EdgeSample edge_ghost_over(int kind, EdgeSample shown, real known_bed, real fall) {
+    if (edge_takes_bed(kind) && known_bed > real(unknown_bed)) return edge_ghost(kind, shown, known_bed);
+    EdgeSample ghost = edge_ghost(kind, shown, shown.bed);
+    precise real bed = ghost.bed - fall;
+    ghost.bed = bed;
+    return ghost;
+}
+
+EdgeGhosts edge_ghosts(int index) {
     EdgeGhosts made;
+    EdgePlace place = edge_place(index);
+    made.place = place;
     made.inside = edge_sample_at(place.at, place.outward);
     made.inside_2 = edge_sample_at(place.at - place.outward, place.outward);
     made.kind = edge_acts_as(edge_kind_of(place.side), made.inside);
     made.shown_at = place.at;
     EdgeSample shown = made.inside;
-    EdgeSample shown_2 = made.inside_2;
+    EdgeSample shown_2 = edge_mirrors(made.kind) ? made.inside_2 : made.inside;
     if (made.kind == edge_periodic) {
         bool rows = place.outward.x == 0;
         made.shown_at = int2(rows ? place.at.x : samples.x - 1 - place.at.x, rows ? samples.y - 1 - place.at.y : place.at.y);
         shown = edge_sample_at(made.shown_at, place.outward);
         shown_2 = edge_sample_at(made.shown_at + place.outward, place.outward);
     }
-    made.ghost = edge_ghost(made.kind, shown);
-    made.ghost_2 = made.ghost;
-    if (edge_mirrors(made.kind)) made.ghost_2 = edge_ghost(made.kind, shown_2);
     precise real fall = edge_fall(made.kind, made.inside, made.inside_2);
-    precise real bed = made.ghost.bed - fall;
-    precise real bed_2 = made.ghost_2.bed - (fall + fall);
-    made.ghost.bed = bed;
-    made.ghost_2.bed = bed_2;
+    precise real fall_2 = fall + fall;
+    made.ghost = edge_ghost_over(made.kind, shown, load_bed_beyond(2 * index), fall);
+    made.ghost_2 = edge_ghost_over(made.kind, shown_2, load_bed_beyond(2 * index + 1), fall_2);
     return made;
 }
 

@@ -9,6 +9,7 @@ layout(r32f) uniform image2D bed;
 #include "sim/tile_stamps.glsl"
 layout(std430) readonly buffer Springs { vec4 springs[]; };          // column, row, m/s
 layout(std430) readonly buffer EdgeSeries { float edge_series[]; };  // inflow, m²/s; then wave, m
+layout(std430) readonly buffer BedBeyond { float bed_beyond[]; };    // m; of each place the nearer and the further ghost's
 #ifdef SEDIMENT
 layout(rg32f) coherent uniform image2D load_state;
 layout(std430) buffer EdgeSolidBooks { dvec2 edge_solid_books[]; };  // metres in, out, as they count for the bed
@@ -33,6 +34,7 @@ real load_edge_series(int at) { return edge_series[at]; }
 #include "maths/water_spring.glsl"
 
 real4 load_water(int2 at) { return imageLoad(water_state, at + water_ghosts); }
+real load_bed_beyond(int at) { return bed_beyond[at]; }
 real load_bed(int2 at) { return imageLoad(bed, at + water_ghosts).x; }
 #include "maths/water_ghosts.glsl"
 
@@ -73,8 +75,8 @@ void main() {
     barrier();
 
     for (int index = me; index < edge_places(); index += 256) {
-        EdgePlace place = edge_place(index);
-        EdgeGhosts made = edge_ghosts(place);
+        EdgeGhosts made = edge_ghosts(index);
+        EdgePlace place = made.place;
         store_ghost(place.at + place.outward, place.outward, made.ghost);
         store_ghost(place.at + 2 * place.outward, place.outward, made.ghost_2);
 #ifdef SEDIMENT

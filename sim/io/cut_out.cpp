@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/error.h"
+#include "sim/terrain/bed_beyond.h"
+#include "sim/terrain/terrain.h"
 
 namespace talus::io {
 namespace {
@@ -57,6 +59,28 @@ TileSamples samples_in(const TiledFile& whole, const FileWindow& window) {
     return {first, end - first + 1};
 }
 
+// The whole's ground in these samples, and beyond their edges as far as it goes.
+void read_part(const TiledFile& whole, const TileSamples& samples, CutOutHeights& part) {
+    const glm::ivec2 last = glm::ivec2(whole.grid().nx, whole.grid().ny) - 1;
+    const glm::ivec2 first = glm::max(samples.first - water_ghosts, glm::ivec2(0));
+    const glm::ivec2 end = glm::min(samples.first + samples.count - 1 + water_ghosts, last);
+    const TileSamples around = {first, end - first + 1};
+    std::vector<float> read;
+    whole.make_reader()(0, around, read);
+    const glm::ivec2 margin = samples.first - first;
+    const auto bed_at = [&](glm::ivec2 at) {
+        const glm::ivec2 p = at + margin;
+        const bool known =
+            glm::all(glm::greaterThanEqual(p, glm::ivec2(0))) && glm::all(glm::lessThan(p, around.count));
+        return known ? read[static_cast<std::size_t>(p.y) * around.count.x + p.x] : glsl::unknown_bed;
+    };
+    const Grid& grid = part.heightmap.grid;
+    part.heightmap.heights.reserve(grid.count());
+    for (int y = 0; y < grid.ny; ++y)
+        for (int x = 0; x < grid.nx; ++x) part.heightmap.heights.push_back(bed_at({x, y}));
+    part.bed_beyond = bed_beyond_of(grid, bed_at);
+}
+
 }  // namespace
 
 std::string to_text(const CutOut& cut_out) {
@@ -92,7 +116,7 @@ CutOutHeights cut_out_heights(const fs::path& path, const ImportSettings& settin
     Heightmap& heightmap = part.heightmap;
     heightmap.grid = {samples.count.x, samples.count.y, whole.grid().dx, whole.grid().dy};
     check_grid(heightmap.grid);
-    whole.make_reader()(0, samples, heightmap.heights);
+    read_part(whole, samples, part);
     heightmap.georeference = place_of(whole);
     std::array<double, 6>& t = heightmap.georeference->transform;
     t[0] += t[1] * samples.first.x + t[2] * samples.first.y;

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/io/heightmap.h"
 #include "sim/io/tiled_file.h"
@@ -26,6 +27,7 @@ struct CutOutHeights {
     Heightmap heightmap;  ///< its place is known: in metres from the whole's south-west sample where the
                           ///< whole knows no other
     CutOut cut_out;
+    std::vector<float> bed_beyond;  ///< of the whole, as TerrainState has it
 };
 /// Reads the samples in the settings' window, moved outwards to whole samples and cut at the raster's edge,
 /// of any raster that GDAL reads. Throws talus::Error where it cannot be read, or the window holds too few or

@@ -10,6 +10,7 @@
 #include "sim/error.h"
 #include "sim/io/endings.h"
 #include "sim/io/picture.h"
+#include "sim/terrain/bed_beyond.h"
 #include "sim/terrain/layers.h"
 #include "sim/terrain/springs.h"
 
@@ -17,6 +18,8 @@ namespace talus::io {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* bed_beyond_attribute = "talus:bed_beyond";
 
 // x, y and rate of each, as save_document writes them.
 std::vector<Spring> springs_from(const fs::path& path, const std::string& text) {
@@ -88,6 +91,23 @@ void read_layer(const fs::path& path, OIIO::ImageInput& input, const LayerDescri
     }
 }
 
+// The ground beyond the edges, as save_document writes it. Throws talus::Error.
+void read_bed_beyond(const fs::path& path, const OIIO::ImageSpec& spec, TerrainState& state) {
+    const OIIO::ParamValue* words = spec.find_attribute(bed_beyond_attribute);
+    if (!words) return;
+    const OIIO::TypeDesc type = words->type();
+    if (type.basetype != OIIO::TypeDesc::FLOAT)
+        throw Error(
+            fmt::format("'{}': its attribute {} must be floats", path.string(), bed_beyond_attribute));
+    const auto* first = static_cast<const float*>(words->data());
+    state.bed_beyond.assign(first, first + type.basevalues());
+    try {
+        check_bed_beyond(state);
+    } catch (const Error& error) {
+        throw Error(fmt::format("'{}': {}", path.string(), error.what()));
+    }
+}
+
 // What a terrain was cut out of may have been moved with its document.
 std::optional<CutOut> cut_out_told(const fs::path& path, const OIIO::ImageSpec& spec) {
     const std::string text = spec.get_string_attribute("talus:cut_out");
@@ -126,6 +146,7 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
     }
     document.cut_out = cut_out_told(path, spec);
     for (const LayerDescription& layer : layers()) read_layer(path, *input, layer, state);
+    read_bed_beyond(path, spec, state);
     state.springs = springs_from(path, spec.get_string_attribute("talus:springs"));
     for (const Spring& spring : state.springs) check_spring(state.grid, spring);
     return document;
@@ -161,12 +182,15 @@ Document open_document(const fs::path& path, const ImportSettings& settings) {
         CutOutHeights part = cut_out_heights(path, settings);
         heightmap = std::move(part.heightmap);
         document.cut_out = std::move(part.cut_out);
+        document.state.bed_beyond = std::move(part.bed_beyond);
     } else if (is_document(path)) {
         return read_document(path, settings);
     } else {
         heightmap = read_heightmap(path, settings);
     }
+    std::vector<float> bed_beyond = std::move(document.state.bed_beyond);
     document.state = bedrock_terrain(heightmap.grid, heightmap.heights);
+    document.state.bed_beyond = std::move(bed_beyond);
     document.state.georeference = std::move(heightmap.georeference);
     document.kind = std::move(heightmap.kind);
     document.notes = std::move(heightmap.notes);
@@ -202,6 +226,10 @@ void save_document(const fs::path& path, const Document& document) {
         if (!document.state.georeference->wkt.empty())
             spec.attribute("talus:crs", document.state.georeference->wkt);
     }
+    if (!state.bed_beyond.empty())
+        spec.attribute(bed_beyond_attribute,
+                       OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, static_cast<int>(state.bed_beyond.size())),
+                       state.bed_beyond.data());
     if (document.cut_out) spec.attribute("talus:cut_out", to_text(*document.cut_out));
     const std::vector<float> ground = state.ground();
     std::vector<float> pixels;

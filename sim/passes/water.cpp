@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/passes/water_schedule.h"
+#include "sim/terrain/bed_beyond.h"
 #include "sim/terrain/springs.h"
 
 namespace talus {
@@ -35,6 +36,7 @@ Water::Water(const Terrain& terrain)
                static_cast<std::size_t>(terrain.tiles.count()) * glsl::tile_strips * sizeof(glm::dvec2)),
       springs_("water springs", sizeof(glm::vec4)),
       series_("water edge series", 2 * (glsl::edge_series_steps + 1) * sizeof(float)),
+      bed_beyond_("water bed beyond", words_of_bed_beyond(terrain.grid()) * sizeof(float)),
       edge_books_("water edge books",
                   2 * static_cast<std::size_t>(terrain.grid().nx + terrain.grid().ny) * sizeof(glm::dvec2)),
       sediment_(terrain.grid()) {
@@ -43,6 +45,9 @@ Water::Water(const Terrain& terrain)
     speeds_.fill(0);
     sources_.fill(0);
     edge_books_.fill(0);
+    bed_beyond_.write_all(terrain.bed_beyond.empty()
+                              ? std::vector<float>(words_of_bed_beyond(terrain.grid()), glsl::unknown_bed)
+                              : terrain.bed_beyond);
 }
 
 gpu::Program& Water::stage_program(int stage) {
@@ -73,6 +78,7 @@ void Water::bind_buffers(gpu::Program& program) const {
     program.bind_storage("TileSources", sources_);
     program.bind_storage("Springs", springs_);
     program.bind_storage("EdgeSeries", series_);
+    program.bind_storage("BedBeyond", bed_beyond_);
     program.bind_storage("EdgeBooks", edge_books_);
     program.bind_uniforms("WaterNumbers", numbers_);
 }

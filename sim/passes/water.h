@@ -69,6 +69,7 @@ class Water {
     gpu::Buffer sources_;
     gpu::Buffer springs_;
     gpu::Buffer series_;
+    gpu::Buffer bed_beyond_;
     gpu::Buffer edge_books_;
 
     Sediment sediment_;

@@ -19,10 +19,10 @@ class WaterTwin {
   public:
     TALUS_TWIN_NAMES(Real)
 
-    /// Rows of samples, as in TerrainState.
+    /// Rows of samples, and the bed beyond, as in TerrainState.
     WaterTwin(const Grid& grid, const std::vector<real>& beds, const std::vector<real4>& water,
               const WaterSettings& settings, const std::vector<glm::vec4>& painted = {},
-              const std::vector<Spring>& springs = {})
+              const std::vector<Spring>& springs = {}, const std::vector<float>& bed_beyond = {})
         : nx(grid.nx),
           ny(grid.ny),
           water_order(settings.order),
@@ -33,7 +33,8 @@ class WaterTwin {
           back_(front_),
           bed_(front_.size(), 0),
           painted_(painted),
-          springs_(springs) {
+          springs_(springs),
+          bed_beyond_(bed_beyond) {
         for (int y = 0; y < ny; ++y)
             for (int x = 0; x < nx; ++x) {
                 const auto i = static_cast<std::size_t>(y) * nx + x;
@@ -88,6 +89,9 @@ class WaterTwin {
     }
     real load_bed(int2 at) const {
         return bed_[texel(at)];
+    }
+    real load_bed_beyond(int at) const {
+        return bed_beyond_.empty() ? unknown_bed : bed_beyond_[static_cast<std::size_t>(at)];
     }
     real load_edge_series(int at) const {
         return series_[static_cast<std::size_t>(at)];
@@ -241,8 +245,8 @@ class WaterTwin {
             bed_[texel(at)] = ghost.bed;
         };
         for (int index = 0; index < edge_places(); ++index) {
-            const EdgePlace place = edge_place(index);
-            const EdgeGhosts made = edge_ghosts(place);
+            const EdgeGhosts made = edge_ghosts(index);
+            const EdgePlace& place = made.place;
             store(place.at + place.outward, place.outward, made.ghost);
             store(place.at + 2 * place.outward, place.outward, made.ghost_2);
             if (!solid_.empty())
@@ -265,6 +269,7 @@ class WaterTwin {
     std::vector<real> bed_;
     std::vector<glm::vec4> painted_;
     std::vector<Spring> springs_;
+    std::vector<float> bed_beyond_;
     std::vector<real4> solid_;  // empty: no load is carried
     std::vector<real2> load_front_;
     std::vector<real2> load_back_;

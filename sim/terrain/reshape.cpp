@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/error.h"
+#include "sim/terrain/bed_beyond.h"
 #include "sim/terrain/filter.h"
 #include "sim/terrain/layers.h"
 
@@ -106,7 +107,15 @@ void move_samples(const TerrainState& from, TerrainState& to, At at) {
     }
 }
 
-// Everything but grid and layers.
+// Of the ground beyond the edges: `at` says which place of the old map, or off it, a new one is.
+template <typename At>
+void move_bed_beyond(const TerrainState& from, TerrainState& to, At at) {
+    if (from.bed_beyond.empty()) return;
+    to.bed_beyond = bed_beyond_of(
+        to.grid, [&at, bed = bed_around(from)](glm::ivec2 place) { return bed(at(place.x, place.y)); });
+}
+
+// Everything but grid, layers and the ground beyond.
 TerrainState same_moment(const TerrainState& state) {
     TerrainState next;
     next.springs = state.springs;
@@ -120,7 +129,9 @@ TerrainState turned_once(const TerrainState& state) {
     const Grid& old = state.grid;
     TerrainState next = same_moment(state);
     next.grid = {old.ny, old.nx, old.dy, old.dx};
-    move_samples(state, next, [&](int x, int y) { return glm::ivec2(old.nx - 1 - y, x); });
+    const auto old_place = [&](int x, int y) { return glm::ivec2(old.nx - 1 - y, x); };
+    move_samples(state, next, old_place);
+    move_bed_beyond(state, next, old_place);
     for (const LayerDescription& layer : layers()) {
         if (!layer.turn) continue;
         const std::span<float> words = words_of(next, layer);
@@ -192,7 +203,9 @@ TerrainState cropped(const TerrainState& state, const Rectangle& rectangle) {
                         old.width_m(), old.height_m()));
     TerrainState next = same_moment(state);
     next.grid = {samples.width, samples.height, old.dx, old.dy};
-    move_samples(state, next, [&](int x, int y) { return glm::ivec2(x + samples.x, y + samples.y); });
+    const auto old_place = [&](int x, int y) { return glm::ivec2(x + samples.x, y + samples.y); };
+    move_samples(state, next, old_place);
+    move_bed_beyond(state, next, old_place);
     const glm::dvec2 moved(samples.x * old.dx, (old.ny - samples.y - samples.height) * old.dy);
     for (Spring& spring : next.springs) {
         spring.x_m -= moved.x;

@@ -19,6 +19,7 @@ std::uint64_t state_hash(const TerrainState& state) {
         const std::span<const float> words = words_of(state, layer);
         XXH3_64bits_update(hash, words.data(), words.size_bytes());
     }
+    XXH3_64bits_update(hash, state.bed_beyond.data(), state.bed_beyond.size() * sizeof(float));
     XXH3_64bits_update(hash, state.springs.data(), state.springs.size() * sizeof(Spring));
     if (state.edges_since_s != 0) XXH3_64bits_update(hash, &state.edges_since_s, sizeof(state.edges_since_s));
     const std::uint64_t value = XXH3_64bits_digest(hash);

@@ -9,6 +9,7 @@ namespace talus {
 void StateReadback::start(const Terrain& terrain) {
     state_.emplace();
     state_->grid = terrain.grid();
+    state_->bed_beyond = terrain.bed_beyond;
     const gpu::Region all = terrain.ground.whole();
     solid_.start(terrain.solid.front, all);
     layers_.resize(layers().size());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/terrain/bed_beyond.h"
 #include "sim/terrain/layers.h"
 
 namespace talus {
@@ -21,6 +22,8 @@ Terrain::Terrain(const TerrainState& state)
     const auto image = [&](const char* label, gpu::Format format) {
         return gpu::Texture(label, format, grid_.nx, grid_.ny);
     };
+    check_bed_beyond(state);
+    bed_beyond = state.bed_beyond;
     solid = {image("solid front", gpu::Format::rgba32f), image("solid back", gpu::Format::rgba32f)};
     ground = image("ground", gpu::Format::r32f);
     start = image("start", gpu::Format::rg32f);
@@ -106,6 +109,7 @@ void Terrain::refresh(const gpu::Region& samples) {
 TerrainState Terrain::read() const {
     TerrainState state;
     state.grid = grid_;
+    state.bed_beyond = bed_beyond;
     for (const glm::vec4& texel : solid.front.read_all<glm::vec4>()) {
         state.bedrock.emplace_back(texel.x, texel.y);
         state.regolith.emplace_back(texel.z, texel.w);

@@ -50,6 +50,7 @@ class Terrain {
     std::optional<DeviceLayer> inundation;  ///< with the water
     std::optional<DeviceLayer> suspended;   ///< none: nothing was ever eroded by water
     std::optional<DeviceLayer> painted;     ///< none: nothing was painted
+    std::vector<float> bed_beyond;          ///< as in TerrainState; nothing changes it
     bool rain_painted = false;              ///< rain was painted somewhere, though that may be undone
     /// m: the ground under the water, as the last tick found it; texels as the water's, and there with it.
     gpu::Texture water_bed;

@@ -48,6 +48,8 @@ struct TerrainState {
     std::vector<glm::vec2> suspended;
     /// What brushes painted, as PaintedLayer says; empty: nothing.
     std::vector<glm::vec4> painted;
+    /// The ground beyond the map's edges (sim/terrain/bed_beyond.h), m; empty: it is not known.
+    std::vector<float> bed_beyond;
     std::vector<Spring> springs;
     /// The simulated time from which inflow and wave maker count: when they were last set.
     double edges_since_s = 0;

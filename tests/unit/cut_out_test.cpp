@@ -13,6 +13,7 @@
 #include "sim/io/atomic_file.h"
 #include "sim/io/put_back.h"
 #include "sim/io/tile_writer.h"
+#include "sim/terrain/bed_beyond.h"
 #include "sim/terrain/reshape.h"
 #include "sim/terrain/state_hash.h"
 
@@ -129,6 +130,40 @@ TEST_F(CutOuts, AreTheSamplesOfTheirWindow) {
         settings.window = bad;
         EXPECT_NE(refusal([&] { io::open_document(whole, settings); }).find("whole.tif"), std::string::npos);
     }
+}
+
+TEST_F(CutOuts, KnowTheGroundBeyondTheirEdges) {
+    const fs::path whole = write_whole("whole.tif", hilly_with_a_hole, -9999.0F);
+    std::vector<float> read;
+    const io::TiledFile file(whole, {});
+    file.make_reader()(0, {glm::ivec2(0), whole_size}, read);
+    const auto expect_bed = [&](const io::Document& part, glm::ivec2 first) {
+        EXPECT_EQ(part.state.bed_beyond, bed_beyond_of(part.state.grid, [&](glm::ivec2 at) {
+                      const glm::ivec2 p = first + at;
+                      const bool inside = p.x >= 0 && p.y >= 0 && p.x < whole_size.x && p.y < whole_size.y;
+                      return inside ? read[static_cast<std::size_t>(p.y) * whole_size.x + p.x]
+                                    : glsl::unknown_bed;
+                  }));
+    };
+    expect_bed(io::open_document(whole, window({500, 300}, {150, 80})), {500, 300});
+    // Beside a hole, whose heights are those that everything else takes there; and in two corners of the
+    // whole.
+    expect_bed(io::open_document(whole, window({420, 360}, {70, 60})), {420, 360});
+    expect_bed(io::open_document(whole, window({0, 1}, {70, 60})), {0, 1});
+    expect_bed(io::open_document(whole, window(whole_size - 60, {60, 60})), whole_size - 60);
+
+    // A document keeps it, and refuses what cannot be.
+    io::Document document = io::open_document(whole, window({0, 1}, {70, 60}));
+    io::save_document(path("work.exr"), document);
+    EXPECT_EQ(io::open_document(path("work.exr"), {}).state.bed_beyond, document.state.bed_beyond);
+    document.state.bed_beyond.pop_back();
+    io::save_document(path("short.exr"), document);
+    const std::string too_few = refusal([&] { io::open_document(path("short.exr"), {}); });
+    EXPECT_NE(too_few.find("short.exr"), std::string::npos) << too_few;
+    EXPECT_NE(too_few.find("519"), std::string::npos) << too_few;
+    document.state.bed_beyond.push_back(std::numeric_limits<float>::quiet_NaN());
+    io::save_document(path("nan.exr"), document);
+    EXPECT_NE(refusal([&] { io::open_document(path("nan.exr"), {}); }).find("finite"), std::string::npos);
 }
 
 TEST_F(CutOuts, AreKnownFromDocumentsAndJournals) {

@@ -5,12 +5,17 @@
 #include <cmath>
 
 #include "sim/error.h"
+#include "sim/terrain/bed_beyond.h"
 #include "sim/terrain/generate.h"
 #include "sim/terrain/reshape.h"
 #include "sim/terrain/state_hash.h"
 
 namespace talus::reshape_test {
 namespace {
+
+float bed_off_the_map(glm::ivec2 at) {
+    return static_cast<float>(1000 + 100 * at.x + at.y);
+}
 
 // All layers, and what lies on them.
 TerrainState wet_hills(const Grid& grid) {
@@ -23,6 +28,8 @@ TerrainState wet_hills(const Grid& grid) {
         state.suspended.emplace_back(0.1F * t, 0);
         state.painted.emplace_back(t, 1 - t, 40 * t, 0);
     }
+    state.bed_beyond =
+        bed_beyond_of(grid, [](glm::ivec2 at) { return at.y < 0 ? glsl::unknown_bed : bed_off_the_map(at); });
     state.springs = {{100, 50, 3}, {20, 200, 4}};
     state.georeference = Georeference{"", {500000, 30, 2, 4000000, 1, -20}};
     return state;
@@ -78,6 +85,35 @@ TEST(Reshape, ACropKeepsBitsAndPlaces) {
     EXPECT_DOUBLE_EQ(next.springs[0].y_m, 10);
     EXPECT_THROW(cropped(state, {-100, -100, -20, -20}), Error);
     EXPECT_THROW(cropped(state, {300, 0, 100, 300}), Error);
+}
+
+// What is cut off, and what lay beyond: heights that tell where each of them came from.
+TEST(Reshape, TheGroundBeyondTheEdgesGoesAlong) {
+    const TerrainState state = wet_hills({23, 17, 30, 20});
+    const std::vector<float> ground = state.ground();
+    const auto old_bed = [&](glm::ivec2 at) {
+        if (at.y < 0) return glsl::unknown_bed;
+        const bool inside = at.x >= 0 && at.x < 23 && at.y < 17;
+        return inside ? ground[static_cast<std::size_t>(at.y) * 23 + at.x] : bed_off_the_map(at);
+    };
+    // One row short in the north, none in the south, two columns short in the east, many in the west.
+    const TerrainState part = cropped(state, {10.0 * 30, 0, 20.0 * 30, 15.0 * 20});
+    ASSERT_EQ(part.grid, (Grid{11, 16, 30, 20}));
+    EXPECT_EQ(part.bed_beyond,
+              bed_beyond_of(part.grid, [&](glm::ivec2 at) { return old_bed(at + glm::ivec2(10, 1)); }));
+    EXPECT_EQ(part.bed_beyond[0], ground[10]);
+    EXPECT_EQ(part.bed_beyond[1], glsl::unknown_bed);
+    // A quarter: what lay in the north lies in the west.
+    const TerrainState next = turned(state, 1);
+    EXPECT_EQ(next.bed_beyond, bed_beyond_of(next.grid, [&](glm::ivec2 at) {
+                  return old_bed({22 - at.y, at.x});
+              }));
+    EXPECT_TRUE(resampled(state, 40, 40).bed_beyond.empty());
+    // Nothing is known of what has nothing around it.
+    TerrainState alone = state;
+    alone.bed_beyond.clear();
+    EXPECT_TRUE(cropped(alone, {300, 0, 600, 300}).bed_beyond.empty());
+    EXPECT_TRUE(turned(alone, 1).bed_beyond.empty());
 }
 
 TEST(Reshape, ResamplingKeepsSlopesConstantsAndPlaces) {

@@ -17,6 +17,7 @@
 #include "sim/preset.h"
 #include "sim/simulation.h"
 #include "sim/simulation_parameters.h"
+#include "sim/terrain/bed_beyond.h"
 #include "sim/terrain/gauge.h"
 #include "sim/terrain/generate.h"
 #include "sim/terrain/sea.h"
@@ -30,8 +31,16 @@ namespace {
 constexpr std::size_t undo_bytes = 256U << 20U;
 const Grid grid{150, 97, 20, 25};
 
+// A part of a larger coast: the ground beyond its edges is known, but in the east.
 TerrainState coast() {
-    return bedrock_terrain(grid, generate_heights(grid, {"coast", 5, 120}));
+    TerrainState state = bedrock_terrain(grid, generate_heights(grid, {"coast", 5, 120}));
+    state.bed_beyond = bed_beyond_of(grid, [ground = state.ground()](glm::ivec2 at) {
+        const glm::ivec2 inside = glm::clamp(at, glm::ivec2(0), glm::ivec2(grid.nx, grid.ny) - 1);
+        if (at.x > inside.x) return glsl::unknown_bed;
+        return ground[static_cast<std::size_t>(inside.y) * grid.nx + inside.x] +
+               0.37F * static_cast<float>((at.x + at.y) % 7) - 1;
+    });
+    return state;
 }
 
 // Rain, a river, waves and a sea over a coast that slides.
