@@ -11,6 +11,7 @@
 #include "sim/passes/thermal.h"
 #include "sim/passes/thermal_twin.h"
 #include "sim/passes/water_twin.h"
+#include "sim/terrain/bed_beyond.h"
 #include "sim/terrain/generate.h"
 
 namespace talus::claims {
@@ -131,11 +132,18 @@ WaterScene sloshing(const WaterCase& c) {
     scene.settings.infiltration_m_per_s = c.rain_m_per_s / 3;
     scene.settings.edges = {c.north, c.south, c.west, c.east};
     scene.knows_bed_beyond = c.knows_bed_beyond;
+    scene.settings.has_sea = c.order == 2;
     scene.settings.level_m = 3;
     scene.settings.wave_height_m = 0.7;
     scene.settings.wave_period_s = 4;
     scene.settings.inflow_m3_per_s = 900;
     return scene;
+}
+
+// In stretches of each edge, of both ghosts or of the further one.
+void forget_some_bed_beyond(TerrainState& state) {
+    for (std::size_t i = 0; i < state.bed_beyond.size(); ++i)
+        if (i / 2 % 16 < 4 || (i % 2 == 1 && i / 2 % 16 < 7)) state.bed_beyond[i] = glsl::unknown_bed;
 }
 
 // Ten ticks of the device and of both twins.
@@ -196,6 +204,7 @@ TwinAgreement water_against_twin(const WaterCase& c) {
     WaterScene scene = sloshing(c);
     scene.settings.inflow_rise_s = 6;
     TerrainState start = scene.state();
+    forget_some_bed_beyond(start);
     if (c.manning_s_per_m13 > 0) {  // rain by a map
         scene.settings.rain_painted = scene.settings.rain_masked = true;
         for (std::size_t i = 0; i < start.grid.count(); ++i)
@@ -239,6 +248,7 @@ TwinAgreement sediment_against_twin(const WaterCase& c) {
     silt.strata_hardness = 0.8;
     silt.masked = c.order == 1;
     TerrainState start = scene.state();
+    forget_some_bed_beyond(start);
     for (std::size_t i = 0; i < scene.grid.count(); ++i) {
         // Regolith of varied depth, bare in places, and hardness painted.
         const auto x = static_cast<float>(i % static_cast<std::size_t>(scene.grid.nx));

@@ -14,7 +14,8 @@
 //   tile_side_level  int, a tile of the finest level has 2 to the power of it patches in a row
 //   tile_top_level   int, the coarsest level of the tree
 //   room_patches     int2, patches that a slot holds in a row and in a column
-//   slot_top_level   int, the coarsest level of a slot's pyramid
+//   slot_walk_level  int, the coarsest level of a slot's pyramid that rays walk up to: its last one
+//   cast_once        bool, a constant: whether a ray ends at its first hit, as it should
 #include "maths/cast_walk.glsl"
 
 // A ray crosses fewer tiles of all levels together; beyond it something is wrong.
@@ -114,7 +115,7 @@ TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_
             real3 tile_direction = real3(direction.x * place.scale.x, direction.y * place.scale.y, direction.z);
             real2 tile_inverse = real2(cast_inverse(tile_direction.x), cast_inverse(tile_direction.y));
             CastHit here = cast_walk(begin, tile_end, place.origin_cell, place.fraction, tile_direction, tile_inverse, inverse_z, side,
-                                     room_patches, slot_top_level, at, max(entry_level - place.level, 1), height_m);
+                                     room_patches, slot_walk_level, at, max(entry_level - place.level, 1), height_m);
             entry_level = tile_entry_level + place.level;
             // A patch of a coarser level reaches beyond the tile's edge; what is hit there belongs to the next tile.
             bool beyond = place.level > 0 && here.distance_m > tile_end;
@@ -127,7 +128,7 @@ TileHit cast_tiles(int2 origin_cell, real2 fraction, real3 direction, real from_
             cell = int2(next.x >> up, next.y >> up);
             level += up;
             at = leave;
-            inside = hit.distance_m < real(0) && at < end && hit.steps < cast_step_limit;
+            inside = (hit.distance_m < real(0) || !cast_once) && at < end && hit.steps < cast_step_limit;
         }
     } while (inside);
     hit.on_wall = hit.distance_m >= real(0) && hit.distance_m <= within.x;

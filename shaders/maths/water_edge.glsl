@@ -63,33 +63,36 @@ real edge_celerity(real depth) {
 
 // The kind that an edge acts as. An inflow edge without inflow is a wall. An open edge is a wall where water runs into
 // the map faster than a quarter of √(gh) and no sea stands beyond: a copied ghost would be a spring that feeds itself.
-int edge_acts_as(int kind, EdgeSample inner) {
-    real velocity = water_velocity(inner.depth, real2(inner.outward, inner.beside)).x;
+int edge_acts_as(int kind, EdgeSample inner, bool sea_beyond) {
     if (kind == edge_inflow_kind && edge_inflow <= real(0)) return edge_wall;
+    real velocity = water_velocity(inner.depth, real2(inner.outward, inner.beside)).x;
     bool runs_in = velocity < real(-0.25) * edge_celerity(inner.depth);
-    return kind == edge_open && runs_in && inner.bed >= edge_level_m ? edge_wall : kind;
+    return kind == edge_open && runs_in && !sea_beyond ? edge_wall : kind;
 }
 
-// Beyond an open edge water flows on as deep and as fast as inside. It stands no higher than inside where the bed rises,
-// nor lower than the sea where that stands beyond.
+// Where the bed falls, water flows on as deep as it is; where it rises, it stands no higher than inside.
+real edge_depth_running_on(EdgeSample inner, real bed) { return min(edge_depth_at_its_level(inner, bed), inner.depth); }
+
+// Beyond an open edge water runs on, but stands no lower than the sea where that stands beyond, if it stands as high inside.
 EdgeSample edge_that_is_open(EdgeSample inner, real bed) {
-    real at_its_level = edge_depth_at_its_level(inner, bed);
-    precise real sea = edge_level_m - bed;
-    return edge_on_bed(inner, max(min(at_its_level, inner.depth), min(at_its_level, sea)), bed);
+    precise real sea = edge_sea_m - bed;
+    real depth = max(edge_depth_running_on(inner, bed), min(edge_depth_at_its_level(inner, bed), sea));
+    return edge_on_bed(inner, depth, bed);
 }
 
 // Ghost of an edge with a held level. The outgoing invariant u + 2c, over the bed inside, gives its velocity, which is at
-// most critical.
+// most critical over both beds.
 EdgeSample edge_at_level(EdgeSample inner, real velocity, real bed) {
     precise real held = edge_level_m - inner.bed;
+    precise real held_there = edge_level_m - bed;
     real depth = max(held, real(0));
+    real depth_there = max(held_there, real(0));
     real c = edge_celerity(depth);
     real c_inner = edge_celerity(inner.depth);
-    if (velocity >= c_inner && inner.depth > real(0))
-        return edge_on_bed(inner, edge_depth_at_its_level(inner, bed), bed);
+    if (velocity >= c_inner && inner.depth > real(0)) return edge_on_bed(inner, edge_depth_running_on(inner, bed), bed);
     precise real reached = velocity + real(2) * (c_inner - c);
-    precise real held_there = edge_level_m - bed;
-    return edge_on_bed(edge_sample(inner, depth, min(max(reached, -c), c)), max(held_there, real(0)), bed);
+    real fastest = min(c, edge_celerity(depth_there));
+    return edge_on_bed(edge_sample(inner, depth, min(max(reached, -fastest), fastest)), depth_there, bed);
 }
 
 // A discharge that is given, above 0: c solves -q g / c² + 2c = u + 2c of the wave that leaves, by Newton from below.

@@ -39,9 +39,14 @@ struct EdgeGhosts {
     EdgeSample ghost_2;   // one further out
 };
 
+bool edge_knows(real bed) { return bed > real(0.5) * real(unknown_bed); }
+
+// Whether a sea stands beyond the edge: over the real bed, where that is known.
+bool edge_has_sea(EdgeSample inside, real known_bed) { return (edge_knows(known_bed) ? known_bed : inside.bed) < edge_sea_m; }
+
 // A ghost over the real bed where that counts and is known, else over a copy of the bed inside that has fallen so far.
 EdgeSample edge_ghost_over(int kind, EdgeSample shown, real known_bed, real fall) {
-    if (edge_takes_bed(kind) && known_bed > real(unknown_bed)) return edge_ghost(kind, shown, known_bed);
+    if (edge_takes_bed(kind) && edge_knows(known_bed)) return edge_ghost(kind, shown, known_bed);
     EdgeSample ghost = edge_ghost(kind, shown, shown.bed);
     precise real bed = ghost.bed - fall;
     ghost.bed = bed;
@@ -54,7 +59,9 @@ EdgeGhosts edge_ghosts(int index) {
     made.place = place;
     made.inside = edge_sample_at(place.at, place.outward);
     made.inside_2 = edge_sample_at(place.at - place.outward, place.outward);
-    made.kind = edge_acts_as(edge_kind_of(place.side), made.inside);
+    real known = load_bed_beyond(2 * index);
+    real known_2 = load_bed_beyond(2 * index + 1);
+    made.kind = edge_acts_as(edge_kind_of(place.side), made.inside, edge_has_sea(made.inside, known));
     made.shown_at = place.at;
     EdgeSample shown = made.inside;
     EdgeSample shown_2 = edge_mirrors(made.kind) ? made.inside_2 : made.inside;
@@ -66,8 +73,8 @@ EdgeGhosts edge_ghosts(int index) {
     }
     precise real fall = edge_fall(made.kind, made.inside, made.inside_2);
     precise real fall_2 = fall + fall;
-    made.ghost = edge_ghost_over(made.kind, shown, load_bed_beyond(2 * index), fall);
-    made.ghost_2 = edge_ghost_over(made.kind, shown_2, load_bed_beyond(2 * index + 1), fall_2);
+    made.ghost = edge_ghost_over(made.kind, shown, known, fall);
+    made.ghost_2 = edge_ghost_over(made.kind, shown_2, edge_knows(known_2) ? known_2 : known, fall_2);
     return made;
 }
 

@@ -17,3 +17,4 @@ NUMBER(int, edge_kind_south)
 NUMBER(int, edge_kind_west)
 NUMBER(int, edge_kind_east)
 NUMBER(real, edge_level_m)       // held at level edges; still level at wave edges
+NUMBER(real, edge_sea_m)         // level of the sea that stands beyond open edges; far below all ground: none does

@@ -19,6 +19,18 @@ uniform int2 origin_cell;       // the eye's patch (column, row) of the finest l
 uniform real2 origin_fraction;
 uniform real2 origin_height_m;  // the eye's height, two words
 
+// What measures what the caster saves leaves it out.
+#ifdef FINEST_LEVEL
+const int slot_walk_level = 1;
+#else
+#define slot_walk_level slot_top_level
+#endif
+#ifdef EVERY_TILE
+const bool cast_once = false;
+#else
+const bool cast_once = true;
+#endif
+
 int2 tile_slot = int2(0, 0);  // column and row of the one that was loaded last
 
 #ifdef FROM_ELSEWHERE

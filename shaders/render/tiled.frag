@@ -13,7 +13,11 @@ layout(location = 0) out vec2 hit_out;  // distance along the ray in metres (inf
 uniform sampler2D beams;
 
 void main() {
+#ifdef NO_BEAMS
+    real2 beam = real2(0.0, 32.0);
+#else
     real2 beam = texelFetch(beams, ivec2(gl_FragCoord.xy) / beam_pixels, 0).rg;
+#endif
     real2 at = picture_position();
     real from_m = beam.x * length(ray_forward + at.x * ray_right + at.y * ray_up);
     // Beams stop at cells some pixels wide; a ray does best to start two levels finer, and from the tile that is drawn there.

@@ -59,26 +59,38 @@ TileSamples samples_in(const TiledFile& whole, const FileWindow& window) {
     return {first, end - first + 1};
 }
 
-// The whole's ground in these samples, and beyond their edges as far as it goes.
-void read_part(const TiledFile& whole, const TileSamples& samples, CutOutHeights& part) {
-    const glm::ivec2 last = glm::ivec2(whole.grid().nx, whole.grid().ny) - 1;
-    const glm::ivec2 first = glm::max(samples.first - water_ghosts, glm::ivec2(0));
-    const glm::ivec2 end = glm::min(samples.first + samples.count - 1 + water_ghosts, last);
-    const TileSamples around = {first, end - first + 1};
-    std::vector<float> read;
-    whole.make_reader()(0, around, read);
-    const glm::ivec2 margin = samples.first - first;
-    const auto bed_at = [&](glm::ivec2 at) {
-        const glm::ivec2 p = at + margin;
-        const bool known =
-            glm::all(glm::greaterThanEqual(p, glm::ivec2(0))) && glm::all(glm::lessThan(p, around.count));
-        return known ? read[static_cast<std::size_t>(p.y) * around.count.x + p.x] : glsl::unknown_bed;
+// The whole's ground beyond the edges of these samples, as far as it goes and is known.
+std::vector<float> bed_beyond(const TiledFile& whole, const TileSamples& samples) {
+    const glm::ivec2 size(whole.grid().nx, whole.grid().ny);
+    const ReadSamples read = whole.source().make_reader();
+    // A strip along each edge, beyond the corners too.
+    const auto read_strip = [&](glm::ivec2 first, glm::ivec2 end) {
+        first = glm::clamp(first, glm::ivec2(0), size);
+        end = glm::clamp(end, glm::ivec2(0), size);
+        std::vector<float> strip;
+        if (glm::all(glm::lessThan(first, end))) read(0, {first, end - first}, strip);
+        return [first, end, heights = std::move(strip)](glm::ivec2 at) {
+            const bool within =
+                glm::all(glm::greaterThanEqual(at, first)) && glm::all(glm::lessThan(at, end));
+            const glm::ivec2 p = at - first;
+            const float height =
+                within ? heights[static_cast<std::size_t>(p.y) * (end.x - first.x) + p.x] : glsl::unknown_bed;
+            return std::isnan(height) ? glsl::unknown_bed : height;
+        };
     };
-    const Grid& grid = part.heightmap.grid;
-    part.heightmap.heights.reserve(grid.count());
-    for (int y = 0; y < grid.ny; ++y)
-        for (int x = 0; x < grid.nx; ++x) part.heightmap.heights.push_back(bed_at({x, y}));
-    part.bed_beyond = bed_beyond_of(grid, bed_at);
+    const glm::ivec2 first = samples.first;
+    const glm::ivec2 end = first + samples.count;
+    constexpr int far = water_ghosts;
+    const auto north = read_strip({first.x, first.y - far}, {end.x, first.y});
+    const auto south = read_strip({first.x, end.y}, {end.x, end.y + far});
+    const auto west = read_strip({first.x - far, first.y}, {first.x, end.y});
+    const auto east = read_strip({end.x, first.y}, {end.x + far, end.y});
+    return bed_beyond_of({samples.count.x, samples.count.y}, [&](glm::ivec2 at) {
+        const glm::ivec2 place = first + at;
+        if (at.y < 0) return north(place);
+        if (at.y >= samples.count.y) return south(place);
+        return at.x < 0 ? west(place) : east(place);
+    });
 }
 
 }  // namespace
@@ -116,7 +128,8 @@ CutOutHeights cut_out_heights(const fs::path& path, const ImportSettings& settin
     Heightmap& heightmap = part.heightmap;
     heightmap.grid = {samples.count.x, samples.count.y, whole.grid().dx, whole.grid().dy};
     check_grid(heightmap.grid);
-    read_part(whole, samples, part);
+    whole.make_reader()(0, samples, heightmap.heights);
+    part.bed_beyond = bed_beyond(whole, samples);
     heightmap.georeference = place_of(whole);
     std::array<double, 6>& t = heightmap.georeference->transform;
     t[0] += t[1] * samples.first.x + t[2] * samples.first.y;

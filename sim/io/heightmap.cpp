@@ -18,9 +18,11 @@ const char* const range_unused =
     "the heights are metres already, so --range did not change how they were read";
 
 void check_file_size(const fs::path& path, std::int64_t nx, std::int64_t ny) {
+    const bool too_small = std::min(nx, ny) < min_samples;
+    const bool too_large = std::max(nx, ny) > max_samples;
     const char* const larger =
-        nx > max_samples || ny > max_samples ? "; 'talus tile' and 'talus render' take larger rasters" : "";
-    if (nx < min_samples || ny < min_samples || nx > max_samples || ny > max_samples)
+        too_large && !too_small ? "; 'talus tile' and 'talus render' take larger rasters" : "";
+    if (too_small || too_large)
         throw Error(fmt::format("'{}' holds {} x {} samples, each side must have {} to {}{}", path.string(),
                                 nx, ny, min_samples, max_samples, larger));
     check_grid({static_cast<int>(nx), static_cast<int>(ny), 1, 1});

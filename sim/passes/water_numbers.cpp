@@ -34,6 +34,7 @@ WaterNumbers water_numbers(const Grid& grid, glm::ivec2 tiles, const WaterSettin
     numbers.edge_kind_west = kind_of(Edge::west);
     numbers.edge_kind_east = kind_of(Edge::east);
     numbers.edge_level_m = static_cast<float>(settings.level_m);
+    numbers.edge_sea_m = settings.has_sea ? numbers.edge_level_m : -1e30F;
     return numbers;
 }
 

@@ -136,6 +136,7 @@ WaterSettings water_settings_of(const Parameters& parameters) {
     for (const std::size_t edge : {0U, 2U})
         if (settings.edges[edge] == EdgeKind::periodic || settings.edges[edge + 1] == EdgeKind::periodic)
             settings.edges[edge] = settings.edges[edge + 1] = EdgeKind::periodic;
+    settings.has_sea = parameters.is_given("water.sea_level_m");
     settings.sediment = sediment_settings(parameters);
     return settings;
 }

@@ -44,6 +44,7 @@ struct WaterSettings {
     double evaporation_m_per_s = 0;
     std::array<EdgeKind, 4> edges = {EdgeKind::open, EdgeKind::open, EdgeKind::open, EdgeKind::open};
     double level_m = 0;          ///< held at level edges, still level at wave edges
+    bool has_sea = false;        ///< a sea of this level stands beyond open edges: the level was given
     double inflow_m3_per_s = 0;  ///< over all inflow edges together, at its peak
     double inflow_rise_s = 0;    ///< from nothing to the peak; 0: at once
     double inflow_fall_s = 0;    ///< from the peak back to nothing; 0: it stays

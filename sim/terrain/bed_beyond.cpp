@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/error.h"
+#include "sim/terrain/terrain.h"
 
 namespace talus {
 namespace {
@@ -18,7 +19,7 @@ struct Edges {
 #include "maths/edge_places.glsl"
 };
 
-constexpr int further_samples = 2;
+constexpr int further_samples = water_ghosts;
 
 }  // namespace
 

@@ -25,7 +25,8 @@ std::vector<float> bed_beyond_of(const Grid& grid, const BedAt& bed_at);
 /// The ground of a state, and beyond it what it knows. The state must outlive it.
 BedAt bed_around(const TerrainState& state);
 
-/// Throws talus::Error where the state holds another number of them, or one that is not finite.
+/// Throws talus::Error where a state's heights beyond the edges are more or fewer than its size has, or one
+/// is not finite.
 void check_bed_beyond(const TerrainState& state);
 
 }  // namespace talus

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "sim/terrain/bed_beyond.h"
+
 namespace talus {
 
 double fill_sea(TerrainState& state, double level_m) {
@@ -17,13 +19,18 @@ double fill_sea(TerrainState& state, double level_m) {
         reached[at] = true;
         open.emplace_back(column, row);
     };
+    // Where the ground beyond an edge is known, the sea comes in where that lies below it.
+    const BedAt bed = bed_around(state);
+    const auto enter = [&](int column, int row, glm::ivec2 outward) {
+        if (bed(glm::ivec2(column, row) + outward) < level_m) visit(column, row);
+    };
     for (int column = 0; column < grid.nx; ++column) {
-        visit(column, 0);
-        visit(column, grid.ny - 1);
+        enter(column, 0, {0, -1});
+        enter(column, grid.ny - 1, {0, 1});
     }
     for (int row = 0; row < grid.ny; ++row) {
-        visit(0, row);
-        visit(grid.nx - 1, row);
+        enter(0, row, {-1, 0});
+        enter(grid.nx - 1, row, {1, 0});
     }
     double gained_m = 0;
     while (!open.empty()) {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/claims/arithmetic.h"
-#include "app/claims/exact_solutions.h"
+#include "app/claims/differing_bits.h"
 #include "app/claims/twin_agreement.h"
 #include "app/claims/water_scenes.h"
 #include "sim/gpu/context.h"
@@ -96,8 +96,12 @@ TEST(BedBeyond, AStreamLeavesAPartAsItGoesOnInTheWhole) {
     }
 }
 
-// A lake goes on beyond the edge, over a bed that goes up and down there.
-TEST(BedBeyond, ALakeThatGoesOnStaysAtRest) {
+std::size_t moved_bits(const TerrainState& a, const TerrainState& b) {
+    return claims::differing_bits(a.water, b.water);
+}
+
+// A sea, or a lake that is held, goes on beyond the edge, over a bed that goes up and down there.
+TEST(BedBeyond, ASeaThatGoesOnStaysAtRest) {
     const gpu::Context context;
     for (const double datum_m : {0.0, 1000.0})
         for (const EdgeKind kind : {EdgeKind::open, EdgeKind::level, EdgeKind::wave})
@@ -117,6 +121,7 @@ TEST(BedBeyond, ALakeThatGoesOnStaysAtRest) {
                 }
                 ASSERT_GT(wet_edges, 10U);
                 scene.settings.level_m = std::round(level_m * 100) / 100;
+                scene.settings.has_sea = true;
                 WaterRun run(start, scene.settings);
                 run.settings.skips_rest = false;
                 run.run(1, 60);
@@ -125,7 +130,7 @@ TEST(BedBeyond, ALakeThatGoesOnStaysAtRest) {
                                          order, datum_m, scene.settings.level_m));
                 EXPECT_EQ(books.edges_in_m3, 0);
                 EXPECT_EQ(books.edges_out_m3, 0);
-                EXPECT_LE(claims::fastest_of(run.read()), 1e-5);
+                EXPECT_EQ(moved_bits(run.read(), start), 0U);
             }
 }
 
@@ -137,7 +142,6 @@ TEST(BedBeyond, APondBeforeABankStaysAtRest) {
         scene.grid = {64, 64, 5, 5};
         scene.settings.order = order;
         scene.settings.edges.fill(EdgeKind::open);
-        scene.settings.level_m = -1e9;
         scene.knows_bed_beyond = true;
         // The edges' samples lie 2.5 m inside; from there on the ground rises by 1 m in 2 m.
         scene.bed = [](double x, double y) {
@@ -147,36 +151,114 @@ TEST(BedBeyond, APondBeforeABankStaysAtRest) {
         scene.water = [bed = scene.bed](double x, double y, double) {
             return glm::dvec3(2 - bed(x, y), 0, 0);
         };
-        WaterRun run(scene.state(), scene.settings);
+        const TerrainState start = scene.state();
+        WaterRun run(start, scene.settings);
+        run.settings.skips_rest = false;
         run.run(1, 60);
         EXPECT_EQ(run.water.read_books(scene.grid).edges_out_m3, 0);
-        EXPECT_LE(claims::fastest_of(run.read()), 1e-5);
+        EXPECT_EQ(moved_bits(run.read(), start), 0U);
     }
 }
 
-// Over the same pond without a bank, over a drop, it runs out.
+// A pond on a flat bed ends at a drop of 3 m: until it is noticed at the far wall it is a dam break onto a
+// dry bed, which is critical at the brink, where 8/27 √g H^(3/2) leaves (Ritter 1892).
 TEST(BedBeyond, APondBeforeADropRunsOut) {
+    const gpu::Context context;
+    for (const int order : {1, 2})
+        for (const double datum_m : {0.0, -400.0}) {
+            std::vector<double> off;
+            for (const int n : {64, 256}) {
+                WaterScene scene;
+                scene.grid = {n, 4, 320.0 / n, 320.0 / n};
+                scene.settings.order = order;
+                scene.settings.edges = {EdgeKind::wall, EdgeKind::wall, EdgeKind::wall, EdgeKind::open};
+                scene.bed = [=](double x, double) { return datum_m - (x > 320 ? 3 : 0); };
+                scene.water = [](double, double, double) { return glm::dvec3(1, 0, 0); };
+                scene.knows_bed_beyond = true;
+                WaterRun run(scene.state(), scene.settings);
+                run.run(1, 90);
+                const double left_m3 = run.water.read_books(scene.grid).edges_out_m3;
+                const double expected_m3 = 8.0 / 27 * std::sqrt(9.81) * 4 * scene.grid.dy * 90;
+                fmt::print(
+                    "a pond of 1 m before a drop, n {}, order {}, at {} m: {:.4f} of Ritter's outflow\n", n,
+                    order, datum_m, left_m3 / expected_m3);
+                off.push_back(std::abs(left_m3 / expected_m3 - 1));
+
+                // A sea at the pond's level holds it; over a copy of the bed it stood still as well.
+                scene.settings.has_sea = true;
+                scene.settings.level_m = datum_m + 1;
+                WaterRun by_the_sea(scene.state(), scene.settings);
+                by_the_sea.run(1, 20);
+                EXPECT_EQ(moved_bits(by_the_sea.read(), scene.state()), 0U);
+            }
+            EXPECT_LE(off[1], 0.02);
+            EXPECT_LE(off[1], off[0] / 2);
+        }
+}
+
+// An inflow that is given, walls and edges that are joined do not depend on it.
+TEST(BedBeyond, IsNothingToOtherKindsOfEdges) {
+    const gpu::Context context;
+    for (const EdgeKind kind : {EdgeKind::wall, EdgeKind::inflow, EdgeKind::periodic}) {
+        WaterScene scene = scenes::basin(64, 3);
+        scene.settings.edges.fill(kind);
+        scene.settings.inflow_m3_per_s = 200;
+        scene.knows_bed_beyond = true;
+        const TerrainState known = scene.state();
+        TerrainState copied = known;
+        copied.bed_beyond.clear();
+        WaterRun one(known, scene.settings);
+        WaterRun other(copied, scene.settings);
+        for (WaterRun* run : {&one, &other}) run->run(1, 20);
+        EXPECT_EQ(moved_bits(one.read(), other.read()), 0U);
+        EXPECT_GT(moved_bits(one.read(), known), 1000U);
+    }
+}
+
+// No side of the map differs from another: a part that is turned first has the water of one that is turned
+// afterwards, but for signs of zeros.
+TEST(BedBeyond, TurnsWithTheMap) {
+    const gpu::Context context;
+    for (const EdgeKind kind : {EdgeKind::open, EdgeKind::level, EdgeKind::wave}) {
+        WaterScene scene = scenes::basin(65, 4);
+        scene.settings.edges.fill(kind);
+        scene.settings.level_m = 2;
+        scene.settings.wave_height_m = 0.4;
+        scene.settings.wave_period_s = 5;
+        scene.knows_bed_beyond = true;
+        const TerrainState start = scene.state();
+        WaterRun straight(start, scene.settings);
+        straight.run(1, 20);
+        const TerrainState end = straight.read();
+        EXPECT_GT(moved_bits(end, start), 1000U);
+        for (const int quarters : {1, 2, 3}) {
+            WaterRun run(turned(start, quarters), scene.settings);
+            run.run(1, 20);
+            EXPECT_EQ(run.read().water, turned(end, quarters).water) << quarters << " quarters";
+        }
+    }
+}
+
+// Held at 0 m, with a bank up to 0.1 m below it beyond the edge, and a low place inside: no more comes in
+// than runs over such a bank, which is critical there at most.
+TEST(BedBeyond, NoMoreComesInThanRunsOverABank) {
     const gpu::Context context;
     for (const int order : {1, 2}) {
         WaterScene scene;
-        scene.grid = {64, 8, 5, 5};
+        scene.grid = {32, 8, 5, 5};
         scene.settings.order = order;
-        scene.settings.edges = {EdgeKind::wall, EdgeKind::wall, EdgeKind::wall, EdgeKind::open};
-        scene.settings.manning_s_per_m13 = 0.03;
-        scene.bed = [](double x, double) { return x > 320 ? -3.0 : 0.0; };
-        scene.water = [](double x, double, double) { return glm::dvec3(x < 320 ? 1 : 0, 0, 0); };
-        for (const bool knows : {false, true}) {
-            scene.knows_bed_beyond = knows;
-            WaterRun run(scene.state(), scene.settings);
-            run.run(1, 1200);
-            const double left = volume_of(run.read()) / (64 * 8 * 25);
-            fmt::print("a pond of 1 m before a drop, order {}, {}: {:.3f} m left after 20 minutes\n", order,
-                       knows ? "known" : "not known", left);
-            if (knows)
-                EXPECT_LT(left, 0.2);
-            else
-                EXPECT_EQ(left, 1);
-        }
+        scene.settings.edges = {EdgeKind::wall, EdgeKind::wall, EdgeKind::level, EdgeKind::wall};
+        scene.bed = [](double x, double) { return x < 0 ? -0.1 : -10.0; };
+        scene.water = [](double, double, double) { return glm::dvec3(2, 0, 0); };
+        scene.knows_bed_beyond = true;
+        WaterRun run(scene.state(), scene.settings);
+        run.run(1, 60);
+        const double came_m3 = run.water.read_books(scene.grid).edges_in_m3;
+        const double critical_m3 = 0.1 * std::sqrt(9.81 * 0.1) * 8 * 5 * 60;
+        fmt::print("over a bank 0.1 m below the level, order {}: {:.3f} of what is critical\n", order,
+                   came_m3 / critical_m3);
+        EXPECT_GT(came_m3, 0.3 * critical_m3);
+        EXPECT_LE(came_m3, critical_m3 * (1 + 1e-6));
     }
 }
 
@@ -200,7 +282,7 @@ TEST(BedBeyond, OpenEdgesBringNothingDownFromIt) {
         const WaterBooks books = run.water.read_books(scene.grid);
         fmt::print("rain on a bowl, order {}: {:.2e} of the rain came in by open edges\n", order,
                    books.edges_in_m3 / books.rain_m3);
-        EXPECT_LE(books.edges_in_m3, 1e-3 * books.rain_m3);
+        EXPECT_EQ(books.edges_in_m3, 0);
     }
 }
 
@@ -211,7 +293,9 @@ TEST(BedBeyond, AgreesWithTheFloatTwinToTheBit) {
         claims::WaterCase c{order,           0.03,          2e-4, EdgeKind::open, EdgeKind::wave,
                             EdgeKind::level, EdgeKind::open};
         c.knows_bed_beyond = true;
-        for (const claims::TwinAgreement& agreement : {water_against_twin(c), sediment_against_twin(c)}) {
+        const claims::TwinAgreement water = water_against_twin(c);
+        EXPECT_LT(water.of_double, 1e-4);
+        for (const claims::TwinAgreement& agreement : {water, sediment_against_twin(c)}) {
             if (rounds_as_ieee) {
                 EXPECT_EQ(agreement.differing, 0U) << "order " << order;
             }

@@ -320,23 +320,24 @@ TEST(Water, SmallWavesTravelAtTheirSpeed) {
 // the edge is a spring that feeds itself, 38 % of the rain on a mountain).
 TEST(Water, OpenEdgesBringNothingToGroundThatFallsInwards) {
     const gpu::Context context;
-    for (const int order : {1, 2}) {
+    // Below 0 m too: no sea stands there unless its level was given.
+    for (const auto& [order, datum_m] : {std::pair(1, 100), {2, 100}, {2, -1000}}) {
         WaterScene scene;
         scene.grid = {128, 96, 20, 20};
         scene.settings.order = order;
         scene.settings.edges.fill(EdgeKind::open);
         scene.settings.manning_s_per_m13 = 0.035;
         scene.settings.rain_m_per_s = 0.2 / 3600;
-        scene.bed = [](double x, double y) {
+        scene.bed = [datum_m = datum_m](double x, double y) {
             const double from_middle = std::hypot(x - 1280, y - 960);
-            return 100 + 0.15 * from_middle + 4 * std::sin(x / 70) * std::cos(y / 90);
+            return datum_m + 0.15 * from_middle + 4 * std::sin(x / 70) * std::cos(y / 90);
         };
         scene.water = [](double, double, double) { return glm::dvec3(0); };
         WaterRun run(scene.state(), scene.settings);
         run.run(2, 900);
         const WaterBooks books = run.water.read_books(scene.grid);
-        fmt::print("rain on a bowl, order {}: {:.2e} of the rain came in by open edges\n", order,
-                   books.edges_in_m3 / books.rain_m3);
+        fmt::print("rain on a bowl at {:+} m, order {}: {:.2e} of the rain came in by open edges\n", datum_m,
+                   order, books.edges_in_m3 / books.rain_m3);
         EXPECT_LE(books.edges_in_m3, 1e-3 * books.rain_m3);
     }
 }

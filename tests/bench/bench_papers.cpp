@@ -36,6 +36,7 @@ const std::vector<NamedTable>& paper_tables() {
                                                    {"dick_footprint", dick_footprint},
                                                    {"tiled", tiled},
                                                    {"tiled_8192", tiled_8192},
+                                                   {"tiled_casting", tiled_casting},
                                                    {"ammann_boxes", ammann_boxes},
                                                    {"cameras", cameras},
                                                    {"changes", changes},

@@ -16,6 +16,7 @@ class TileCastTwin {
   public:
     TALUS_TWIN_NAMES(Real)
     static constexpr bool count_steps = true;
+    static constexpr bool cast_once = true;
 
     explicit TileCastTwin(const scenes::MemoryTiles& tiles)
         : patches(tiles.tree().grid().nx - 1, tiles.tree().grid().ny - 1),
@@ -25,7 +26,7 @@ class TileCastTwin {
         const Grid& grid = tiles.tree().grid();
         cells_per_m = real2(1 / grid.dx, 1 / grid.dy);
         while (1 << tile_side_level < tiles.tree().side()) ++tile_side_level;
-        while (1 << slot_top_level < room_patches.x) ++slot_top_level;
+        while (1 << slot_walk_level < room_patches.x) ++slot_walk_level;
     }
 
     /// The choice is one of this surface's.
@@ -100,7 +101,7 @@ class TileCastTwin {
     int tile_side_level = 0;
     int tile_top_level;
     int2 room_patches;
-    int slot_top_level = 1;
+    int slot_walk_level = 1;
     real2 cells_per_m{1};
     real3 ray_forward{0};
     real3 ray_right{0};

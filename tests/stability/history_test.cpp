@@ -11,6 +11,7 @@
 #include "sim/gpu/context.h"
 #include "sim/simulation.h"
 #include "sim/simulation_parameters.h"
+#include "sim/terrain/bed_beyond.h"
 #include "sim/terrain/generate.h"
 #include "sim/terrain/state_hash.h"
 
@@ -22,9 +23,14 @@ int wanted(const char* name, int otherwise) {
     return text ? std::atoi(text) : otherwise;
 }
 
+// Every other one knows the ground beyond its edges.
 TerrainState mountains(int nx, int ny, std::uint32_t seed) {
     const Grid grid{nx, ny, 20, 25};
-    return bedrock_terrain(grid, generate_heights(grid, {"mountains", seed, 900}));
+    TerrainState state = bedrock_terrain(grid, generate_heights(grid, {"mountains", seed, 900}));
+    if (seed % 2 != 0)
+        state.bed_beyond =
+            bed_beyond_of(grid, [](glm::ivec2 at) { return static_cast<float>(300 + 5 * at.x - 7 * at.y); });
+    return state;
 }
 
 // An import of a file that is not there: its hash says what it holds.

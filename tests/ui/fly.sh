@@ -47,6 +47,21 @@ await_word "tiles can be read again"
 frames 20
 import -window root 3_mended.png
 
+# What is no terrain, though it is large, is refused in words, and the flight goes on.
+head -c 2000000 /dev/zero >row.bil
+printf 'NROWS 1\nNCOLS 1000000\nNBANDS 1\nNBITS 16\nPIXELTYPE SIGNEDINT\nLAYOUT BIL\n' >row.hdr
+xdotool key ctrl+o
+await_widget "file name"
+click "file name"
+xdotool key ctrl+a type --delay 1 "$PWD/row.bil"
+frames 4
+xdotool key Return
+await_word "row.bil' holds 1000000 x 1 samples, each side must have at least 2"
+xdotool keydown w
+frames 20
+xdotool keyup w
+[ -z "$(rect_of Play)" ] || fail "the terrain in tiles is there no more"
+
 # A terrain to work in, and back.
 xdotool key ctrl+o
 await_widget "file name"

@@ -136,21 +136,25 @@ TEST_F(CutOuts, KnowTheGroundBeyondTheirEdges) {
     const fs::path whole = write_whole("whole.tif", hilly_with_a_hole, -9999.0F);
     std::vector<float> read;
     const io::TiledFile file(whole, {});
-    file.make_reader()(0, {glm::ivec2(0), whole_size}, read);
+    file.source().make_reader()(0, {glm::ivec2(0), whole_size}, read);
     const auto expect_bed = [&](const io::Document& part, glm::ivec2 first) {
         EXPECT_EQ(part.state.bed_beyond, bed_beyond_of(part.state.grid, [&](glm::ivec2 at) {
                       const glm::ivec2 p = first + at;
                       const bool inside = p.x >= 0 && p.y >= 0 && p.x < whole_size.x && p.y < whole_size.y;
-                      return inside ? read[static_cast<std::size_t>(p.y) * whole_size.x + p.x]
-                                    : glsl::unknown_bed;
+                      const float bed = inside ? read[static_cast<std::size_t>(p.y) * whole_size.x + p.x]
+                                               : glsl::unknown_bed;
+                      return std::isnan(bed) ? glsl::unknown_bed : bed;
                   }));
     };
     expect_bed(io::open_document(whole, window({500, 300}, {150, 80})), {500, 300});
-    // Beside a hole, whose heights are those that everything else takes there; and in two corners of the
-    // whole.
+    // Beside a hole, where nothing is known; in two corners of the whole; and as small as can be.
     expect_bed(io::open_document(whole, window({420, 360}, {70, 60})), {420, 360});
     expect_bed(io::open_document(whole, window({0, 1}, {70, 60})), {0, 1});
     expect_bed(io::open_document(whole, window(whole_size - 60, {60, 60})), whole_size - 60);
+    const io::Document smallest = io::open_document(whole, window({500, 300}, {2, 2}));
+    expect_bed(smallest, {500, 300});
+    io::save_document(path("smallest.exr"), smallest);
+    EXPECT_EQ(io::open_document(path("smallest.exr"), {}).state.bed_beyond, smallest.state.bed_beyond);
 
     // A document keeps it, and refuses what cannot be.
     io::Document document = io::open_document(whole, window({0, 1}, {70, 60}));

@@ -11,6 +11,7 @@
 #include "sim/gpu/context.h"
 #include "sim/io/document.h"
 #include "sim/packed_terrain.h"
+#include "sim/terrain/bed_beyond.h"
 #include "sim/terrain/layers.h"
 #include "sim/terrain/reshape.h"
 #include "sim/terrain/state_hash.h"
@@ -39,10 +40,12 @@ TerrainState full_state() {
             word += number.two_words ? 2 : 1;
         }
     }
+    state.bed_beyond = bed_beyond_of(grid, [](glm::ivec2 at) { return static_cast<float>(7 * at.x + at.y); });
     return state;
 }
 
 void expect_same_layers(const TerrainState& one, const TerrainState& other) {
+    EXPECT_EQ(one.bed_beyond, other.bed_beyond);
     for (const LayerDescription& layer : layers()) {
         const auto a = words_of(one, layer);
         const auto b = words_of(other, layer);
@@ -83,6 +86,9 @@ TEST(Layers, AreInTheHashAndAmongTheOutputs) {
             word += number.two_words ? 2 : 1;
         }
     }
+    TerrainState changed = state;
+    changed.bed_beyond.back() += 1;
+    EXPECT_NE(state_hash(changed), state_hash(state));
     EXPECT_THROW(output_of(state, "lava"), Error);
 }
 

@@ -31,12 +31,12 @@ namespace {
 constexpr std::size_t undo_bytes = 256U << 20U;
 const Grid grid{150, 97, 20, 25};
 
-// A part of a larger coast: the ground beyond its edges is known, but in the east.
+// A part of a larger coast: the ground beyond its edges is known in stretches.
 TerrainState coast() {
     TerrainState state = bedrock_terrain(grid, generate_heights(grid, {"coast", 5, 120}));
     state.bed_beyond = bed_beyond_of(grid, [ground = state.ground()](glm::ivec2 at) {
         const glm::ivec2 inside = glm::clamp(at, glm::ivec2(0), glm::ivec2(grid.nx, grid.ny) - 1);
-        if (at.x > inside.x) return glsl::unknown_bed;
+        if ((at.x + at.y) / 20 % 2 == 0) return glsl::unknown_bed;
         return ground[static_cast<std::size_t>(inside.y) * grid.nx + inside.x] +
                0.37F * static_cast<float>((at.x + at.y) % 7) - 1;
     });
@@ -375,6 +375,14 @@ TEST(WaterSimulation, TheSeaFillsWhatTheEdgeReaches) {
     EXPECT_EQ(state.water[at(2, 2)].x, 3);
     EXPECT_EQ(state.water[at(5, 2)].x, 0);
     EXPECT_EQ(fill_sea(state, 4), 0) << "it is full";
+
+    // Beyond the bay's mouth lies a dike; where that is lower, or not known, the sea comes in.
+    for (const auto& [beyond_m, expected_m3] :
+         {std::pair(6.0F, 0.0), {2.0F, 900.0}, {glsl::unknown_bed, 900.0}}) {
+        state.water.clear();
+        state.bed_beyond = bed_beyond_of(state.grid, [beyond_m = beyond_m](glm::ivec2) { return beyond_m; });
+        EXPECT_EQ(fill_sea(state, 4), expected_m3) << beyond_m;
+    }
 }
 
 TEST(WaterSimulation, NoWaterCostsNothingAndWaterOffStandsStill) {

@@ -46,5 +46,6 @@ void dick_footprint(const PaperRun& run);
 void tiled(const PaperRun& run);
 /// A high view of 8192 x 8192 samples: all methods that hold the whole, and tiles.
 void tiled_8192(const PaperRun& run);
+void tiled_casting(const PaperRun& run);
 
 }  // namespace talus::bench
