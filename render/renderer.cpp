@@ -182,7 +182,7 @@ void Renderer::colour(const Terrain& terrain, const Picture& picture, const gpu:
                            picture.width,  picture.height,
                            hits,           watered ? ground_colour_buffer_ : target};
     ShadedGround ground = shaded_ground(terrain, pyramid_, sky_view_, picture.settings.view);
-    if (backdrop_) ground.beside = backdrop_->beside(frame);
+    if (backdrop_) ground.beside = backdrop_->beside(frame, redraw);
     shading_.draw(frame, ground, redraw);
     const ShadeFrame over{picture.camera, picture.settings, picture.width, picture.height, hits, target};
     if (watered) {

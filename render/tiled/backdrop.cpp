@@ -19,8 +19,8 @@ ViewSettings settings_around(const ViewSettings& settings) {
     return around;
 }
 
-gpu::Program shade_program(bool by_tiles) {
-    return gpu::Program(std::vector<std::string>{"render/fullscreen.vert", "render/beside_shadow.frag"},
+gpu::Program shade_program(const char* vertices, bool by_tiles) {
+    return gpu::Program(std::vector<std::string>{vertices, "render/beside_shadow.frag"},
                         by_tiles
                             ? std::vector<std::string>{"GROUND_FILE render/tile_ground.glsl", "TILED", "HOLE"}
                             : std::vector<std::string>{"GROUND_FILE render/whole_ground.glsl"});
@@ -39,8 +39,10 @@ Backdrop::Backdrop(const TiledSurface& surface, const Grid& terrain, glm::ivec2 
       first_(first),
       end_(first + glm::ivec2(terrain.nx, terrain.ny) - 1),
       rays_(first_, end_),
-      shades_terrain_(shade_program(true)),
-      shades_tiles_(shade_program(false)),
+      shades_terrain_(shade_program("render/fullscreen.vert", true)),
+      shades_blocks_(shade_program("render/block.vert", true)),
+      shades_tiles_(shade_program("render/fullscreen.vert", false)),
+      shadow_changes_("render/shadow_changes.comp"),
       lay_over_(lay_over_program({})),
       find_nearest_(lay_over_program({"NEAREST"})),
       no_shadow_("no shadow", gpu::Format::rgba8, 1, 1) {
@@ -81,25 +83,32 @@ void Backdrop::resize(glm::ivec2 size) {
     colour_ = gpu::Texture("backdrop", gpu::Format::rgba8, w, h);
     const std::array<const gpu::Texture*, 1> colour = {&colour_};
     colour_buffer_ = gpu::Framebuffer("backdrop", colour);
-    shadow_ = gpu::Texture("shadow of the other", gpu::Format::rgba8, w, h);
-    const std::array<const gpu::Texture*, 1> shadow = {&shadow_};
-    shadow_buffer_ = gpu::Framebuffer("shadow of the other", shadow);
+    for (Shadow* shadow : {&on_terrain_, &on_tiles_, &before_}) *shadow = Shadow(w, h);
     drawn_.reset();
 }
 
-Beside Backdrop::beside(const ShadeFrame& frame) {
+Backdrop::Shadow::Shadow(int w, int h) : mask("shadow of the other", gpu::Format::rgba8, w, h) {
+    const std::array<const gpu::Texture*, 1> attached = {&mask};
+    buffer = gpu::Framebuffer("shadow of the other", attached);
+}
+
+Beside Backdrop::beside(const ShadeFrame& frame, const Redraw* redraw) {
     const glm::ivec2 size(frame.width, frame.height);
     resize(size);
     if (!throws_shadows(frame.settings)) return beside_of(first_, no_shadow_);
-    const Camera over = camera_over_tiles(frame.camera);
-    surface_.bind(shades_terrain_, over, size);
-    set_hole(shades_terrain_, first_, end_);
-    shades_terrain_.bind_sampled("hits", frame.hits);
-    shades_terrain_.set("sun", glm::vec3(frame.settings.sun));
-    shades_terrain_.set("other_off_m", 0.0F);
-    shadow_buffer_.bind({0, 0, size.x, size.y});
-    shades_terrain_.draw_fullscreen();
-    return beside_of(first_, shadow_);
+    gpu::Program& program = redraw ? shades_blocks_ : shades_terrain_;
+    surface_.bind(program, camera_over_tiles(frame.camera), size);
+    set_hole(program, first_, end_);
+    program.bind_sampled("hits", frame.hits);
+    program.set("sun", glm::vec3(frame.settings.sun));
+    program.set("other_off_m", 0.0F);
+    if (redraw) {
+        redraw->draw(program, on_terrain_.buffer, gpu::Depth::none);
+    } else {
+        on_terrain_.buffer.bind({0, 0, size.x, size.y});
+        program.draw_fullscreen();
+    }
+    return beside_of(first_, on_terrain_.mask);
 }
 
 void Backdrop::draw(const BackdropFrame& frame) {
@@ -111,37 +120,57 @@ void Backdrop::draw(const BackdropFrame& frame) {
     if (drawn_ != picture) {
         const bool same_hits =
             drawn_ && drawn_->camera == over && drawn_->size == size && drawn_->tiles == changes_;
+        const bool same_but_shadow = same_hits && drawn_->settings == settings;
         drawn_.reset();
         if (!same_hits) rays_.cast(surface_, over, size, target_.framebuffer());
-        colour(frame, {over, settings, size.x, size.y, target_.hits(), colour_buffer_});
+        const ShadeFrame around{over, settings, size.x, size.y, target_.hits(), colour_buffer_};
+        if (throws_shadows(settings)) shade_tiles(frame, around);
+        if (same_but_shadow) list_shadow_changes(size);
+        colour(around, same_but_shadow ? &redraw_ : nullptr);
         drawn_ = picture;
     }
     lay_over(frame);
 }
 
-void Backdrop::colour(const BackdropFrame& frame, const ShadeFrame& around) {
+// The terrain's shadow on the tiles' hits. What it was is kept.
+void Backdrop::shade_tiles(const BackdropFrame& frame, const ShadeFrame& around) {
     const glm::ivec2 size(around.width, around.height);
-    const bool shadows = throws_shadows(around.settings);
-    if (shadows) {
-        set_camera(shades_tiles_, frame.ground.grid, frame.shade.camera, size.x, size.y);
-        frame.ground.bind(shades_tiles_);
-        shades_tiles_.bind_sampled("hits", around.hits);
-        shades_tiles_.set("sun", glm::vec3(around.settings.sun));
-        shades_tiles_.set("other_off_m", static_cast<float>(surface_.off_m(around.camera, size)));
-        shadow_buffer_.bind({0, 0, size.x, size.y});
-        shades_tiles_.draw_fullscreen();
-    }
-    const ShadedGround ground{surface_.tree().grid(),
-                              true,
-                              true,
-                              false,
-                              [&](gpu::Program& program) {
-                                  surface_.bind(program, around.camera, size);
-                                  set_hole(program, first_, end_);
-                              },
-                              true,
-                              beside_of({0, 0}, shadows ? shadow_ : no_shadow_)};
-    shading_.draw(around, ground, nullptr);
+    std::swap(on_tiles_, before_);
+    set_camera(shades_tiles_, frame.ground.grid, frame.shade.camera, size.x, size.y);
+    frame.ground.bind(shades_tiles_);
+    shades_tiles_.bind_sampled("hits", around.hits);
+    shades_tiles_.set("sun", glm::vec3(around.settings.sun));
+    shades_tiles_.set("other_off_m", static_cast<float>(surface_.off_m(around.camera, size)));
+    on_tiles_.buffer.bind({0, 0, size.x, size.y});
+    shades_tiles_.draw_fullscreen();
+}
+
+// The blocks of the picture in which it is another one now.
+void Backdrop::list_shadow_changes(glm::ivec2 size) {
+    redraw_.begin(size.x, size.y);
+    redraw_.bind(shadow_changes_);
+    shadow_changes_.bind_sampled("shadow_now", on_tiles_.mask);
+    shadow_changes_.bind_sampled("shadow_before", before_.mask);
+    shadow_changes_.set("size", size);
+    shadow_changes_.dispatch((size.x + 15) / 16, (size.y + 15) / 16);
+    gpu::barrier({gpu::Use::storage});
+    redraw_.list();
+}
+
+void Backdrop::colour(const ShadeFrame& around, const Redraw* redraw) {
+    const glm::ivec2 size(around.width, around.height);
+    const ShadedGround ground{
+        surface_.tree().grid(),
+        true,
+        true,
+        false,
+        [&](gpu::Program& program) {
+            surface_.bind(program, around.camera, size);
+            set_hole(program, first_, end_);
+        },
+        true,
+        beside_of({0, 0}, throws_shadows(around.settings) ? on_tiles_.mask : no_shadow_)};
+    shading_.draw(around, ground, redraw);
 }
 
 void Backdrop::lay_over(const BackdropFrame& frame) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "render/hits_target.h"
+#include "render/redraw.h"
 #include "render/shading.h"
 #include "render/tiled/tiled_rays.h"
 #include "render/tiled/tiled_surface.h"
@@ -32,7 +33,6 @@ class Backdrop {
     /// The camera in the tiled terrain's own metres.
     Camera camera_over_tiles(const Camera& camera) const;
     /// And one of those in the terrain's metres.
-    /// And one of those in the terrain's metres.
     Camera camera_from_tiles(const Camera& over_tiles) const;
     /// Lowest and highest of the whole, by which both are coloured.
     glm::dvec2 range_m() const { return {surface_.lowest_m(), surface_.highest_m()}; }
@@ -43,8 +43,8 @@ class Backdrop {
     void forget() { drawn_.reset(); }
 
     /// What colours the terrain's hits need of what stands around. Draws its shadow on them, where the
-    /// settings ask for shadows.
-    Beside beside(const ShadeFrame& frame);
+    /// settings ask for shadows; in a redraw's blocks alone, where one is given.
+    Beside beside(const ShadeFrame& frame, const Redraw* redraw);
     /// Draws what stands around into the frame's target, over the terrain's colours. The surface must have
     /// looked from the same eye.
     void draw(const BackdropFrame& frame);
@@ -64,9 +64,19 @@ class Backdrop {
         bool operator==(const Picture&) const = default;
     };
 
+    // Where one ground shades the hits of the other: 1, else 0.
+    struct Shadow {
+        Shadow() = default;
+        Shadow(int w, int h);
+        gpu::Texture mask;
+        gpu::Framebuffer buffer;
+    };
+
     glm::dvec3 corner_m() const;
     void resize(glm::ivec2 size);
-    void colour(const BackdropFrame& frame, const ShadeFrame& around);
+    void shade_tiles(const BackdropFrame& frame, const ShadeFrame& around);
+    void colour(const ShadeFrame& around, const Redraw* redraw);
+    void list_shadow_changes(glm::ivec2 size);
     void lay_over(const BackdropFrame& frame);
     Beside beside_of(glm::ivec2 first, const gpu::Texture& shadow) const;
 
@@ -78,15 +88,19 @@ class Backdrop {
     TiledRays rays_;
     Shading shading_;
     gpu::Program shades_terrain_;
+    gpu::Program shades_blocks_;  // of the terrain, in listed blocks
     gpu::Program shades_tiles_;
+    gpu::Program shadow_changes_;
+    Redraw redraw_;
     gpu::Program lay_over_;
     gpu::Program find_nearest_;
     HitsTarget target_;
     HitsTarget nearest_;
     gpu::Texture colour_;
     gpu::Framebuffer colour_buffer_;
-    gpu::Texture shadow_;
-    gpu::Framebuffer shadow_buffer_;
+    Shadow on_terrain_;
+    Shadow on_tiles_;
+    Shadow before_;  // on the tiles, until it changed last
     gpu::Texture no_shadow_;
     std::optional<Picture> drawn_;
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "sim/error.h"
@@ -143,7 +144,11 @@ const TileChoice& TiledSurface::look(const Camera& camera, glm::ivec2 size, doub
     choice_ = choose(camera, size, tolerance_px);
     // What stands for others is given away before what was asked for.
     const auto mark = [&](const std::vector<TileId>& tiles, std::uint64_t shown) {
-        for (const TileId& tile : tiles) slots_[static_cast<std::size_t>(slot_of(tile))].shown = shown;
+        for (const TileId& tile : tiles) {
+            const int slot = slot_of(tile);
+            assert(slot >= 0 && "the coarsest tiles are put before the first look");
+            slots_[static_cast<std::size_t>(slot)].shown = shown;
+        }
     };
     mark(choice_.drawn, 2 * looks_);
     mark(choice_.needed, 2 * looks_ + 1);

@@ -1,8 +1,10 @@
-// Benchmarks: talus_bench render | methods | update | frame | waves | erosion | sculpt [SHADER_DIR], or
-// papers [TABLE [TERRAIN [METHOD]]], or flight FILE [MIB [EXTENT_M X_M Y_M]]. Figures are process CPU time,
-// or wall time where a GPU draws; interleaved, medians (docs/benchmarks.md).
+// Benchmarks: talus_bench NAME [SHADER_DIR] of the table below, or papers [TABLE [TERRAIN [METHOD]]], or
+// flight FILE [MIB [EXTENT_M X_M Y_M]]. Figures are process CPU time, or wall time where a GPU draws;
+// interleaved, medians (docs/benchmarks.md).
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <exception>
 #include <string>
 #include <string_view>
@@ -26,44 +28,53 @@ talus::bench::FlightRun flight_run(int argc, char** argv) {
     return run;
 }
 
+struct Benchmark {
+    std::string_view name;
+    void (*run)(double patch_pixels);
+};
+
+// Those that take nothing but a folder of shaders.
+constexpr std::array benchmarks = {
+    Benchmark{"render", [](double) { talus::bench::bench_render(); }},
+    Benchmark{"methods", talus::bench::bench_methods},
+    Benchmark{"update", [](double) { talus::bench::bench_update(); }},
+    Benchmark{"frame", talus::bench::bench_frame},
+    Benchmark{"backdrop", talus::bench::bench_backdrop},
+    Benchmark{"waves", [](double) { talus::bench::bench_waves(); }},
+    Benchmark{"erosion", talus::bench::bench_erosion},
+    Benchmark{"sculpt", talus::bench::bench_sculpt},
+};
+
 }  // namespace
 
 int main(int argc, char** argv) {
     const std::string_view which = argc > 1 ? argv[1] : "";
-    if (which != "render" && which != "methods" && which != "update" && which != "frame" &&
-        which != "waves" && which != "erosion" && which != "sculpt" && which != "papers" &&
-        (which != "flight" || argc < 3)) {
+    const auto* const chosen = std::find_if(benchmarks.begin(), benchmarks.end(),
+                                            [&](const Benchmark& one) { return one.name == which; });
+    const bool is_simple = chosen != benchmarks.end();
+    if (!is_simple && which != "papers" && (which != "flight" || argc < 3)) {
+        std::string names;
+        for (const Benchmark& one : benchmarks)
+            names += fmt::format("{}{}", names.empty() ? "" : "|", one.name);
         fmt::print(stderr,
-                   "usage: talus_bench render|methods|update|frame|waves|erosion|sculpt [SHADER_DIR], or "
-                   "talus_bench papers [TABLE [TERRAIN [METHOD]]], or talus_bench flight FILE [MIB [EXTENT_M "
-                   "X_M Y_M]]\n");
+                   "usage: talus_bench {} [SHADER_DIR], or talus_bench papers [TABLE [TERRAIN [METHOD]]], or "
+                   "talus_bench flight FILE [MIB [EXTENT_M X_M Y_M]]\n",
+                   names);
         return 2;
     }
     try {
-        if (argc > 2 && which != "papers" && which != "flight") talus::gpu::use_shader_folder(argv[2]);
+        if (argc > 2 && is_simple) talus::gpu::use_shader_folder(argv[2]);
         const talus::gpu::Context context;
         fmt::print("{}\n", talus::gpu::describe(context.device()));
         talus::bench::take_clock_of(context.device());
         if (!context.device().software) fmt::print("a GPU draws: times are wall times\n");
-        if (which == "render")
-            talus::bench::bench_render();
-        else if (which == "methods")
-            talus::bench::bench_methods(talus::app::patch_pixels(context.device()));
-        else if (which == "frame")
-            talus::bench::bench_frame(talus::app::patch_pixels(context.device()));
-        else if (which == "waves")
-            talus::bench::bench_waves();
-        else if (which == "sculpt")
-            talus::bench::bench_sculpt(talus::app::patch_pixels(context.device()));
+        if (is_simple)
+            chosen->run(talus::app::patch_pixels(context.device()));
         else if (which == "papers")
             talus::bench::bench_papers(talus::app::patch_pixels(context.device()), argc > 2 ? argv[2] : "",
                                        argc > 3 ? argv[3] : "", argc > 4 ? argv[4] : "");
-        else if (which == "flight")
-            talus::bench::bench_flight(flight_run(argc, argv));
-        else if (which == "erosion")
-            talus::bench::bench_erosion(talus::app::patch_pixels(context.device()));
         else
-            talus::bench::bench_update();
+            talus::bench::bench_flight(flight_run(argc, argv));
     } catch (const std::exception& error) {
         fmt::print(stderr, "talus_bench: {}\n", error.what());
         return 1;

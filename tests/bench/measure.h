@@ -61,5 +61,8 @@ void bench_papers(double patch_pixels, const std::string& only, const std::strin
                   const std::string& method);
 /// patch_pixels: the hybrid's choice on this device.
 void bench_frame(double patch_pixels);
+/// A part with the rest of its terrain around it, against each of them alone.
+/// patch_pixels: the hybrid's choice on this device.
+void bench_backdrop(double patch_pixels);
 
 }  // namespace talus::bench

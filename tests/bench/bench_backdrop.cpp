@@ -1,0 +1,95 @@
+// What the rest of a terrain around a part that was cut out costs.
+#include <fmt/format.h>
+
+#include "render/renderer.h"
+#include "render/tiled/backdrop.h"
+#include "render/tiled/tiled_renderer.h"
+#include "sim/terrain/generate.h"
+#include "tests/bench/measure.h"
+#include "tests/scenes/memory_tiles.h"
+
+namespace talus::bench {
+namespace {
+
+constexpr Grid around_grid{4097, 4097, 5, 5};
+constexpr glm::ivec2 part_first(1536, 1536);
+constexpr Grid part_grid{1025, 1025, 5, 5};
+constexpr glm::ivec2 backdrop_picture(width, height);
+
+std::vector<float> part_of(const std::vector<float>& heights) {
+    std::vector<float> part;
+    part.reserve(part_grid.count());
+    for (int y = 0; y < part_grid.ny; ++y)
+        for (int x = 0; x < part_grid.nx; ++x)
+            part.push_back(
+                heights[static_cast<std::size_t>(part_first.y + y) * around_grid.nx + part_first.x + x]);
+    return part;
+}
+
+void load(render::TiledSurface& surface, const scenes::MemoryTiles& tiles, const render::Camera& camera,
+          double tolerance_px) {
+    for (;;) {
+        const std::vector<TileId> wanted = surface.look(camera, backdrop_picture, tolerance_px).wanted;
+        if (wanted.empty()) return;
+        for (const TileId& tile : wanted) surface.put(tile, tiles.read(tile));
+    }
+}
+
+}  // namespace
+
+void bench_backdrop(double patch_pixels) {
+    const std::vector<float> heights = generate_heights(around_grid, {"mountains", 4, 2500});
+    const scenes::MemoryTiles tiles(around_grid, heights, 512);
+    render::TiledSurface surface(tiles.tree(), tiles.bounds(), static_cast<int>(tiles.tree().count()));
+    for (const TileId& tile : tiles.tree().coarsest_tiles()) surface.put(tile, tiles.read(tile));
+    Terrain terrain(bedrock_terrain(part_grid, part_of(heights)));
+    render::Renderer alone(terrain, patch_pixels);
+    render::Renderer before(terrain, patch_pixels);
+    render::TiledRenderer whole;
+    render::Backdrop backdrop(surface, part_grid, part_first);
+    before.stand_before(&backdrop);
+    // In the part's metres: it fills the picture, it lies in the middle of it, and from within it out over
+    // the rest.
+    const std::vector<std::pair<std::string, render::Camera>> cameras = {
+        {"the part fills it", {{1000, -1500, 4200}, {2500, 2700, 1000}, 45}},
+        {"in the middle", {{-2500, -5500, 6000}, {2500, 2500, 800}, 50}},
+        {"out of it", {{2500, 2500, 3000}, {9000, 7500, 500}, 55}}};
+    for (const auto& named : cameras) {
+        const render::Camera& camera = named.second;
+        render::ViewSettings settings;
+        settings.tolerance_px = 2.0 / 3;
+        settings.sun = glm::normalize(glm::dvec3(-0.7, 0.6, 0.5));
+        const render::Camera over_tiles = backdrop.camera_over_tiles(camera);
+        load(surface, tiles, over_tiles, settings.tolerance_px);
+        backdrop.note_change();
+        const auto draw = [&](render::Renderer& renderer, bool anew) {
+            if (anew) renderer.forget();
+            renderer.draw(terrain, camera, settings, width, height);
+            const std::vector<std::uint8_t> wait = renderer.read_rgb(1, 1);
+        };
+        // A dab's tile beside the part's middle, as the simulation marks it.
+        const gpu::Region dab{500, 500, 64, 64};
+        const std::vector<Contestant> contestants = {
+            {"the whole in tiles",
+             [&] {
+                 whole.draw(surface, over_tiles, settings, width, height);
+                 const std::vector<std::uint8_t> wait = whole.read_rgb(1, 1);
+             }},
+            {"the part alone", [&] { draw(alone, true); }},
+            {"the part and the rest", [&] { draw(before, true); }},
+            {"the part alone, after a dab",
+             [&] {
+                 terrain.refresh(dab);
+                 draw(alone, false);
+             }},
+            {"the part and the rest, after a dab", [&] {
+                 terrain.refresh(dab);
+                 draw(before, false);
+             }}};
+        const std::vector<double> seconds = interleave(contestants, 7);
+        for (std::size_t i = 0; i < contestants.size(); ++i)
+            fmt::print("{:<18} {:<36} {:>8.1f} ms\n", named.first, contestants[i].name, 1e3 * seconds[i]);
+    }
+}
+
+}  // namespace talus::bench
