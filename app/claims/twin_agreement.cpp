@@ -140,10 +140,10 @@ WaterScene sloshing(const WaterCase& c) {
     return scene;
 }
 
-// In stretches of each edge, of both ghosts or of the further one.
+// In stretches of each edge, of both ghosts, of the further one or of the nearer one.
 void forget_some_bed_beyond(TerrainState& state) {
     for (std::size_t i = 0; i < state.bed_beyond.size(); ++i)
-        if (i / 2 % 16 < 4 || (i % 2 == 1 && i / 2 % 16 < 7)) state.bed_beyond[i] = glsl::unknown_bed;
+        if (i / 2 % 16 < 4 || i / 2 % 16 / 3 == (i % 2 == 1 ? 2 : 3)) state.bed_beyond[i] = glsl::unknown_bed;
 }
 
 // Ten ticks of the device and of both twins.

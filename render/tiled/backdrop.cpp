@@ -20,10 +20,10 @@ ViewSettings settings_around(const ViewSettings& settings) {
 }
 
 gpu::Program shade_program(const char* vertices, bool by_tiles) {
-    return gpu::Program(std::vector<std::string>{vertices, "render/beside_shadow.frag"},
-                        by_tiles
-                            ? std::vector<std::string>{"GROUND_FILE render/tile_ground.glsl", "TILED", "HOLE"}
-                            : std::vector<std::string>{"GROUND_FILE render/whole_ground.glsl"});
+    return gpu::Program(
+        std::vector<std::string>{vertices, "render/beside_shadow.frag"},
+        by_tiles ? std::vector<std::string>{"GROUND_FILE render/tile_ground.glsl", "TILED", "HOLE"}
+                 : std::vector<std::string>{"GROUND_FILE render/whole_ground.glsl", "SKIPS_WALLS"});
 }
 
 gpu::Program lay_over_program(std::vector<std::string> defines) {
@@ -75,21 +75,27 @@ Beside Backdrop::beside_of(glm::ivec2 first, const gpu::Texture& shadow) const {
 }
 
 void Backdrop::resize(glm::ivec2 size) {
-    if (colour_.width() >= size.x && colour_.height() >= size.y) return;
-    const int w = std::max(size.x, colour_.width());
-    const int h = std::max(size.y, colour_.height());
-    target_ = HitsTarget(w, h);
+    const gpu::Texture& held = kept_.colour;
+    if (held.width() >= size.x && held.height() >= size.y) return;
+    const int w = std::max(size.x, held.width());
+    const int h = std::max(size.y, held.height());
     nearest_ = HitsTarget(w, h);
-    colour_ = gpu::Texture("backdrop", gpu::Format::rgba8, w, h);
-    const std::array<const gpu::Texture*, 1> colour = {&colour_};
-    colour_buffer_ = gpu::Framebuffer("backdrop", colour);
-    for (Shadow* shadow : {&on_terrain_, &on_tiles_, &before_}) *shadow = Shadow(w, h);
+    kept_ = Rest(w, h);
+    sample_ = Rest(w, h);
+    on_terrain_ = Shadow(w, h);
+    before_ = Shadow(w, h);
     drawn_.reset();
 }
 
 Backdrop::Shadow::Shadow(int w, int h) : mask("shadow of the other", gpu::Format::rgba8, w, h) {
     const std::array<const gpu::Texture*, 1> attached = {&mask};
     buffer = gpu::Framebuffer("shadow of the other", attached);
+}
+
+Backdrop::Rest::Rest(int w, int h)
+    : target(w, h), colour("backdrop", gpu::Format::rgba8, w, h), shadow(w, h) {
+    const std::array<const gpu::Texture*, 1> attached = {&colour};
+    colour_buffer = gpu::Framebuffer("backdrop", attached);
 }
 
 Beside Backdrop::beside(const ShadeFrame& frame, const Redraw* redraw) {
@@ -116,40 +122,47 @@ void Backdrop::draw(const BackdropFrame& frame) {
     resize(size);
     const Camera over = camera_over_tiles(frame.shade.camera);
     const ViewSettings settings = settings_around(frame.shade.settings);
+    if (!frame.is_kept) {
+        rays_.cast(surface_, over, size, sample_.target.framebuffer());
+        if (throws_shadows(settings)) shade_tiles(frame, over, settings, sample_);
+        colour(over, settings, size, sample_, nullptr);
+        lay_over(frame, sample_);
+        return;
+    }
     const Picture picture{over, settings, size, changes_, throws_shadows(settings) ? frame.changes : 0};
     if (drawn_ != picture) {
         const bool same_hits =
             drawn_ && drawn_->camera == over && drawn_->size == size && drawn_->tiles == changes_;
         const bool same_but_shadow = same_hits && drawn_->settings == settings;
         drawn_.reset();
-        if (!same_hits) rays_.cast(surface_, over, size, target_.framebuffer());
-        const ShadeFrame around{over, settings, size.x, size.y, target_.hits(), colour_buffer_};
-        if (throws_shadows(settings)) shade_tiles(frame, around);
+        if (!same_hits) rays_.cast(surface_, over, size, kept_.target.framebuffer());
+        std::swap(kept_.shadow, before_);
+        if (throws_shadows(settings)) shade_tiles(frame, over, settings, kept_);
         if (same_but_shadow) list_shadow_changes(size);
-        colour(around, same_but_shadow ? &redraw_ : nullptr);
+        colour(over, settings, size, kept_, same_but_shadow ? &redraw_ : nullptr);
         drawn_ = picture;
     }
-    lay_over(frame);
+    lay_over(frame, kept_);
 }
 
-// The terrain's shadow on the tiles' hits. What it was is kept.
-void Backdrop::shade_tiles(const BackdropFrame& frame, const ShadeFrame& around) {
-    const glm::ivec2 size(around.width, around.height);
-    std::swap(on_tiles_, before_);
+// The terrain's shadow on the tiles' hits.
+void Backdrop::shade_tiles(const BackdropFrame& frame, const Camera& over, const ViewSettings& settings,
+                           const Rest& rest) {
+    const glm::ivec2 size(frame.shade.width, frame.shade.height);
     set_camera(shades_tiles_, frame.ground.grid, frame.shade.camera, size.x, size.y);
     frame.ground.bind(shades_tiles_);
-    shades_tiles_.bind_sampled("hits", around.hits);
-    shades_tiles_.set("sun", glm::vec3(around.settings.sun));
-    shades_tiles_.set("other_off_m", static_cast<float>(surface_.off_m(around.camera, size)));
-    on_tiles_.buffer.bind({0, 0, size.x, size.y});
+    shades_tiles_.bind_sampled("hits", rest.target.hits());
+    shades_tiles_.set("sun", glm::vec3(settings.sun));
+    shades_tiles_.set("other_off_m", static_cast<float>(surface_.off_m(over, size)));
+    rest.shadow.buffer.bind({0, 0, size.x, size.y});
     shades_tiles_.draw_fullscreen();
 }
 
-// The blocks of the picture in which it is another one now.
+// The blocks of the kept picture in which that changed.
 void Backdrop::list_shadow_changes(glm::ivec2 size) {
     redraw_.begin(size.x, size.y);
     redraw_.bind(shadow_changes_);
-    shadow_changes_.bind_sampled("shadow_now", on_tiles_.mask);
+    shadow_changes_.bind_sampled("shadow_now", kept_.shadow.mask);
     shadow_changes_.bind_sampled("shadow_before", before_.mask);
     shadow_changes_.set("size", size);
     shadow_changes_.dispatch((size.x + 15) / 16, (size.y + 15) / 16);
@@ -157,29 +170,28 @@ void Backdrop::list_shadow_changes(glm::ivec2 size) {
     redraw_.list();
 }
 
-void Backdrop::colour(const ShadeFrame& around, const Redraw* redraw) {
-    const glm::ivec2 size(around.width, around.height);
-    const ShadedGround ground{
-        surface_.tree().grid(),
-        true,
-        true,
-        false,
-        [&](gpu::Program& program) {
-            surface_.bind(program, around.camera, size);
-            set_hole(program, first_, end_);
-        },
-        true,
-        beside_of({0, 0}, throws_shadows(around.settings) ? on_tiles_.mask : no_shadow_)};
-    shading_.draw(around, ground, redraw);
+void Backdrop::colour(const Camera& over, const ViewSettings& settings, glm::ivec2 size, const Rest& rest,
+                      const Redraw* redraw) {
+    const ShadedGround ground{surface_.tree().grid(),
+                              true,
+                              true,
+                              false,
+                              [&](gpu::Program& program) {
+                                  surface_.bind(program, over, size);
+                                  set_hole(program, first_, end_);
+                              },
+                              true,
+                              beside_of({0, 0}, throws_shadows(settings) ? rest.shadow.mask : no_shadow_)};
+    shading_.draw({over, settings, size.x, size.y, rest.target.hits(), rest.colour_buffer}, ground, redraw);
 }
 
-void Backdrop::lay_over(const BackdropFrame& frame) {
+void Backdrop::lay_over(const BackdropFrame& frame, const Rest& rest) {
     const gpu::Region all{0, 0, frame.shade.width, frame.shade.height};
     const auto prepare = [&](gpu::Program& program) {
         program.bind_sampled("hits", frame.shade.hits);
         program.bind_sampled("water_hits", frame.water_hits ? *frame.water_hits : frame.shade.hits);
-        program.bind_sampled("backdrop_hits", target_.hits());
-        program.bind_sampled("backdrop_colours", colour_);
+        program.bind_sampled("backdrop_hits", rest.target.hits());
+        program.bind_sampled("backdrop_colours", rest.colour);
         program.set("watered", frame.water_hits ? 1 : 0);
     };
     prepare(lay_over_);

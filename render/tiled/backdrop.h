@@ -54,7 +54,7 @@ class Backdrop {
     const HitsTarget& nearest() const { return nearest_; }
 
   private:
-    // What the backdrop's own picture was drawn from.
+    // What the kept picture was drawn from.
     struct Picture {
         Camera camera;
         ViewSettings settings;
@@ -72,12 +72,24 @@ class Backdrop {
         gpu::Framebuffer buffer;
     };
 
+    // What stands around, in a picture.
+    struct Rest {
+        Rest() = default;
+        Rest(int w, int h);
+        HitsTarget target;
+        gpu::Texture colour;
+        gpu::Framebuffer colour_buffer;
+        Shadow shadow;  // of the terrain on it
+    };
+
     glm::dvec3 corner_m() const;
     void resize(glm::ivec2 size);
-    void shade_tiles(const BackdropFrame& frame, const ShadeFrame& around);
-    void colour(const ShadeFrame& around, const Redraw* redraw);
+    void shade_tiles(const BackdropFrame& frame, const Camera& over, const ViewSettings& settings,
+                     const Rest& rest);
+    void colour(const Camera& over, const ViewSettings& settings, glm::ivec2 size, const Rest& rest,
+                const Redraw* redraw);
     void list_shadow_changes(glm::ivec2 size);
-    void lay_over(const BackdropFrame& frame);
+    void lay_over(const BackdropFrame& frame, const Rest& rest);
     Beside beside_of(glm::ivec2 first, const gpu::Texture& shadow) const;
 
     const TiledSurface& surface_;
@@ -94,13 +106,11 @@ class Backdrop {
     Redraw redraw_;
     gpu::Program lay_over_;
     gpu::Program find_nearest_;
-    HitsTarget target_;
+    Rest kept_;
+    Rest sample_;  // of the refinement
     HitsTarget nearest_;
-    gpu::Texture colour_;
-    gpu::Framebuffer colour_buffer_;
     Shadow on_terrain_;
-    Shadow on_tiles_;
-    Shadow before_;  // on the tiles, until it changed last
+    Shadow before_;  // kept_'s, until it changed last
     gpu::Texture no_shadow_;
     std::optional<Picture> drawn_;
 };

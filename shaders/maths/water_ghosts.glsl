@@ -74,7 +74,7 @@ EdgeGhosts edge_ghosts(int index) {
     precise real fall = edge_fall(made.kind, made.inside, made.inside_2);
     precise real fall_2 = fall + fall;
     made.ghost = edge_ghost_over(made.kind, shown, known, fall);
-    made.ghost_2 = edge_ghost_over(made.kind, shown_2, edge_knows(known_2) ? known_2 : known, fall_2);
+    made.ghost_2 = edge_ghost_over(made.kind, shown_2, edge_knows(known) && edge_knows(known_2) ? known_2 : known, fall_2);
     return made;
 }
 

@@ -12,9 +12,14 @@ uniform real3 sun;          // towards it: east, north, up
 uniform real other_off_m;   // how far off the other ground may be, for each metre of distance
 
 void main() {
-    real distance_m = texelFetch(hits, ivec2(gl_FragCoord.xy), 0).r;
+    vec2 hit = texelFetch(hits, ivec2(gl_FragCoord.xy), 0).rg;
+    real distance_m = hit.r;
     shade_out = vec4(0.0);
     if (isinf(distance_m)) return;
+#ifdef SKIPS_WALLS
+    // Hits on the walls of the hole have a detail below 0 (render/tiled/tiled_rays.h).
+    if (hit.g < 0.0) return;
+#endif
     vec3 ray = pixel_ray(picture_position());
     vec2 place = origin_fraction + distance_m * ray.xy;
     real lift = shadow_lift_m(distance_m) + other_off_m * distance_m;

@@ -63,7 +63,7 @@ TileSamples samples_in(const TiledFile& whole, const FileWindow& window) {
 std::vector<float> bed_beyond(const TiledFile& whole, const TileSamples& samples) {
     const glm::ivec2 size(whole.grid().nx, whole.grid().ny);
     const ReadSamples read = whole.source().make_reader();
-    // A strip along each edge, beyond the corners too.
+    // A strip along each edge, without the corners.
     const auto read_strip = [&](glm::ivec2 first, glm::ivec2 end) {
         first = glm::clamp(first, glm::ivec2(0), size);
         end = glm::clamp(end, glm::ivec2(0), size);

@@ -20,9 +20,9 @@ double fill_sea(TerrainState& state, double level_m) {
         open.emplace_back(column, row);
     };
     // Where the ground beyond an edge is known, the sea comes in where that lies below it.
-    const BedAt bed = bed_around(state);
+    const BedAt bed = state.bed_beyond.empty() ? BedAt() : bed_around(state);
     const auto enter = [&](int column, int row, glm::ivec2 outward) {
-        if (bed(glm::ivec2(column, row) + outward) < level_m) visit(column, row);
+        if (!bed || bed(glm::ivec2(column, row) + outward) < level_m) visit(column, row);
     };
     for (int column = 0; column < grid.nx; ++column) {
         enter(column, 0, {0, -1});

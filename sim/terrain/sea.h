@@ -3,9 +3,9 @@
 
 namespace talus {
 
-/// Fills what lies below the level (m) and is connected to the edge of the map by ground below it, sample to
-/// sample across their sides, and beyond it where that is known. Water that stands higher stays. Returns the
-/// m³ that came in.
+/// Fills ground below the level (m) that is connected to the map's edge, sample to sample across their sides.
+/// Where the ground beyond the edge is known, it must lie below the level too. Water that stands higher
+/// stays. Returns the m³ that came in.
 double fill_sea(TerrainState& state, double level_m);
 
 }  // namespace talus

@@ -240,7 +240,6 @@ TEST_F(Backdrops, LeaveNoHoleWhereWorkReachesTheEdge) {
         }
 }
 
-// What is kept from the picture before is what a fresh one has, bit for bit.
 // Pixels whose colours differ, of those that show ground beyond the cut-out.
 std::size_t moved_on_tiles(const render::Camera& camera, const std::vector<float>& depth,
                            const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
@@ -260,6 +259,7 @@ std::size_t moved_on_tiles(const render::Camera& camera, const std::vector<float
     return moved;
 }
 
+// What is kept from the picture before is what a fresh one has, bit for bit.
 TEST_F(Backdrops, KeepNothingThatChanged) {
     const std::vector<float> heights = mountains();
     Whole whole(heights);
@@ -270,8 +270,9 @@ TEST_F(Backdrops, KeepNothingThatChanged) {
     render::ViewSettings settings = settings_of(0.5);
     std::vector<float> cut = cut_out_of(heights);
     int on_ground_alone = 0;
+    std::vector<std::uint8_t> before;
     int shadows_moved = 0;
-    for (int step = 0; step < 36; ++step) {
+    for (int step = 0; step < 60; ++step) {
         // Finer tiles may come in the frame in which the ground changes.
         const bool together = any(3) == 0;
         if (together) {
@@ -283,7 +284,7 @@ TEST_F(Backdrops, KeepNothingThatChanged) {
         // A change of the ground alone: the backdrop's rays stay, and what the terrain's shadow does not
         // reach.
         bool of_ground_alone = false;
-        switch (together ? 5 : any(8)) {
+        switch (together ? 5 : any(12)) {
             case 0:
                 camera = cameras()[static_cast<std::size_t>(any(5))];
                 break;
@@ -316,7 +317,6 @@ TEST_F(Backdrops, KeepNothingThatChanged) {
                 break;
             }
         }
-        const std::vector<std::uint8_t> before = kept.renderer.read_rgb(size.x, size.y);
         const Picture one = of_ground_alone ? kept.draw_again(camera, settings) : kept.draw(camera, settings);
         if (of_ground_alone) {
             ++on_ground_alone;
@@ -326,7 +326,9 @@ TEST_F(Backdrops, KeepNothingThatChanged) {
             shadows_moved += moved > 0 ? 1 : 0;
         }
         EXPECT_EQ(kept.draw_again(camera, settings).rgb, one.rgb);
-        kept.renderer.refine(kept.terrain, 4);
+        before = one.rgb;
+        // A sample of the refinement leaves what is kept alone.
+        if (any(2) == 0) kept.renderer.refine(kept.terrain, 4);
         CutOut fresh(cut, whole);
         const Picture other = fresh.draw(camera, settings);
         ASSERT_EQ(one.rgb, other.rgb) << step;
@@ -335,7 +337,7 @@ TEST_F(Backdrops, KeepNothingThatChanged) {
     std::printf("ground changed alone %d times, its shadow on the rest %d times\n", on_ground_alone,
                 shadows_moved);
     EXPECT_GE(on_ground_alone, 5);
-    EXPECT_GE(shadows_moved, 2);
+    EXPECT_GE(shadows_moved, 3);
 }
 
 }  // namespace
