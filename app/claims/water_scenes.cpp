@@ -265,6 +265,24 @@ WaterScene rain_on_slope(double slope, int order) {
     return scene;
 }
 
+WaterScene rain_on_bowl(double datum_m, int order) {
+    WaterScene scene;
+    scene.name = "rain on a bowl";
+    scene.grid = {128, 96, 20, 20};
+    scene.settings.order = order;
+    scene.settings.edges.fill(EdgeKind::open);
+    scene.settings.manning_s_per_m13 = 0.035;
+    scene.settings.rain_m_per_s = 0.2 / 3600;
+    scene.bed = [=](double x, double y) {
+        const double from_middle = std::hypot(x - 1280, y - 960);
+        return datum_m + 0.15 * from_middle + 4 * std::sin(x / 70) * std::cos(y / 90);
+    };
+    scene.water = [](double, double, double) { return glm::dvec3(0); };
+    scene.tick_s = 2;
+    scene.end_s = 900;
+    return scene;
+}
+
 WaterScene lake(int n, double datum_m) {
     WaterScene scene;
     scene.name = "lake at rest";

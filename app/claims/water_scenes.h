@@ -42,6 +42,8 @@ WaterScene solitary_on_beach(int n);
 WaterScene small_wave(int n, int waves_x, int waves_y);
 /// Rain of 20 mm/h on a slope that falls eastwards, its drops from sample to sample varied by a fifth.
 WaterScene rain_on_slope(double slope, int order);
+/// Rain of 200 mm/h on ground that falls inwards from open edges, around a height; dry at first.
+WaterScene rain_on_bowl(double datum_m, int order);
 /// Water to a level over bumps that rise out of it and a rippled bed, at a datum.
 WaterScene lake(int n, double datum_m);
 /// Water that sloshes in a closed basin with islands, by seed.

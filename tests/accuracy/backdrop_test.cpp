@@ -9,7 +9,7 @@
 #include "render/tiled/tiled_renderer.h"
 #include "sim/gpu/context.h"
 #include "sim/terrain/generate.h"
-#include "tests/scenes/memory_tiles.h"
+#include "tests/scenes/load_tiles.h"
 
 namespace talus::backdrop_test {
 namespace {
@@ -71,26 +71,17 @@ struct Picture {
     std::vector<float> depth;
 };
 
-void load(render::TiledSurface& surface, const scenes::MemoryTiles& tiles, const render::Camera& camera,
-          double tolerance_px) {
-    for (;;) {
-        const std::vector<TileId> wanted = surface.look(camera, size, tolerance_px).wanted;
-        if (wanted.empty()) return;
-        for (const TileId& tile : wanted) surface.put(tile, tiles.read(tile));
-    }
-}
-
 // The whole in tiles.
 class Whole {
   public:
     explicit Whole(const std::vector<float>& heights)
         : tiles(whole_grid, heights, tile_side), surface(tiles.tree(), tiles.bounds(), 32) {
-        for (const TileId& tile : tiles.tree().coarsest_tiles()) surface.put(tile, tiles.read(tile));
+        scenes::put_coarsest(surface, tiles);
     }
     Picture draw(render::Camera camera, const render::ViewSettings& settings) {
         camera.eye = over_tiles(camera.eye);
         camera.target = over_tiles(camera.target);
-        load(surface, tiles, camera, settings.tolerance_px);
+        scenes::load_tiles(surface, tiles, camera, size, settings.tolerance_px);
         renderer_.draw(surface, camera, settings, size.x, size.y);
         return {renderer_.read_rgb(size.x, size.y), renderer_.read_depth(size.x, size.y)};
     }
@@ -113,7 +104,8 @@ class CutOut {
         renderer.stand_before(&backdrop);
     }
     Picture draw(const render::Camera& camera, const render::ViewSettings& settings) {
-        load(around_.surface, around_.tiles, backdrop.camera_over_tiles(camera), settings.tolerance_px);
+        scenes::load_tiles(around_.surface, around_.tiles, backdrop.camera_over_tiles(camera), size,
+                           settings.tolerance_px);
         backdrop.note_change();
         return draw_again(camera, settings);
     }

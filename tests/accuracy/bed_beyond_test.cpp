@@ -265,20 +265,10 @@ TEST(BedBeyond, NoMoreComesInThanRunsOverABank) {
 TEST(BedBeyond, OpenEdgesBringNothingDownFromIt) {
     const gpu::Context context;
     for (const int order : {1, 2}) {
-        WaterScene scene;
-        scene.grid = {128, 96, 20, 20};
-        scene.settings.order = order;
-        scene.settings.edges.fill(EdgeKind::open);
-        scene.settings.manning_s_per_m13 = 0.035;
-        scene.settings.rain_m_per_s = 0.2 / 3600;
+        WaterScene scene = scenes::rain_on_bowl(100, order);
         scene.knows_bed_beyond = true;
-        scene.bed = [](double x, double y) {
-            const double from_middle = std::hypot(x - 1280, y - 960);
-            return 100 + 0.15 * from_middle + 4 * std::sin(x / 70) * std::cos(y / 90);
-        };
-        scene.water = [](double, double, double) { return glm::dvec3(0); };
         WaterRun run(scene.state(), scene.settings);
-        run.run(2, 900);
+        run.run(scene.tick_s, scene.end_s);
         const WaterBooks books = run.water.read_books(scene.grid);
         fmt::print("rain on a bowl, order {}: {:.2e} of the rain came in by open edges\n", order,
                    books.edges_in_m3 / books.rain_m3);

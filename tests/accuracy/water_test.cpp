@@ -322,19 +322,9 @@ TEST(Water, OpenEdgesBringNothingToGroundThatFallsInwards) {
     const gpu::Context context;
     // Below 0 m too: no sea stands there unless its level was given.
     for (const auto& [order, datum_m] : {std::pair(1, 100), {2, 100}, {2, -1000}}) {
-        WaterScene scene;
-        scene.grid = {128, 96, 20, 20};
-        scene.settings.order = order;
-        scene.settings.edges.fill(EdgeKind::open);
-        scene.settings.manning_s_per_m13 = 0.035;
-        scene.settings.rain_m_per_s = 0.2 / 3600;
-        scene.bed = [datum_m = datum_m](double x, double y) {
-            const double from_middle = std::hypot(x - 1280, y - 960);
-            return datum_m + 0.15 * from_middle + 4 * std::sin(x / 70) * std::cos(y / 90);
-        };
-        scene.water = [](double, double, double) { return glm::dvec3(0); };
+        const WaterScene scene = scenes::rain_on_bowl(datum_m, order);
         WaterRun run(scene.state(), scene.settings);
-        run.run(2, 900);
+        run.run(scene.tick_s, scene.end_s);
         const WaterBooks books = run.water.read_books(scene.grid);
         fmt::print("rain on a bowl at {:+} m, order {}: {:.2e} of the rain came in by open edges\n", datum_m,
                    order, books.edges_in_m3 / books.rain_m3);

@@ -6,7 +6,7 @@
 #include "render/tiled/tiled_renderer.h"
 #include "sim/terrain/generate.h"
 #include "tests/bench/measure.h"
-#include "tests/scenes/memory_tiles.h"
+#include "tests/scenes/load_tiles.h"
 
 namespace talus::bench {
 namespace {
@@ -26,22 +26,13 @@ std::vector<float> part_of(const std::vector<float>& heights) {
     return part;
 }
 
-void load(render::TiledSurface& surface, const scenes::MemoryTiles& tiles, const render::Camera& camera,
-          double tolerance_px) {
-    for (;;) {
-        const std::vector<TileId> wanted = surface.look(camera, backdrop_picture, tolerance_px).wanted;
-        if (wanted.empty()) return;
-        for (const TileId& tile : wanted) surface.put(tile, tiles.read(tile));
-    }
-}
-
 }  // namespace
 
 void bench_backdrop(double patch_pixels) {
     const std::vector<float> heights = generate_heights(around_grid, {"mountains", 4, 2500});
     const scenes::MemoryTiles tiles(around_grid, heights, 512);
     render::TiledSurface surface(tiles.tree(), tiles.bounds(), static_cast<int>(tiles.tree().count()));
-    for (const TileId& tile : tiles.tree().coarsest_tiles()) surface.put(tile, tiles.read(tile));
+    scenes::put_coarsest(surface, tiles);
     const std::vector<float> part = part_of(heights);
     Terrain terrain(bedrock_terrain(part_grid, part));
     render::Renderer alone(terrain, patch_pixels);
@@ -61,7 +52,7 @@ void bench_backdrop(double patch_pixels) {
         settings.tolerance_px = 2.0 / 3;
         settings.sun = glm::normalize(glm::dvec3(-0.7, 0.6, 0.5));
         const render::Camera over_tiles = backdrop.camera_over_tiles(camera);
-        load(surface, tiles, over_tiles, settings.tolerance_px);
+        scenes::load_tiles(surface, tiles, over_tiles, backdrop_picture, settings.tolerance_px);
         backdrop.note_change();
         const auto draw = [&](render::Renderer& renderer, bool anew) {
             if (anew) renderer.forget();

@@ -3,7 +3,7 @@
 
 #include "render/hits_target.h"
 #include "render/tiled/tiled_rays.h"
-#include "tests/scenes/memory_tiles.h"
+#include "tests/scenes/load_tiles.h"
 
 namespace talus::scenes {
 
@@ -12,18 +12,14 @@ class TiledEasel {
   public:
     TiledEasel(const MemoryTiles& tiles, glm::ivec2 size, int slots)
         : surface(tiles.tree(), tiles.bounds(), slots), tiles_(tiles), size_(size), target_(size.x, size.y) {
-        for (const TileId& tile : tiles.tree().coarsest_tiles()) put(tile);
+        put_coarsest(surface, tiles);
     }
 
     void put(const TileId& tile) { surface.put(tile, tiles_.read(tile)); }
 
     /// Until all tiles are there that the picture wants.
     render::TileChoice load(const render::Camera& camera, double tolerance_px) {
-        for (;;) {
-            render::TileChoice choice = surface.look(camera, size_, tolerance_px);
-            if (choice.wanted.empty()) return choice;
-            for (const TileId& tile : choice.wanted) put(tile);
-        }
+        return load_tiles(surface, tiles_, camera, size_, tolerance_px);
     }
 
     /// Of what was looked at last.

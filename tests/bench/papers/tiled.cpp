@@ -11,7 +11,7 @@
 #include "tests/bench/papers/easel.h"
 #include "tests/bench/papers/table.h"
 #include "tests/bench/papers/tables.h"
-#include "tests/scenes/memory_tiles.h"
+#include "tests/scenes/load_tiles.h"
 
 namespace talus::bench {
 namespace {
@@ -31,12 +31,8 @@ class TiledPicture {
         : camera_(camera),
           surface_(tiles.tree(), tiles.bounds(), slots_for(tiles.tree(), tolerance_px)),
           target_(whole_picture.x, whole_picture.y) {
-        for (const TileId& tile : tiles.tree().coarsest_tiles()) surface_.put(tile, tiles.read(tile));
-        for (;;) {
-            choice = surface_.look(camera, whole_picture, tolerance_px);
-            if (choice.wanted.empty()) return;
-            for (const TileId& tile : choice.wanted) surface_.put(tile, tiles.read(tile));
-        }
+        scenes::put_coarsest(surface_, tiles);
+        choice = scenes::load_tiles(surface_, tiles, camera, whole_picture, tolerance_px);
     }
 
     // The choice of tiles and the rays. Waits for the device.

@@ -13,7 +13,7 @@
 #include "tests/bench/papers/table.h"
 #include "tests/bench/papers/tables.h"
 #include "tests/bench/papers/terrains.h"
-#include "tests/scenes/memory_tiles.h"
+#include "tests/scenes/load_tiles.h"
 
 namespace talus::bench {
 namespace {
@@ -40,12 +40,8 @@ class CastPicture {
         : camera_(camera),
           surface_(tiles.tree(), tiles.bounds(), static_cast<int>(tiles.tree().count())),
           target_(cast_picture.x, cast_picture.y) {
-        for (const TileId& tile : tiles.tree().coarsest_tiles()) surface_.put(tile, tiles.read(tile));
-        for (;;) {
-            const render::TileChoice choice = surface_.look(camera, cast_picture, cast_px);
-            if (choice.wanted.empty()) return;
-            for (const TileId& tile : choice.wanted) surface_.put(tile, tiles.read(tile));
-        }
+        scenes::put_coarsest(surface_, tiles);
+        scenes::load_tiles(surface_, tiles, camera, cast_picture, cast_px);
     }
 
     void cast(gpu::Program& program) {
