@@ -158,7 +158,7 @@ void Backdrop::shade_tiles(const BackdropFrame& frame, const Camera& over, const
     shades_tiles_.draw_fullscreen();
 }
 
-// The blocks of the kept picture in which that changed.
+// The blocks of the kept picture in which the terrain's shadow changed.
 void Backdrop::list_shadow_changes(glm::ivec2 size) {
     redraw_.begin(size.x, size.y);
     redraw_.bind(shadow_changes_);

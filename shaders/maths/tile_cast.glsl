@@ -14,8 +14,8 @@
 //   tile_side_level  int, a tile of the finest level has 2 to the power of it patches in a row
 //   tile_top_level   int, the coarsest level of the tree
 //   room_patches     int2, patches that a slot holds in a row and in a column
-//   slot_walk_level  int, the coarsest level of a slot's pyramid that rays walk up to: its last one
-//   cast_once        bool, a constant: whether a ray ends at its first hit, as it should
+//   slot_walk_level  int, the coarsest level of a slot's pyramid that rays walk up to: slot_top_level, but in benchmarks
+//   cast_once        bool, a constant: whether a ray ends at its first hit: true, but in benchmarks
 #include "maths/cast_walk.glsl"
 
 // A ray crosses fewer tiles of all levels together; beyond it something is wrong.

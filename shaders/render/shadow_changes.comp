@@ -1,4 +1,4 @@
-// Marks the blocks of a picture in which one ground's shadow on the other is another than before.
+// Marks the blocks of a picture in which the shadow of one ground on the other changed (render/tiled/backdrop.h).
 layout(local_size_x = 16, local_size_y = 16) in;
 #include "maths/glsl_types.glsl"
 #include "render/redraw_marks.glsl"

@@ -19,7 +19,8 @@ uniform int2 origin_cell;       // the eye's patch (column, row) of the finest l
 uniform real2 origin_fraction;
 uniform real2 origin_height_m;  // the eye's height, two words
 
-// What measures what the caster saves leaves it out.
+// Benchmarks leave a part of the caster out, to measure what it saves: the pyramid above its finest level, or ending a
+// ray at its first hit.
 #ifdef FINEST_LEVEL
 const int slot_walk_level = 1;
 #else

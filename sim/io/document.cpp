@@ -177,18 +177,18 @@ std::optional<CutOut> cut_out_of(const fs::path& path) {
 Document open_document(const fs::path& path, const ImportSettings& settings) {
     Document document;
     Heightmap heightmap;
+    std::vector<float> bed_beyond;
     if (settings.window) {
         check_not_a_document(path);
         CutOutHeights part = cut_out_heights(path, settings);
         heightmap = std::move(part.heightmap);
         document.cut_out = std::move(part.cut_out);
-        document.state.bed_beyond = std::move(part.bed_beyond);
+        bed_beyond = std::move(part.bed_beyond);
     } else if (is_document(path)) {
         return read_document(path, settings);
     } else {
         heightmap = read_heightmap(path, settings);
     }
-    std::vector<float> bed_beyond = std::move(document.state.bed_beyond);
     document.state = bedrock_terrain(heightmap.grid, heightmap.heights);
     document.state.bed_beyond = std::move(bed_beyond);
     document.state.georeference = std::move(heightmap.georeference);

@@ -79,14 +79,15 @@ const std::vector<BoundParameter<WaterSettings>>& water_parameters() {
                      "Water that the air takes, where there is any.")
                   .once("water.evaporation"),
               &WaterSettings::evaporation_m_per_s, mm_per_h),
-        bound(
-            number("water.sea_level_m", preset.level_m, -1e6, 1e6, "m",
-                   "Level of the sea. When set, it fills what lies lower and is connected to the map's edge; "
-                   "edges of "
-                   "kind level hold it, and it is the still level of edges of kind wave.")
-                .once("water.sea_level")
-                .setting_off(SetsOff::sea),
-            &WaterSettings::level_m),
+        bound(number(
+                  "water.sea_level_m", preset.level_m, -1e6, 1e6, "m",
+                  "Level of the sea. When set, it fills what lies lower and is connected to the map's edge, "
+                  "and "
+                  "stands beyond open edges; edges of kind level hold it, and it is the still level of edges "
+                  "of kind wave.")
+                  .once("water.sea_level")
+                  .setting_off(SetsOff::sea),
+              &WaterSettings::level_m),
         boundary(Edge::north,
                  "Northern edge: a wall, open (waves leave), a held level, an inflow, a wave maker, or "
                  "periodic (joined to the opposite edge, whatever that is set to)."),
