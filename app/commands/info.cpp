@@ -60,7 +60,8 @@ void tiled_info(const std::string& path, const io::ImportSettings& import, bool 
     if (json) return print_json(about);
     print_samples(path, file.kind(), grid);
     if (file.levels().size() == 1)
-        fmt::print("no overviews: 'talus tile' writes a file that has them\n");
+        fmt::print(
+            "no overviews: opening it makes them beside it, 'talus tile' writes a file that has them\n");
     else
         fmt::print("{} levels, the coarsest {} x {} samples\n", file.levels().size(), file.levels().back().x,
                    file.levels().back().y);

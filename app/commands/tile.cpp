@@ -60,7 +60,7 @@ void tile(const TileOptions& options) {
         if (!io::write_tiled(options.output, source, [&](double share) { return work(share); }))
             throw Error(fmt::format("interrupted, '{}' was not written", options.output));
     }
-    const TiledTerrain terrain = open_tiled(options.output, {}, on_terminal());
+    const TiledTerrain terrain = open_tiled({options.output, {}}, on_terminal());
     fmt::print("{}: {} x {} samples, {} levels, {:.1f} to {:.1f} m, {:.1f} MiB\n", options.output,
                terrain.tree.grid().nx, terrain.tree.grid().ny, terrain.tree.levels().size(), terrain.lowest_m,
                terrain.highest_m,

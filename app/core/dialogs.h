@@ -23,7 +23,6 @@ struct ImportWish {
 /// What panels ask the window to do, once the frame's panels are done.
 struct PanelRequests {
     std::optional<SceneRequest> open;         ///< another scene; unsaved work is asked about
-    std::optional<SceneRequest> begin;        ///< what the window was started for
     std::optional<std::string> save;          ///< the document, to this path
     std::optional<std::string> put_back;      ///< the ground into the whole, as this mosaic
     std::optional<std::string> import;        ///< a file, by the import dialog

@@ -32,6 +32,11 @@ std::string in_words(double seconds) {
 
 }  // namespace
 
+std::string share_and_time_left(double share, double passed_s) {
+    if (share <= 0) return "0 %";
+    return fmt::format("{:.0f} %, {} left", 100 * share, in_words(passed_s * (1 - share) / share));
+}
+
 LongWork::LongWork(std::string what)
     : what_(std::move(what)),
       start_(std::chrono::steady_clock::now()),
@@ -56,8 +61,7 @@ bool LongWork::operator()(double share) {
     if (passed_s < quiet_s || share <= 0 || since_s < (on_terminal_ ? 0.5 : 10)) return true;
     told_ = now;
     told_once_ = true;
-    const std::string told =
-        fmt::format("{}: {:.0f} %, {} left", what_, 100 * share, in_words(passed_s * (1 - share) / share));
+    const std::string told = fmt::format("{}: {}", what_, share_and_time_left(share, passed_s));
     if (on_terminal_)
         fmt::print(stderr, "\r{}\033[K", told);
     else

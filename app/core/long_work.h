@@ -5,6 +5,9 @@
 
 namespace talus::app {
 
+/// What is told of long work: "34 %, 20 s left"; no time before any share is done.
+std::string share_and_time_left(double share, double passed_s);
+
 /// Tells on stderr how far long work is and how long it will take. While one of these lives, Ctrl+C (and
 /// SIGTERM and SIGHUP) ends the work instead of the program; a second one ends the program. One at a time.
 class LongWork {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/core/tile_sketch.h"
 #include "render/tiled/tiled_renderer.h"
 #include "sim/error.h"
 #include "sim/io/endings.h"
@@ -34,72 +35,105 @@ bool is_in_tiles(const SceneRequest& request) {
            (!request.input.empty() && io::is_larger_than_a_terrain(request.input));
 }
 
-bool is_to_be_measured(const SceneRequest& request) {
-    if (request.input.empty()) return false;
-    if (is_in_tiles(request)) return !is_measured(request.input, request.import);
-    try {
-        if (request.import.window) return !is_measured(request.input, request.import);
-        const std::optional<io::CutOut> cut_out = io::cut_out_of(request.input);
-        return cut_out && !is_measured(cut_out->path.string(), cut_out->import);
-    } catch (const Error&) {
-        // Then nothing is shown around it.
-        return false;
-    }
+namespace {
+
+// Opens a terrain in tiles that stands around a scene; none where it cannot be shown yet.
+using OpenTiles = std::function<std::optional<TiledTerrain>(const TiledRequest&)>;
+
+void limit_memory(const Parameters& view) {
+    io::limit_read_memory(static_cast<std::size_t>(view.whole("tiles.host_mib")) << 20);
 }
 
-TiledScene open_tiled_scene(const SceneRequest& request,
-                            const std::function<Progress(const std::string& path)>& begin_progress) {
+TiledRequest tiles_of(const SceneRequest& request) {
+    return {request.input, request.import};
+}
+
+std::shared_ptr<const TiledTerrain> shared(TiledTerrain terrain) {
+    return std::make_shared<const TiledTerrain>(std::move(terrain));
+}
+
+// Parameters and texture of a scene in tiles.
+TiledScene begin_tiled_scene(const SceneRequest& request) {
     check_tiled_request(request);
     TiledScene scene{nullptr, make_scene_parameters(request), {}};
     if (!request.texture.empty()) scene.texture = io::read_colour_image(request.texture);
-    io::limit_read_memory(static_cast<std::size_t>(scene.parameters.view.whole("tiles.host_mib")) << 20);
-    scene.terrain =
-        std::make_shared<const TiledTerrain>(open_tiled(request.input, request.import, begin_progress));
+    limit_memory(scene.parameters.view);
     return scene;
 }
 
-void open_whole(Scene& scene, const std::function<Progress(const std::string& path)>& begin_progress) {
-    const std::optional<io::CutOut>& cut_out = scene.document.cut_out;
-    if (!cut_out || !scene.view.toggle("tiles.backdrop")) return;
-    std::vector<std::string>& notes = scene.document.notes;
-    bool ended = false;
-    const auto begin_heeded = [&](const std::string& path) -> Progress {
-        return [&ended, told = begin_progress(path)](double share) {
-            if (!told(share)) ended = true;
-            return !ended;
-        };
-    };
-    try {
-        io::limit_read_memory(static_cast<std::size_t>(scene.view.whole("tiles.host_mib")) << 20);
-        scene.whole = std::make_shared<const TiledTerrain>(
-            open_tiled(cut_out->path.string(), cut_out->import, begin_heeded));
-        if (scene.whole->file.fingerprint() != cut_out->fingerprint)
-            notes.push_back(
-                fmt::format("'{}' was changed since this was cut out of it", cut_out->path.string()));
-    } catch (const Error& error) {
-        if (ended) throw;
-        notes.push_back(fmt::format("what stands around is not shown: {}", error.what()));
-    }
-}
-
-Scene open_scene(const SceneRequest& request,
-                 const std::function<Progress(const std::string& path)>& begin_progress) {
-    if (!is_in_tiles(request)) {
-        Scene scene = make_scene(request);
-        open_whole(scene, begin_progress);
-        return scene;
-    }
-    TiledScene opened = open_tiled_scene(request, begin_progress);
+// What stands in for a terrain to work in where one in tiles is looked at.
+Scene with_stand_in(const SceneRequest& request, TiledScene tiled) {
     io::Document stand_in;
     const Grid small{17, 17, 1, 1};
     stand_in.state = bedrock_terrain(small, std::vector<float>(small.count(), 0));
     stand_in.kind = "tiles";
-    stand_in.notes = opened.terrain->notes;
-    Scene scene{std::move(stand_in), std::move(opened.parameters.simulation),
-                std::move(opened.parameters.view)};
+    stand_in.notes = tiled.terrain->notes;
+    Scene scene{std::move(stand_in), std::move(tiled.parameters.simulation),
+                std::move(tiled.parameters.view)};
     scene.title = std::filesystem::path(request.input).filename().string();
-    scene.texture = std::move(opened.texture);
-    scene.tiles = std::move(opened.terrain);
+    scene.texture = std::move(tiled.texture);
+    scene.tiles = std::move(tiled.terrain);
+    return scene;
+}
+
+// A scene to work in, and what it was cut out of, as far as that is opened.
+Scene scene_with_whole(const SceneRequest& request, const OpenTiles& open) {
+    Scene scene = make_scene(request);
+    const auto note_all = [&](const std::vector<std::string>& notes) {
+        scene.document.notes.insert(scene.document.notes.end(), notes.begin(), notes.end());
+    };
+    const std::optional<io::CutOut>& cut_out = scene.document.cut_out;
+    if (!cut_out || !scene.view.toggle("tiles.backdrop")) return scene;
+    try {
+        limit_memory(scene.view);
+        const TiledRequest whole{cut_out->path.string(), cut_out->import};
+        std::optional<TiledTerrain> terrain = open(whole);
+        const bool is_ready = terrain && terrain->is_measured;
+        if (terrain) note_all(take_whole(scene, std::move(*terrain)));
+        if (!is_ready) scene.unready = whole;
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const Error& error) {
+        scene.document.notes.push_back(fmt::format("what stands around is not shown: {}", error.what()));
+    }
+    return scene;
+}
+
+}  // namespace
+
+std::vector<std::string> take_whole(Scene& scene, TiledTerrain terrain) {
+    const io::CutOut& cut_out = *scene.document.cut_out;
+    scene.whole = shared(std::move(terrain));
+    if (scene.whole->file.fingerprint() == cut_out.fingerprint) return {};
+    return {fmt::format("'{}' was changed since this was cut out of it", cut_out.path.string())};
+}
+
+TiledScene open_tiled_scene(const SceneRequest& request, const BeginProgress& begin_progress) {
+    TiledScene scene = begin_tiled_scene(request);
+    scene.terrain = shared(open_tiled(tiles_of(request), begin_progress));
+    return scene;
+}
+
+Scene open_scene(const SceneRequest& request, const BeginProgress& begin_progress) {
+    if (is_in_tiles(request)) return with_stand_in(request, open_tiled_scene(request, begin_progress));
+    return scene_with_whole(
+        request, [&](const TiledRequest& tiles) { return std::optional(open_tiled(tiles, begin_progress)); });
+}
+
+Scene open_scene_at_once(const SceneRequest& request) {
+    if (!is_in_tiles(request))
+        return scene_with_whole(request, [](const TiledRequest& tiles) -> std::optional<TiledTerrain> {
+            if (std::optional<TiledTerrain> ready = open_tiled_at_once(tiles)) return ready;
+            // Heights between few samples do not meet the scene's.
+            if (needs_overviews({tiles.path, tiles.import})) return std::nullopt;
+            return sketch_tiled(tiles);
+        });
+    TiledScene tiled = begin_tiled_scene(request);
+    const TiledRequest tiles = tiles_of(request);
+    std::optional<TiledTerrain> ready = open_tiled_at_once(tiles);
+    tiled.terrain = shared(ready ? std::move(*ready) : sketch_tiled(tiles));
+    Scene scene = with_stand_in(request, std::move(tiled));
+    if (!scene.tiles->is_measured) scene.unready = tiles;
     return scene;
 }
 

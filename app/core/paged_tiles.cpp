@@ -20,18 +20,22 @@ constexpr int share_of_looks = 20;
 constexpr std::chrono::seconds longest_wait(20);
 
 // Reads, and now and then sees whether the file has changed. For one thread.
-ReadSamples watching(const io::TiledFile& file, std::atomic<bool>& changed) {
+ReadSamples watching(const TiledTerrain& terrain, std::atomic<bool>& changed) {
+    // A sketch is followed by what is there when it has been made ready, and meanwhile overviews come beside
+    // the file.
+    if (!terrain.is_measured) return terrain.make_reader();
     using Clock = std::chrono::steady_clock;
-    return [&file, &changed, read = file.make_reader(), next = Clock::now() + between_looks](
-               int level, const TileSamples& samples, std::vector<float>& heights) mutable {
-        const Clock::time_point begin = Clock::now();
-        if (!changed && begin >= next) {
-            changed = file.has_changed();
-            const Clock::duration took = Clock::now() - begin;
-            next = begin + std::max<Clock::duration>(between_looks, share_of_looks * took);
-        }
-        read(level, samples, heights);
-    };
+    return
+        [&file = terrain.file, &changed, read = terrain.make_reader(), next = Clock::now() + between_looks](
+            int level, const TileSamples& samples, std::vector<float>& heights) mutable {
+            const Clock::time_point begin = Clock::now();
+            if (!changed && begin >= next) {
+                changed = file.has_changed();
+                const Clock::duration took = Clock::now() - begin;
+                next = begin + std::max<Clock::duration>(between_looks, share_of_looks * took);
+            }
+            read(level, samples, heights);
+        };
 }
 
 }  // namespace
@@ -39,8 +43,8 @@ ReadSamples watching(const io::TiledFile& file, std::atomic<bool>& changed) {
 PagedTiles::PagedTiles(std::shared_ptr<const TiledTerrain> terrain, int gpu_mib)
     : terrain_(std::move(terrain)),
       surface_(terrain_->tree, terrain_->bounds, slots_within(*terrain_, gpu_mib)),
-      paging_(terrain_->tree, watching(terrain_->file, changed_)) {
-    const ReadSamples read = terrain_->file.make_reader();
+      paging_(terrain_->tree, watching(*terrain_, changed_)) {
+    const ReadSamples read = terrain_->make_reader();
     std::vector<float> heights;
     for (const TileId& tile : terrain_->tree.coarsest_tiles()) {
         read(tile.level, terrain_->tree.samples_of(tile), heights);
@@ -85,7 +89,8 @@ std::optional<std::string> PagedTiles::take_message() {
 }
 
 std::string PagedTiles::state() const {
-    std::string text = tolerance_px_ > asked_px_
+    std::string text = !terrain_->is_measured ? "a sketch, no bound on its error is known yet"
+                       : tolerance_px_ > asked_px_
                            ? fmt::format("within {:.2f} px: for {:.2f} px there is not enough tiles.gpu_mib",
                                          tolerance_px_, asked_px_)
                            : fmt::format("within {:.2f} px", tolerance_px_);

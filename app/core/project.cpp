@@ -73,7 +73,6 @@ void Project::serve(const PanelRequests& asked) {
         act_when_ready(fmt::format("Importing {}", asked.import_here->path),
                        [wish = *asked.import_here] { return read_import(wish.path, wish.settings); });
     if (asked.open) when_saved([this, request = *asked.open] { open(session_.request_for(request)); });
-    if (asked.begin) open(*asked.begin);
     if (asked.save) {
         const auto then = std::exchange(after_saving_, nullptr);
         when_replaceable(*asked.save, [this, path = *asked.save, then] { save(path, then); });
@@ -150,9 +149,8 @@ void Project::open(const SceneRequest& request) {
                                    [&](const LeftBehind& one) { return one.document == request.input; });
     std::optional<LeftBehind> recovering;
     if (left != state_.left.end()) recovering = *left;
-    const auto make = [this, request, recovering](const Progress& progress) -> Work::Then {
-        auto scene =
-            std::make_shared<Scene>(open_scene(request, [&](const std::string&) { return progress; }));
+    const auto make = [this, request, recovering](const Progress&) -> Work::Then {
+        auto scene = std::make_shared<Scene>(open_scene_at_once(request));
         return [this, request, scene, recovering] {
             session_.open(request, std::move(*scene));
             state_.start_page = false;

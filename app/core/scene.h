@@ -4,14 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "app/core/tiled_terrain.h"
 #include "sim/io/colour_image.h"
 #include "sim/io/document.h"
 #include "sim/journal.h"
 #include "sim/parameters.h"
 
 namespace talus::app {
-
-struct TiledTerrain;
 
 /// What a person asks for when starting.
 struct SceneRequest {
@@ -39,6 +38,8 @@ struct Scene {
     std::shared_ptr<const TiledTerrain> tiles{};
     /// The raster that the document's terrain was cut out of, to be shown around it. Null: there is none.
     std::shared_ptr<const TiledTerrain> whole{};
+    /// What is to be made ready before it is shown, in place of a sketch, or around the terrain.
+    std::optional<TiledRequest> unready{};
 };
 
 /// The parameters of a scene.

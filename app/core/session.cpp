@@ -20,7 +20,7 @@
 
 namespace talus::app {
 Session::Session(const SceneRequest& request, gpu::Device device)
-    : device_(std::move(device)), request_(request), scene_(open_scene(request, on_terminal())) {
+    : device_(std::move(device)), request_(request), scene_(open_scene_at_once(request)) {
     start(std::move(scene_));
     path_ = document_path();
 }
@@ -58,6 +58,27 @@ void Session::start(Scene scene) {
     forget_rectangle();
     suggest_for_terrain();
     frame_terrain();
+}
+
+std::vector<std::string> Session::take_tiles(TiledTerrain terrain) {
+    std::vector<std::string> notes = terrain.notes;
+    const bool is_ready = terrain.is_measured;
+    if (overflight_) {
+        const auto tiles = std::make_shared<const TiledTerrain>(std::move(terrain));
+        overflight_ = std::make_unique<Overflight>(tiles, scene_.view.whole("tiles.gpu_mib"), scene_.texture);
+        bounds_ = {tiles->lowest_m, tiles->highest_m};
+        scene_.tiles = tiles;
+    } else {
+        notes = take_whole(scene_, std::move(terrain));
+        follow_surroundings();
+    }
+    if (is_ready) scene_.unready.reset();
+    std::vector<std::string>& told = scene_.document.notes;
+    std::erase_if(notes, [&](const std::string& note) {
+        return std::find(told.begin(), told.end(), note) != told.end();
+    });
+    told.insert(told.end(), notes.begin(), notes.end());
+    return notes;
 }
 
 // Of the terrain as it is now: it may have been cropped, turned or resampled, or none of that any more.
@@ -358,7 +379,7 @@ std::string Session::document_path() const {
 }
 
 void Session::reset() {
-    start(open_scene(request_, on_terminal()));
+    start(open_scene_at_once(request_));
     path_ = document_path();
 }
 

@@ -44,6 +44,12 @@ class Session {
     const Parameters& view() const { return scene_.view; }
     const Scene& scene() const { return scene_; }
     const SceneRequest& request() const { return request_; }
+    /// Tiles that are to be made ready (open_tiled()) before they are shown in place of a sketch, or around
+    /// the terrain. None: there are none.
+    const std::optional<TiledRequest>& unready() const { return scene_.unready; }
+    /// Shows them, ready or a better sketch of them. The camera stays. Returns notes of theirs that were not
+    /// told before. Throws talus::Error where they cannot be shown.
+    std::vector<std::string> take_tiles(TiledTerrain terrain);
     render::Camera& camera() { return camera_; }
     /// Another number for every terrain that was opened or reset, or took the place of the one before.
     int terrain_number() const { return terrain_number_; }

@@ -64,7 +64,7 @@ Sitter tiled_sitter(const SceneRequest& request) {
         Held(std::shared_ptr<const TiledTerrain> opened, int slots)
             : terrain(std::move(opened)),
               surface(terrain->tree, terrain->bounds, slots),
-              loading([this] { return terrain->file.make_reader(); }) {}
+              loading([this] { return terrain->make_reader(); }) {}
     };
     const TiledScene scene = open_tiled_scene(request, on_terminal());
     const Parameters& view = scene.parameters.view;

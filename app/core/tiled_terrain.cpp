@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "app/core/long_work.h"
 #include "render/tiled/tiled_surface.h"
 #include "sim/error.h"
 #include "sim/io/tile_sidecar.h"
+#include "sim/io/tile_writer.h"
 
 namespace talus::app {
 namespace {
@@ -16,16 +18,42 @@ namespace {
 // Tiles of the coarsest level, which are held always.
 constexpr std::size_t most_coarsest_tiles = 64;
 
-TileTree tree_of(const io::TiledFile& file) {
-    TileTree tree(file.grid(), tile_patches, file.levels(), file.level_places());
-    if (tree.coarsest_tiles().size() > most_coarsest_tiles)
-        throw Error(fmt::format(
-            "'{}' has too few overviews to be shown as a whole: 'talus tile' writes a file that has them",
-            file.path().string()));
-    return tree;
+bool is_wide(const TileTree& tree) {
+    return tree.coarsest_tiles().size() > most_coarsest_tiles;
+}
+
+TiledTerrain with_bounds(io::TiledFile file, TileTree tree, std::vector<TileBounds> bounds,
+                         std::vector<std::string> notes) {
+    const glm::vec2 heights = heights_of(bounds);
+    TiledTerrain terrain{std::move(file), std::move(tree), std::move(bounds), std::move(notes)};
+    terrain.lowest_m = heights.x;
+    terrain.highest_m = heights.y;
+    return terrain;
 }
 
 }  // namespace
+
+bool needs_overviews(const io::TiledFile& file) {
+    if (!is_wide(TileTree(file.grid(), tile_patches, file.levels(), file.level_places()))) return false;
+    std::error_code failed;
+    if (file.overviews() == io::TiledFile::Overviews::outdated) return true;
+    if (file.overviews() == io::TiledFile::Overviews::some)
+        throw Error(fmt::format(
+            "'{}' has too few overviews to be shown as a whole: 'talus tile' writes a file that has them",
+            file.path().string()));
+    const std::filesystem::path overviews = io::overviews_path(file.path());
+    if (std::filesystem::exists(overviews, failed))
+        throw Error(fmt::format(
+            "'{}' holds no overviews of '{}', remove it, or write a file that has them with 'talus tile'",
+            overviews.string(), file.path().string()));
+    return true;
+}
+
+TileTree tree_of(const io::TiledFile& file) {
+    if (needs_overviews(file))
+        throw Error(fmt::format("'{}' has no overviews to be shown as a whole", file.path().string()));
+    return TileTree(file.grid(), tile_patches, file.levels(), file.level_places());
+}
 
 glm::vec2 heights_of(const std::vector<TileBounds>& bounds) {
     glm::vec2 heights(bounds.front().lowest_m, bounds.front().highest_m);
@@ -34,39 +62,54 @@ glm::vec2 heights_of(const std::vector<TileBounds>& bounds) {
     return heights;
 }
 
-std::function<Progress(const std::string& path)> on_terminal() {
-    return [](const std::string& path) -> Progress {
-        const auto work = std::make_shared<LongWork>(fmt::format("measuring '{}'", path));
+BeginProgress on_terminal() {
+    return [](const std::string& what) -> Progress {
+        const auto work = std::make_shared<LongWork>(what);
         return [work](double share) { return (*work)(share); };
     };
 }
 
-TiledTerrain open_tiled(const std::string& path, const io::ImportSettings& import,
-                        const std::function<Progress(const std::string& path)>& begin_progress) {
-    io::TiledFile file(path, import);
-    TileTree tree = tree_of(file);
-    std::vector<std::string> notes = file.notes();
-    std::optional<std::vector<TileBounds>> bounds = io::read_tile_sidecar(file, tree);
-    if (!bounds) {
-        bounds = measure_tile_bounds(
-            tree, [&] { return file.make_reader(); }, begin_progress(path));
-        if (bounds->empty()) throw Error(fmt::format("interrupted while '{}' was measured", path));
-        try {
-            io::write_tile_sidecar(file, tree, *bounds);
-        } catch (const Error& error) {
-            notes.push_back(fmt::format("the bounds of its tiles are measured each time: {}", error.what()));
-        }
+void make_overviews(const io::TiledFile& file, const BeginProgress& begin_progress) {
+    const std::string path = file.path().string();
+    bool is_written = false;
+    try {
+        is_written = io::write_overviews(file, begin_progress(fmt::format("making overviews of '{}'", path)));
+    } catch (const Error& error) {
+        throw Error(
+            fmt::format("'{}' has no overviews to be shown as a whole, and none can be made beside it ({}): "
+                        "'talus tile' writes a file elsewhere that has them",
+                        path, error.what()));
     }
-    TiledTerrain terrain{std::move(file), std::move(tree), std::move(*bounds), std::move(notes)};
-    const glm::vec2 heights = heights_of(terrain.bounds);
-    terrain.lowest_m = heights.x;
-    terrain.highest_m = heights.y;
-    return terrain;
+    if (!is_written) throw Interrupted(fmt::format("interrupted while overviews of '{}' were made", path));
 }
 
-bool is_measured(const std::string& path, const io::ImportSettings& import) {
-    const io::TiledFile file(path, import);
-    return io::read_tile_sidecar(file, tree_of(file)).has_value();
+TiledTerrain open_tiled(const TiledRequest& request, const BeginProgress& begin_progress) {
+    if (std::optional<TiledTerrain> ready = open_tiled_at_once(request)) return std::move(*ready);
+    if (const io::TiledFile file(request.path, request.import); needs_overviews(file))
+        make_overviews(file, begin_progress);
+    io::TiledFile file(request.path, request.import);
+    TileTree tree = tree_of(file);
+    std::vector<std::string> notes = file.notes();
+    std::vector<TileBounds> bounds = measure_tile_bounds(
+        tree, [&] { return file.make_reader(); },
+        begin_progress(fmt::format("measuring the tiles of '{}'", request.path)));
+    if (bounds.empty()) throw Interrupted(fmt::format("interrupted while '{}' was measured", request.path));
+    try {
+        io::write_tile_sidecar(file, tree, bounds);
+    } catch (const Error& error) {
+        notes.push_back(fmt::format("the bounds of its tiles are measured each time: {}", error.what()));
+    }
+    return with_bounds(std::move(file), std::move(tree), std::move(bounds), std::move(notes));
+}
+
+std::optional<TiledTerrain> open_tiled_at_once(const TiledRequest& request) {
+    io::TiledFile file(request.path, request.import);
+    if (needs_overviews(file)) return std::nullopt;
+    TileTree tree = tree_of(file);
+    std::optional<std::vector<TileBounds>> bounds = io::read_tile_sidecar(file, tree);
+    if (!bounds) return std::nullopt;
+    std::vector<std::string> notes = file.notes();
+    return with_bounds(std::move(file), std::move(tree), std::move(*bounds), std::move(notes));
 }
 
 void keep_bounds_of_mosaic(const io::CutOut& whole, const std::string& mosaic, const TileSamples& patch) {

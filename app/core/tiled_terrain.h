@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,13 @@ namespace talus::app {
 /// Patches of the finest level in a row of a tile.
 constexpr int tile_patches = 256;
 
+/// A file that is looked at in tiles, and how it is read.
+struct TiledRequest {
+    std::string path;
+    io::ImportSettings import;
+    bool operator==(const TiledRequest&) const = default;
+};
+
 /// A file of tiles with what is known of them.
 struct TiledTerrain {
     io::TiledFile file;
@@ -20,22 +28,41 @@ struct TiledTerrain {
     std::vector<std::string> notes;
     float lowest_m = 0;
     float highest_m = 0;
+    bool is_measured = true;  ///< false: a sketch (app/core/tile_sketch.h), whose bounds are guesses
+    /// Of a sketch of a file without levels: reads heights of all levels in its place, on any thread.
+    ReadSamples instead{};
+
+    /// A reader of all levels for one thread.
+    ReadSamples make_reader() const { return instead ? instead : file.make_reader(); }
 };
 
 /// Lowest and highest sample of all tiles.
 glm::vec2 heights_of(const std::vector<TileBounds>& bounds);
 
-/// How measuring a file's tiles is told on stderr, and ended by Ctrl+C (app/core/long_work.h).
-std::function<Progress(const std::string& path)> on_terminal();
+/// Whether a file has too few levels to be shown as a whole, and overviews can be made beside it. Throws
+/// talus::Error where they cannot: it has some, or a file has their name.
+bool needs_overviews(const io::TiledFile& file);
 
-/// Opens it; the bounds of its tiles come from the file beside it, or are measured and kept there, which
-/// takes long: then `begin_progress` is asked for whom to tell. Throws talus::Error where it cannot be read,
-/// has no levels to fly over, or the work was ended.
-TiledTerrain open_tiled(const std::string& path, const io::ImportSettings& import,
-                        const std::function<Progress(const std::string& path)>& begin_progress);
+/// Its tiles. Throws talus::Error where it has too few levels to be shown as a whole.
+TileTree tree_of(const io::TiledFile& file);
 
-/// Whether open_tiled() has no long work: the bounds are beside the file. Throws as it does.
-bool is_measured(const std::string& path, const io::ImportSettings& import);
+/// Asked for whom to tell of long work, by what it is ("measuring the tiles of 'alps.tif'").
+using BeginProgress = std::function<Progress(const std::string& what)>;
+
+/// Tells on stderr; Ctrl+C ends the work (app/core/long_work.h).
+BeginProgress on_terminal();
+
+/// Makes overviews of a file that needs them, beside it (io::write_overviews()). Throws talus::Error where
+/// they cannot be written, and Interrupted.
+void make_overviews(const io::TiledFile& file, const BeginProgress& begin_progress);
+
+/// Opens it. Overviews that it needs are made (make_overviews()), and the bounds of its tiles come from the
+/// file beside it, or are measured and kept there. Throws talus::Error where the file cannot be read, or its
+/// overviews not written, and Interrupted.
+TiledTerrain open_tiled(const TiledRequest& request, const BeginProgress& begin_progress);
+
+/// The same where it has no long work; none where it has. Throws as it does.
+std::optional<TiledTerrain> open_tiled_at_once(const TiledRequest& request);
 
 /// After a part was put back into what it was cut out of: keeps the bounds of the mosaic's tiles beside it,
 /// so that it opens at once. They are those of the whole, but where the patch is. Where the whole was not

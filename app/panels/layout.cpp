@@ -185,8 +185,11 @@ void draw_status_line(const Session& session, const StatusFigures& figures, int 
         text += fmt::format("  |  {:.2f} s, speed {} of {}  |  tick {:.1f} ms, ",
                             session.simulation().clock().simulated_s, figure(session.speed_reached(), 3),
                             figure(session.view().number("time.speed"), 3), session.tick_ms());
-    if (const Surroundings* around = session.surroundings(); around && around->tiles().awaited_tiles() > 0)
-        text += fmt::format("{} tiles on their way, ", around->tiles().awaited_tiles());
+    if (const Surroundings* around = session.surroundings()) {
+        if (!around->tiles().terrain().is_measured) text += "a sketch around it, ";
+        if (around->tiles().awaited_tiles() > 0)
+            text += fmt::format("{} tiles on their way, ", around->tiles().awaited_tiles());
+    }
     text += fmt::format("frame {:.1f} ms at {:.0f} %  |  {}", figures.frame_ms, 100 * figures.scale,
                         figures.device);
     ImDrawList* list = ImGui::GetForegroundDrawList();

@@ -1,7 +1,4 @@
-#include <fmt/format.h>
 #include <imgui.h>
-
-#include <cmath>
 
 #include "app/panels/panels.h"
 
@@ -24,25 +21,6 @@ void draw_question(PanelContext& context) {
         state.question.reset();
     }
     ImGui::EndPopup();
-}
-
-void draw_work(const Work& work, bool& cancelled) {
-    // What is short needs no bar.
-    if (!work.busy() || work.seconds() < 0.3) return;
-    const ImVec2 middle = ImGui::GetMainViewport()->GetCenter();
-    ImGui::SetNextWindowPos(middle, ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::SetNextWindowSize({24 * ImGui::GetFontSize(), 0});
-    ImGui::Begin("Work", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize);
-    text_line(work.name());
-    const std::optional<double> share = work.share();
-    // Where the progress is unknown the bar shows that the work goes on.
-    const double length = share.value_or(work.seconds() - std::floor(work.seconds()));
-    const std::string left = share ? fmt::format("{:.0f} %, ", 100 * *share) : "";
-    ImGui::ProgressBar(static_cast<float>(length), {-1, 0},
-                       fmt::format("{}{:.0f} s", left, work.seconds()).c_str());
-    cancelled = button("Cancel work", "everything stays as it was", work.can_cancel());
-    ImGui::End();
 }
 
 }  // namespace talus::app

@@ -11,9 +11,9 @@
 
 #include "app/core/frame_log.h"
 #include "app/core/frame_pacing.h"
-#include "app/core/opening.h"
 #include "app/core/pass_times.h"
 #include "app/core/picture_file.h"
+#include "app/core/preparation.h"
 #include "app/core/project.h"
 #include "app/core/report.h"
 #include "app/core/session.h"
@@ -42,8 +42,7 @@ class Window {
     Window(const Glfw& glfw, const WindowOptions& options, const WindowLayout& layout)
         : window_(glfw.open(options.size.value_or(layout.size), true)),
           device_(gpu::adopt_current_context("window")),
-          begins_later_(is_to_be_measured(options.scene)),
-          session_(begins_later_ ? SceneRequest() : options.scene, device_),
+          session_(options.scene, device_),
           hand_(window_),
           input_(window_,
                  [this](const InputEvents::Key& key) {
@@ -66,6 +65,7 @@ class Window {
                         if (!session_.is_in_place()) session_.frame_terrain();
                         note_start();
                     }}),
+          preparation_(session_, [this](const std::string& message) { note(message); }),
           frame_log_path_(options.frame_log),
           rects_{options.ui_rects} {
         note(gpu::describe(device_));
@@ -79,11 +79,6 @@ class Window {
         state_.panels_shown = layout.panels_shown;
         // The start page opens where nothing was named; a file that was named is not covered by it.
         state_.start_page = options.scene.input.empty() && options.scene.preset.empty();
-        // What takes long to open has the start page meanwhile.
-        if (begins_later_) {
-            requests_.begin = options.scene;
-            state_.start_page = true;
-        }
         if (!state_.start_page && !state_.left.empty())
             tell("an earlier session ended with unsaved work: File > Start page offers it");
         glm::ivec2 size(0);
@@ -124,6 +119,8 @@ class Window {
             // What fails costs a frame, never the work: it is told, and the window goes on.
             attempt([&] { session_.poll(); });
             attempt([&] { project_.poll(); });
+            attempt([&] { preparation_.poll(); });
+            if (preparation_.take_progress()) wake();
             if (const auto message = session_.take_message()) tell(*message);
             // At rest nothing is drawn and nothing presented.
             if (busy()) frame();
@@ -386,6 +383,7 @@ class Window {
         draw_panels(context, figures, size);
         bool cancelled = false;
         draw_work(project_.work(), cancelled);
+        draw_preparation(preparation_.work(), area_);
         if (cancelled || std::exchange(requests_.cancel_work, false)) project_.cancel();
         ImGui::Render();
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
@@ -393,7 +391,6 @@ class Window {
 
     GLFWwindow* window_;
     gpu::Device device_;
-    bool begins_later_;  // the scene takes long to open
     Session session_;
     Hand hand_;
     PanelInput input_;
@@ -402,6 +399,7 @@ class Window {
     double message_until_s_ = 0;
     FramePacing pacing_;
     Project project_;
+    Preparation preparation_;
     std::string frame_log_path_;
     std::vector<FrameTimes> frames_;
     RectsFile rects_;

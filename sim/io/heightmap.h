@@ -18,6 +18,7 @@ struct RawLayout {
     int ny = 0;
     bool big_endian = false;
     bool south_first = false;
+    bool operator==(const RawLayout&) const = default;
 };
 
 /// A rectangle of a raster, in the file's own coordinates (easting and northing, degrees); in metres from its
@@ -36,6 +37,7 @@ struct ImportSettings {
     std::optional<glm::dvec2> range_m;  ///< heights of the smallest and the largest value of the file's type
     std::optional<RawLayout> raw;
     std::optional<FileWindow> window;  ///< the part that is cut out of it (sim/io/cut_out.h); none: all of it
+    bool operator==(const ImportSettings&) const = default;
 };
 
 /// The settings as a line of JSON, for journals; and back.

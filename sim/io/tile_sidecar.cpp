@@ -42,8 +42,8 @@ fs::path tile_sidecar_path(const fs::path& path) {
 
 void write_tile_sidecar(const TiledFile& file, const TileTree& tree, const std::vector<TileBounds>& bounds) {
     const auto bytes = std::as_bytes(std::span(bounds));
-    const TileSidecarHead head = {tile_sidecar_magic, file.fingerprint(), hash_of_levels(tree), bounds.size(),
-                                  bytes_hash(bytes)};
+    const TileSidecarHead head = {tile_sidecar_magic, file.levels_fingerprint(), hash_of_levels(tree),
+                                  bounds.size(), bytes_hash(bytes)};
     std::vector<std::byte> content(sizeof(head) + bytes.size());
     std::memcpy(content.data(), &head, sizeof(head));
     std::memcpy(content.data() + sizeof(head), bytes.data(), bytes.size());
@@ -67,7 +67,7 @@ std::optional<std::vector<TileBounds>> read_tile_sidecar(const TiledFile& file, 
     TileSidecarHead head{};
     std::memcpy(&head, content.data(), sizeof(head));
     std::memcpy(bounds.data(), content.data() + sizeof(head), content.size() - sizeof(head));
-    const bool ours = head.magic == tile_sidecar_magic && head.fingerprint == file.fingerprint() &&
+    const bool ours = head.magic == tile_sidecar_magic && head.fingerprint == file.levels_fingerprint() &&
                       head.levels_hash == hash_of_levels(tree) && head.count == tree.count() &&
                       head.bounds_hash == bytes_hash(std::as_bytes(std::span(bounds)));
     const bool sound = std::all_of(bounds.begin(), bounds.end(), [](const TileBounds& one) {

@@ -36,12 +36,20 @@ GDALDataType gdal_type(SampleType samples) {
                                            : GDT_Float32;
 }
 
+// Of a file: sizes of all levels, and which is the first that it holds.
+struct WrittenLevels {
+    std::vector<glm::ivec2> sizes;
+    int first = 0;             // 1 where it holds overviews alone
+    std::string made_of = {};  // where it does: of which content they are
+};
+
 // A file that GDAL made and whose writing did not fail; closing it may.
 class TiledOutput {
   public:
     TiledOutput(const fs::path& path, const AtomicFile& file, const TiledSource& source,
-                const std::vector<glm::ivec2>& levels)
-        : path_(path), temporary_(file.temporary().string()) {
+                const WrittenLevels& written)
+        : path_(path), temporary_(file.temporary().string()), first_level_(written.first) {
+        const std::vector<glm::ivec2>& levels = written.sizes;
         const GDALDataType type = gdal_type(source.samples);
         const std::string predictor =
             fmt::format("PREDICTOR={}", source.samples == SampleType::float32 ? 3 : 2);
@@ -52,14 +60,17 @@ class TiledOutput {
             "COMPRESS=DEFLATE", predictor.c_str(),      "BIGTIFF=YES",
             "SPARSE_OK=TRUE",   "NUM_THREADS=ALL_CPUS", nullptr};
         GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
-        dataset_.reset(driver->Create(temporary_.c_str(), source.grid.nx, source.grid.ny, 1, type,
+        const auto first = static_cast<std::size_t>(first_level_);
+        dataset_.reset(driver->Create(temporary_.c_str(), levels[first].x, levels[first].y, 1, type,
                                       const_cast<char**>(options.data())));
         if (!dataset_) fail();
-        place(source);
+        if (first_level_ == 0) place(source);
         dataset_->SetMetadataItem(levels_item, levels_by_halves, levels_domain);
+        if (!written.made_of.empty())
+            dataset_->SetMetadataItem(made_of_item, written.made_of.c_str(), levels_domain);
         if (source.void_value) dataset_->GetRasterBand(1)->SetNoDataValue(*source.void_value);
         std::vector<int> factors;
-        for (std::size_t i = 1; i < levels.size(); ++i) factors.push_back(1 << i);
+        for (std::size_t i = first + 1; i < levels.size(); ++i) factors.push_back(1 << (i - first));
         CPLSetThreadLocalConfigOption("GDAL_TIFF_OVR_BLOCKSIZE", std::to_string(block).c_str());
         const CPLErr error = factors.empty() ? CE_None
                                              : dataset_->BuildOverviews(
@@ -68,16 +79,19 @@ class TiledOutput {
         CPLSetThreadLocalConfigOption("GDAL_TIFF_OVR_BLOCKSIZE", nullptr);
         if (error != CE_None) fail();
         bands_.push_back(dataset_->GetRasterBand(1));
-        for (std::size_t i = 1; i < levels.size(); ++i) {
-            bands_.push_back(dataset_->GetRasterBand(1)->GetOverview(static_cast<int>(i) - 1));
+        for (std::size_t i = first + 1; i < levels.size(); ++i) {
+            bands_.push_back(dataset_->GetRasterBand(1)->GetOverview(static_cast<int>(i - first) - 1));
             if (glm::ivec2(bands_.back()->GetXSize(), bands_.back()->GetYSize()) != levels[i]) fail();
         }
     }
 
-    // One thread at a time.
+    bool holds(int level) const { return level >= first_level_; }
+
+    // Of a level that it holds. One thread at a time.
     void write_block(int level, glm::ivec2 at, void* samples) {
         CPLErrorReset();
-        if (bands_[static_cast<std::size_t>(level)]->WriteBlock(at.x, at.y, samples) != CE_None ||
+        if (bands_[static_cast<std::size_t>(level - first_level_)]->WriteBlock(at.x, at.y, samples) !=
+                CE_None ||
             CPLGetLastErrorType() >= CE_Failure)
             fail();
     }
@@ -115,8 +129,9 @@ class TiledOutput {
 
     fs::path path_;
     std::string temporary_;
+    int first_level_;
     Dataset dataset_;
-    std::vector<GDALRasterBand*> bands_;
+    std::vector<GDALRasterBand*> bands_;  // from the first level on
 };
 
 // Rows of a level, one tile high, until they are written.
@@ -189,6 +204,20 @@ class TileWriter {
     // Writes a level's rows, and those of coarser levels that are whole now.
     void finish(int level) {
         LevelRows& rows = held_[static_cast<std::size_t>(level)];
+        if (output_.holds(level)) write(level, rows);
+        if (level + 1 == static_cast<int>(levels_.size())) return;
+        LevelRows& above = held_[static_cast<std::size_t>(level) + 1];
+        const bool first_half = rows.first_row / block % 2 == 0;
+        if (first_half && (rows.first_column == 0 || level + 1 <= square_levels))
+            begin(above, level + 1, rows.first_column / 2, rows.first_row / 2);
+        average(rows, above);
+        const glm::ivec2 size = levels_[static_cast<std::size_t>(level)];
+        const bool last_rows = !first_half || rows.first_row + rows.rows == size.y;
+        const bool last_columns = level + 1 <= square_levels || rows.first_column + rows.columns == size.x;
+        if (last_rows && last_columns) finish(level + 1);
+    }
+
+    void write(int level, LevelRows& rows) {
         in_parallel((rows.columns + block - 1) / block, [&](std::size_t, int tile) {
             const int from = tile * block;
             const int columns = std::min(block, rows.columns - from);
@@ -210,16 +239,6 @@ class TileWriter {
             output_.write_block(level, {rows.first_column / block + tile, rows.first_row / block},
                                 packed.data());
         });
-        if (level + 1 == static_cast<int>(levels_.size())) return;
-        LevelRows& above = held_[static_cast<std::size_t>(level) + 1];
-        const bool first_half = rows.first_row / block % 2 == 0;
-        if (first_half && (rows.first_column == 0 || level + 1 <= square_levels))
-            begin(above, level + 1, rows.first_column / 2, rows.first_row / 2);
-        average(rows, above);
-        const glm::ivec2 size = levels_[static_cast<std::size_t>(level)];
-        const bool last_rows = !first_half || rows.first_row + rows.rows == size.y;
-        const bool last_columns = level + 1 <= square_levels || rows.first_column + rows.columns == size.x;
-        if (last_rows && last_columns) finish(level + 1);
     }
 
     // A mean may be the number that stands for voids; it becomes the next one towards 0, or up from 0.
@@ -299,11 +318,8 @@ class TileWriter {
     double done_ = 0;
 };
 
-}  // namespace
-
-bool write_tiled(const fs::path& path, const TiledSource& source, const std::function<bool(double)>& told,
-                 std::size_t least_levels) {
-    start_gdal();
+// Down to one that is a single tile, and more where they are asked for.
+std::vector<glm::ivec2> levels_to_write(const TiledSource& source, std::size_t least_levels) {
     std::vector<glm::ivec2> levels = halved_levels({source.grid.nx, source.grid.ny});
     const auto single = std::find_if(levels.begin(), levels.end(), [](glm::ivec2 size) {
         return size.x <= block / 2 && size.y <= block / 2;
@@ -312,12 +328,35 @@ bool write_tiled(const fs::path& path, const TiledSource& source, const std::fun
         const auto enough = static_cast<std::size_t>(single - levels.begin()) + 1;
         levels.resize(std::min(std::max(enough, least_levels), levels.size()));
     }
+    return levels;
+}
+
+bool write_levels(const fs::path& path, const TiledSource& source, const WrittenLevels& levels,
+                  const std::function<bool(double)>& told) {
+    start_gdal();
     AtomicFile file(path);
     TiledOutput output(path, file, source, levels);
-    if (!TileWriter(source, output, levels, told).write()) return false;
+    if (!TileWriter(source, output, levels.sizes, told).write()) return false;
     output.close();
     file.commit();
     return true;
+}
+
+}  // namespace
+
+bool write_tiled(const fs::path& path, const TiledSource& source, const std::function<bool(double)>& told,
+                 std::size_t least_levels) {
+    return write_levels(path, source, {levels_to_write(source, least_levels)}, told);
+}
+
+fs::path overviews_path(const fs::path& raster) {
+    return raster.string() + ".ovr";
+}
+
+bool write_overviews(const TiledFile& raster, const std::function<bool(double)>& told) {
+    const TiledSource source = raster.stored();
+    return write_levels(overviews_path(raster.path()), source,
+                        {levels_to_write(source, 2), 1, std::to_string(raster.stored_fingerprint())}, told);
 }
 
 }  // namespace talus::io

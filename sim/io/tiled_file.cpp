@@ -12,6 +12,7 @@
 #include "sim/io/endings.h"
 #include "sim/io/gdal_dataset.h"
 #include "sim/terrain/state_hash.h"
+#include "sim/tiled/void_filling.h"
 
 namespace talus::io {
 
@@ -46,6 +47,18 @@ std::vector<glm::ivec2> levels_of(GDALDataset& dataset) {
         levels.emplace_back(overview->GetXSize(), overview->GetYSize());
     }
     return levels;
+}
+
+// What Talus has noted in a file; empty: nothing.
+std::string noted_in(GDALDataset* dataset, const char* item) {
+    const char* const told = dataset ? dataset->GetMetadataItem(item, levels_domain) : nullptr;
+    return told ? told : "";
+}
+
+// The file in which overviews are; null: there are none.
+GDALDataset* overviews_of(GDALDataset& dataset) {
+    GDALRasterBand* const overview = dataset.GetRasterBand(1)->GetOverview(0);
+    return overview ? overview->GetDataset() : nullptr;
 }
 
 SampleType type_of(GDALDataType type, bool scaled) {
@@ -92,75 +105,27 @@ bool any_part(GDALDataset& dataset, const std::function<bool(const std::string&)
     });
 }
 
+constexpr const char* overviews_ending = ".ovr";
+
+enum class WithOverviews { no, yes };
+
 // Of all files that the raster is made of: where they lie seen from its folder, sizes and times.
-std::string parts_of(GDALDataset& dataset, const fs::path& folder) {
+std::string parts_of(GDALDataset& dataset, const fs::path& folder, WithOverviews with_overviews) {
     std::string told;
     std::set<std::string> visited;
     const auto tell = [&](const std::string& file) {
+        // GDAL lists overviews of the file itself, of its parts not.
+        if (ending_of(file) == overviews_ending) return false;
         std::error_code failed;
         const fs::path full = fs::weakly_canonical(file, failed);
         told +=
             fmt::format("{} {}\n", failed ? file : full.lexically_relative(folder).string(), stamp_of(file));
-        // A part's overviews are not listed.
-        told += fmt::format("{}\n", stamp_of(file + ".ovr"));
+        if (with_overviews == WithOverviews::yes)
+            told += fmt::format("{}\n", stamp_of(file + overviews_ending));
         return false;
     };
     any_part(dataset, tell, visited);
     return told;
-}
-
-// Gives samples of a rectangle that are not known the height of another one, bilinear. place_of: where a
-// sample of the one lies among those of the other.
-template <typename Place>
-void fill_from(const std::vector<float>& other, glm::ivec2 other_size, std::vector<float>& heights,
-               glm::ivec2 size, const Place& place_of) {
-    std::size_t at = 0;
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x, ++at) {
-            if (!std::isnan(heights[at])) continue;
-            const glm::dvec2 place =
-                glm::clamp(place_of(glm::ivec2(x, y)), glm::dvec2(0), glm::dvec2(other_size - 1));
-            const glm::ivec2 low = glm::floor(place);
-            const glm::ivec2 high = glm::min(low + 1, other_size - 1);
-            const glm::dvec2 share = place - glm::dvec2(low);
-            const auto sample = [&](int column, int row) -> double {
-                return other[static_cast<std::size_t>(row) * other_size.x + column];
-            };
-            heights[at] = static_cast<float>(
-                glm::mix(glm::mix(sample(low.x, low.y), sample(high.x, low.y), share.x),
-                         glm::mix(sample(low.x, high.y), sample(high.x, high.y), share.x), share.y));
-        }
-}
-
-// Of the known ones of 2 x 2 samples the mean.
-std::vector<float> halved(const std::vector<float>& heights, glm::ivec2 size, glm::ivec2 half) {
-    std::vector<float> means;
-    for (int y = 0; y < half.y; ++y)
-        for (int x = 0; x < half.x; ++x) {
-            double sum = 0;
-            double known = 0;
-            for (int row = 2 * y; row < std::min(2 * y + 2, size.y); ++row)
-                for (int column = 2 * x; column < std::min(2 * x + 2, size.x); ++column) {
-                    const float h = heights[static_cast<std::size_t>(row) * size.x + column];
-                    if (std::isnan(h)) continue;
-                    sum += h;
-                    known += 1;
-                }
-            means.push_back(known > 0 ? static_cast<float>(sum / known) : unknown);
-        }
-    return means;
-}
-
-// Fills voids by a pyramid of means of its own, down to a single one. False where nothing is known.
-bool fill_voids_by_means(std::vector<float>& heights, glm::ivec2 size) {
-    if (std::none_of(heights.begin(), heights.end(), [](float h) { return std::isnan(h); })) return true;
-    if (size == glm::ivec2(1)) return false;
-    const glm::ivec2 half = (size + 1) / 2;
-    std::vector<float> means = halved(heights, size, half);
-    if (!fill_voids_by_means(means, half)) return false;
-    fill_from(means, half, heights, size,
-              [](glm::ivec2 sample) { return (glm::dvec2(sample) + 0.5) / 2.0 - 0.5; });
-    return true;
 }
 
 }  // namespace
@@ -266,11 +231,19 @@ struct TiledFile::Reading {
         std::vector<float> above;
         read(dataset, level + 1, coarser, above);
         fill(dataset, level + 1, coarser, above);
-        fill_from(above, coarser.count, heights, samples.count, [&](glm::ivec2 sample) {
+        fill_voids_from(above, coarser.count, heights, samples.count, [&](glm::ivec2 sample) {
             return place_of_sample(samples.first + sample) - glm::dvec2(coarser.first);
         });
     }
 };
+
+// Samples that are not known stay so.
+ReadSamples TiledFile::reader_of(const std::shared_ptr<const Reading>& reading) {
+    const std::shared_ptr<GDALDataset> own(open_raster(reading->path).release(), CloseDataset());
+    return [reading, own](int level, const TileSamples& samples, std::vector<float>& heights) {
+        reading->read(*own, level, samples, heights);
+    };
+}
 
 TiledFile::TiledFile(const fs::path& path, const ImportSettings& settings) : path_(path) {
     const Dataset dataset = open_raster(path);
@@ -292,9 +265,19 @@ TiledFile::TiledFile(const fs::path& path, const ImportSettings& settings) : pat
     auto reading = std::make_shared<Reading>();
     reading->path = path;
     reading->levels = levels_ = levels_of(*dataset);
-    const char* const told_places = dataset->GetMetadataItem(levels_item, levels_domain);
-    if (told_places && std::string(told_places) == levels_by_halves)
-        reading->places = level_places_ = LevelPlaces::by_halves;
+    stored_samples_ = type_of(type, false);
+    const fs::path folder = fs::weakly_canonical(path).parent_path();
+    const std::string stored_parts = parts_of(*dataset, folder, WithOverviews::no);
+    parts_ = parts_of(*dataset, folder, WithOverviews::yes);
+    stored_fingerprint_ = bytes_hash(std::as_bytes(std::span(stored_parts)));
+    GDALDataset* const beside = overviews_of(*dataset);
+    if (beside) overviews_ = Overviews::some;
+    const std::string made_of = noted_in(beside, made_of_item);
+    if (!made_of.empty() && made_of != std::to_string(stored_fingerprint_)) {
+        overviews_ = Overviews::outdated;
+        reading->levels.resize(1);
+        levels_.resize(1);
+    }
     int has_nodata = 0;
     const double nodata = band->GetNoDataValue(&has_nodata);
     constexpr double largest = std::numeric_limits<float>::max();
@@ -306,6 +289,10 @@ TiledFile::TiledFile(const fs::path& path, const ImportSettings& settings) : pat
     notes_.insert(notes_.end(), place.notes.begin(), place.notes.end());
     reading->south_first = place.south_first;
     reading->east_first = place.east_first;
+    const bool by_halves = noted_in(dataset.get(), levels_item) == levels_by_halves ||
+                           noted_in(beside, levels_item) == levels_by_halves;
+    if (by_halves && !place.south_first && !place.east_first)
+        reading->places = level_places_ = LevelPlaces::by_halves;
     source_.grid = {nx, ny, place.dx_m, place.dy_m};
     source_.georeference = place.georeference;
     if (settings.spacing_m) {
@@ -361,23 +348,33 @@ TiledFile::TiledFile(const fs::path& path, const ImportSettings& settings) : pat
         if (!fill_voids_by_means(coarsest, size))
             throw Error(fmt::format("'{}' holds nothing but nodata, heights were expected", path.string()));
     }
-    parts_ = parts_of(*dataset, fs::weakly_canonical(path).parent_path());
-    const std::string told =
-        fmt::format("{}{} {} {} {}", parts_, reading->scale, reading->offset_m, has_nodata, nodata);
-    fingerprint_ = bytes_hash(std::as_bytes(std::span(told)));
-    reading_ = reading;
-    source_.make_reader = [reading]() -> ReadSamples {
-        const std::shared_ptr<GDALDataset> own(open_raster(reading->path).release(), CloseDataset());
-        return [reading, own](int level, const TileSamples& samples, std::vector<float>& heights) {
-            reading->read(*own, level, samples, heights);
-        };
+    const auto hash_with = [&](const std::string& parts) {
+        const std::string told =
+            fmt::format("{}{} {} {} {}", parts, reading->scale, reading->offset_m, has_nodata, nodata);
+        return bytes_hash(std::as_bytes(std::span(told)));
     };
+    fingerprint_ = hash_with(stored_parts);
+    levels_fingerprint_ = hash_with(parts_);
+    reading_ = reading;
+    source_.make_reader = [reading] { return reader_of(reading); };
+}
+
+TiledSource TiledFile::stored() const {
+    auto as_stored = std::make_shared<Reading>(*reading_);
+    as_stored->south_first = as_stored->east_first = false;
+    as_stored->scale = 1;
+    as_stored->offset_m = 0;
+    TiledSource source = source_;
+    source.georeference.reset();
+    source.samples = stored_samples_;
+    source.make_reader = [as_stored] { return reader_of(as_stored); };
+    return source;
 }
 
 bool TiledFile::has_changed() const {
     try {
         const Dataset dataset = open_raster(path_);
-        return parts_of(*dataset, fs::weakly_canonical(path_).parent_path()) != parts_;
+        return parts_of(*dataset, fs::weakly_canonical(path_).parent_path(), WithOverviews::yes) != parts_;
     } catch (const std::exception&) {
         return false;
     }

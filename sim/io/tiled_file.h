@@ -15,6 +15,8 @@ namespace talus::io {
 constexpr const char* levels_domain = "TALUS";
 constexpr const char* levels_item = "LEVELS";
 constexpr const char* levels_by_halves = "means of 2 x 2";
+/// In overviews beside a raster: of which content they were made (TiledFile::stored_fingerprint()).
+constexpr const char* made_of_item = "MADE_OF";
 
 /// Types that tiled files are written with.
 enum class SampleType { byte, uint16, int16, float32 };
@@ -45,10 +47,12 @@ class TiledFile {
     LevelPlaces level_places() const { return level_places_; }
     const std::string& kind() const { return kind_; }  ///< e.g. "GTiff, Int16"
     const std::vector<std::string>& notes() const { return notes_; }
-    /// Changes with the file's content, as its folder tells it: of names, sizes and times of all files that
-    /// it is made of, parts of parts too, and how its numbers become heights. How its path is written does
-    /// not matter.
+    /// Changes with the finest level's content, as its folder tells it: of names, sizes and times of all
+    /// files that it is made of, parts of parts too, and how its numbers become heights. How its path is
+    /// written does not matter.
     std::uint64_t fingerprint() const { return fingerprint_; }
+    /// Changes with the fingerprint and with overviews that lie beside the files.
+    std::uint64_t levels_fingerprint() const { return levels_fingerprint_; }
 
     /// Whether its numbers are heights in metres as they stand, its first row the north one and its first
     /// column the west one.
@@ -68,6 +72,15 @@ class TiledFile {
     ReadSamples make_reader() const;
     /// Its finest level as it is.
     const TiledSource& source() const { return source_; }
+    /// Its finest level as the file stores it, to make overviews of: rows and columns in its own order,
+    /// numbers as they stand in it. It lies nowhere.
+    TiledSource stored() const;
+    /// Its overviews, also such as are no levels(). outdated: they lie beside it, and Talus made them of
+    /// another content; they are no levels().
+    enum class Overviews { none, some, outdated };
+    Overviews overviews() const { return overviews_; }
+    /// Changes with what stored() gives, as its folder tells it.
+    std::uint64_t stored_fingerprint() const { return stored_fingerprint_; }
 
   private:
     std::filesystem::path path_;
@@ -77,9 +90,14 @@ class TiledFile {
     std::string kind_;
     std::vector<std::string> notes_;
     std::uint64_t fingerprint_ = 0;
+    std::uint64_t levels_fingerprint_ = 0;
+    std::uint64_t stored_fingerprint_ = 0;
     bool plain_heights_ = true;
-    std::string parts_;  // names, sizes and times of all files that it is made of
+    Overviews overviews_ = Overviews::none;
+    SampleType stored_samples_ = SampleType::float32;
+    std::string parts_;  // names, sizes and times of all files that it is made of, and of their overviews
     struct Reading;
+    static ReadSamples reader_of(const std::shared_ptr<const Reading>& reading);
     std::shared_ptr<const Reading> reading_;
 };
 

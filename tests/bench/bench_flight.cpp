@@ -243,7 +243,7 @@ class Flight {
 void bench_flight(const FlightRun& run) {
     constexpr int host_mib = 512;
     io::limit_read_memory(std::size_t{host_mib} << 20);
-    const app::TiledTerrain terrain = app::open_tiled(run.file, {}, app::on_terminal());
+    const app::TiledTerrain terrain = app::open_tiled({run.file, {}}, app::on_terminal());
     const Grid& grid = terrain.tree.grid();
     Flight flight(terrain, run.gpu_mib);
     const double extent_m = run.extent_m.value_or(std::min(grid.width_m(), grid.height_m()));

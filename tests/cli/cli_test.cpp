@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -39,6 +40,10 @@ class Program : public ::testing::Test {
         const int status = ::pclose(pipe);
         outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
         return outcome;
+    }
+    std::string bytes_of(const std::string& name) const {
+        std::ifstream file(path(name), std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     }
     json report(const std::string& name) const { return json::parse(std::ifstream(path(name))); }
     std::string hash(const std::string& arguments, const std::string& before = "") const {
@@ -175,7 +180,7 @@ TEST_F(Program, DrawsFilesInTiles) {
     ASSERT_EQ(talus(draw + "2 --report d.json --image d.png").code, 0);
     EXPECT_EQ(report("d.json")["pixels_hit"], report("c.json")["pixels_hit"]);
     EXPECT_GT(fs::file_size(path("b.tif.tiles")), 100U);
-    // A mosaic, larger than what is held as a whole: it needs overviews.
+    // A mosaic, larger than what is held as a whole: it needs overviews, which are made beside it, once.
     std::ofstream(path("big.vrt"))
         << "<VRTDataset rasterXSize=\"9000\" rasterYSize=\"1200\"><GeoTransform>0,5,0,0,0,-5</GeoTransform>"
            "<VRTRasterBand dataType=\"Float32\" band=\"1\"><SimpleSource><SourceFilename "
@@ -184,8 +189,16 @@ TEST_F(Program, DrawsFilesInTiles) {
            "ySize=\"900\"/>"
            "<DstRect xOff=\"0\" yOff=\"0\" xSize=\"9000\" "
            "ySize=\"1200\"/></SimpleSource></VRTRasterBand></VRTDataset>";
-    EXPECT_NE(refusal("render big.vrt --size 64x48 --image x.png").find("talus tile"), std::string::npos);
     EXPECT_NE(talus("info big.vrt").output.find("no overviews"), std::string::npos);
+    EXPECT_NE(refusal("render big.vrt --size 64x48 --image x.png", "ulimit -f 16;").find("talus tile"),
+              std::string::npos);
+    EXPECT_FALSE(fs::exists(path("big.vrt.ovr")));
+    ASSERT_EQ(talus("render big.vrt --size 64x48 --image mosaic.png").code, 0);
+    EXPECT_EQ(json::parse(talus("info --json big.vrt").output)["levels"].size(), 7U);
+    const auto made_at = fs::last_write_time(path("big.vrt.ovr"));
+    ASSERT_EQ(talus("render big.vrt --size 64x48 --image again.png").code, 0);
+    EXPECT_EQ(fs::last_write_time(path("big.vrt.ovr")), made_at);
+    EXPECT_EQ(bytes_of("again.png"), bytes_of("mosaic.png"));
     ASSERT_EQ(talus("tile big.vrt big.tif").code, 0);
     EXPECT_EQ(json::parse(talus("info --json big.tif").output)["levels"].size(), 7U);
     // Large files need no word to be drawn in tiles.

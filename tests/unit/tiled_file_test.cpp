@@ -7,11 +7,13 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <limits>
 #include <random>
 
 #include "sim/error.h"
 #include "sim/io/atomic_file.h"
+#include "sim/io/heightmap.h"
 #include "sim/io/tile_sidecar.h"
 #include "sim/io/tile_writer.h"
 
@@ -19,6 +21,8 @@ namespace talus::tiled_file_test {
 namespace {
 
 namespace fs = std::filesystem;
+
+using Overviews = io::TiledFile::Overviews;
 
 constexpr float not_known = std::numeric_limits<float>::quiet_NaN();
 
@@ -50,6 +54,15 @@ class TiledFiles : public ::testing::Test {
     void SetUp() override { fs::create_directories(folder_); }
     void TearDown() override { fs::remove_all(folder_); }
     fs::path path(const std::string& name) const { return folder_ / name; }
+    // Heights alone, without overviews.
+    void write_plain(const std::string& name, glm::ivec2 size,
+                     const std::function<float(int, int)>& height) const {
+        io::Heightmap heightmap;
+        heightmap.grid = {size.x, size.y, 30, 20};
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) heightmap.heights.push_back(height(x, y));
+        io::write_heightmap(path(name), heightmap, std::nullopt);
+    }
     void write(const std::string& name, const std::string& content) const {
         std::ofstream(path(name), std::ios::binary) << content;
     }
@@ -72,13 +85,18 @@ class TiledFiles : public ::testing::Test {
         return "";
     }
 
-    // A mosaic's description, of one file from its sample (0, 0) on.
+    // A mosaic's description, of one file from its sample (0, 0) on; `place` and `nodata` are its elements.
     std::string mosaic(const std::string& part, glm::ivec2 size, const std::string& transform) const {
+        return mosaic_at(part, size, "<GeoTransform>" + transform + "</GeoTransform>");
+    }
+    std::string mosaic_at(const std::string& part, glm::ivec2 size, const std::string& place,
+                          const std::string& type = "Float32", const std::string& nodata = "") const {
         const std::string x = std::to_string(size.x);
         const std::string y = std::to_string(size.y);
         const std::string rectangle = "xOff=\"0\" yOff=\"0\" xSize=\"" + x + "\" ySize=\"" + y + "\"/>";
-        return "<VRTDataset rasterXSize=\"" + x + "\" rasterYSize=\"" + y + "\"><GeoTransform>" + transform +
-               "</GeoTransform><VRTRasterBand dataType=\"Float32\" band=\"1\"><SimpleSource>"
+        return "<VRTDataset rasterXSize=\"" + x + "\" rasterYSize=\"" + y + "\">" + place +
+               "<VRTRasterBand dataType=\"" + type + "\" band=\"1\">" + nodata +
+               "<SimpleSource>"
                "<SourceFilename relativeToVRT=\"1\">" +
                part + "</SourceFilename><SourceBand>1</SourceBand><SrcRect " + rectangle + "<DstRect " +
                rectangle + "</SimpleSource></VRTRasterBand></VRTDataset>";
@@ -390,6 +408,135 @@ TEST_F(TiledFiles, KeepVoidsApart) {
     source.void_value = not_known;
     ASSERT_TRUE(io::write_tiled(path("a.tif"), source, {}));
     for (const float h : whole_level(io::TiledFile(path("a.tif"), {}), 0)) ASSERT_TRUE(std::isfinite(h));
+}
+
+// Overviews beside a raster: those that it would have as a file in tiles, and it keeps its bytes.
+TEST_F(TiledFiles, HaveOverviewsMadeBesideThem) {
+    for (const glm::ivec2 size : {glm::ivec2(1301, 900), glm::ivec2(700, 2), glm::ivec2(300, 1100)}) {
+        write_plain("a.tif", size, hilly);
+        ASSERT_TRUE(io::write_tiled(path("b.tif"), source_of(size, hilly), {}));
+        const io::TiledFile tiles(path("b.tif"), {});
+        const io::TiledFile before(path("a.tif"), {});
+        const std::string bytes = io::read_text(path("a.tif"));
+        ASSERT_EQ(before.levels().size(), 1U);
+        EXPECT_EQ(before.overviews(), Overviews::none);
+        double told = 0;
+        ASSERT_TRUE(io::write_overviews(before, [&](double share) {
+            EXPECT_GT(share, told);
+            told = share;
+            return true;
+        }));
+        EXPECT_NEAR(told, 1, 1e-9);
+        const io::TiledFile file(path("a.tif"), {});
+        EXPECT_EQ(file.overviews(), Overviews::some);
+        EXPECT_EQ(file.levels(), tiles.levels());
+        EXPECT_EQ(file.level_places(), LevelPlaces::by_halves);
+        for (int level = 0; level < static_cast<int>(tiles.levels().size()); ++level)
+            EXPECT_EQ(whole_level(file, level), whole_level(tiles, level)) << level;
+        EXPECT_EQ(io::read_text(path("a.tif")), bytes);
+        // What was cut out of it was cut out of the same; bounds of its tiles are others.
+        EXPECT_EQ(file.fingerprint(), before.fingerprint());
+        EXPECT_NE(file.levels_fingerprint(), before.levels_fingerprint());
+        EXPECT_TRUE(file.is_made_of(io::overviews_path(path("a.tif"))));
+        fs::remove(io::overviews_path(path("a.tif")));
+    }
+}
+
+// A sample of an overview is the mean of four heights, whichever way a file stores them.
+TEST_F(TiledFiles, HaveOverviewsOfWhatTheyStore) {
+    const glm::ivec2 size(900, 700);
+    const auto whole_number = [](int x, int y) { return std::round(hilly(x, y)); };
+    write_plain("part.tif", size, whole_number);
+    const auto placed = [](const std::string& transform) {
+        return "<GeoTransform>" + transform + "</GeoTransform>";
+    };
+    struct Case {
+        std::string place;
+        std::string type;
+        std::string nodata;
+        double step_m;  // between the heights that a sample can have
+    };
+    const std::string north_up = placed("100, 30, 0, 7000, 0, -20");
+    const double picture_step_m = 899.0 / 8 / 65535;
+    for (const Case& one :
+         {Case{north_up, "Int16", "", 1}, Case{placed("100, 30, 0, 7000, 0, 20"), "Float32", "", 0},
+          Case{placed("100, -30, 0, 7000, 0, -20"), "Int16", "<NoDataValue>801</NoDataValue>", 1},
+          Case{north_up, "UInt16", "<Scale>0.5</Scale>", 1}, Case{north_up, "Float64", "", 0},
+          Case{"", "UInt16", "", picture_step_m}}) {
+        write("a.vrt", mosaic_at("part.tif", size, one.place, one.type, one.nodata));
+        ASSERT_TRUE(io::write_overviews(io::TiledFile(path("a.vrt"), {}), {}));
+        const io::TiledFile file(path("a.vrt"), {});
+        ASSERT_EQ(file.levels().size(), 3U);
+        const std::vector<float> finest = whole_level(file, 0);
+        std::vector<float> raw;
+        file.source().make_reader()(0, {glm::ivec2(0), size}, raw);
+        const std::vector<float> half = whole_level(file, 1);
+        for (int y = 0; y < size.y / 2; ++y)
+            for (int x = 0; x < size.x / 2; ++x) {
+                double sum = 0;
+                bool known = true;
+                for (int k = 0; k < 4; ++k) {
+                    const auto i = static_cast<std::size_t>(2 * y + k / 2) * size.x + 2 * x + k % 2;
+                    sum += finest[i];
+                    known = known && !std::isnan(raw[i]);
+                }
+                if (!known) continue;
+                // A mean that is the number for voids is moved to the next one.
+                const double room = one.step_m / 2 + (one.nodata.empty() ? 0 : one.step_m);
+                ASSERT_NEAR(half[static_cast<std::size_t>(y) * (size.x / 2) + x], sum / 4, room + 1e-4)
+                    << one.place << one.type << " " << x << ", " << y;
+            }
+        fs::remove(path("a.vrt.ovr"));
+    }
+}
+
+// Overviews that were made of what a file held before are not believed, and are made again.
+TEST_F(TiledFiles, HaveOverviewsOfWhatTheyHold) {
+    const auto changed = [](int x, int y) { return 2 * hilly(x, y); };
+    write_plain("part.tif", {900, 700}, hilly);
+    write("a.vrt", mosaic("part.tif", {900, 700}, "100, 30, 0, 7000, 0, -20"));
+    for (const char* const name : {"part.tif", "a.vrt"}) {
+        ASSERT_TRUE(io::write_overviews(io::TiledFile(path(name), {}), {}));
+        EXPECT_EQ(io::TiledFile(path(name), {}).overviews(), Overviews::some);
+        // Of the same samples, however they are read.
+        io::ImportSettings spread;
+        spread.spacing_m = 7;
+        EXPECT_EQ(io::TiledFile(path(name), spread).overviews(), Overviews::some);
+    }
+    write_plain("part.tif", {900, 700}, changed);
+    for (const char* const name : {"part.tif", "a.vrt"}) {
+        const io::TiledFile before(path(name), {});
+        EXPECT_EQ(before.overviews(), Overviews::outdated);
+        EXPECT_EQ(before.levels().size(), 1U);
+        ASSERT_TRUE(io::write_overviews(before, {}));
+        const io::TiledFile file(path(name), {});
+        EXPECT_EQ(file.overviews(), Overviews::some);
+        ASSERT_EQ(file.levels().size(), 3U);
+        EXPECT_GT(whole_level(file, 2).front(), 1.5F * hilly(0, 0));
+    }
+}
+
+// What cannot be finished leaves nothing behind.
+TEST_F(TiledFiles, HaveNoHalfOverviews) {
+    write_plain("a.tif", {3000, 1100}, hilly);
+    const io::TiledFile file(path("a.tif"), {});
+    EXPECT_FALSE(io::write_overviews(file, [](double share) { return share < 0.3; }));
+    EXPECT_EQ(files(), 1U);
+    EXPECT_EQ(io::TiledFile(path("a.tif"), {}).overviews(), Overviews::none);
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    rlimit small = before;
+    small.rlim_cur = 30000;
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    std::string said;
+    try {
+        io::write_overviews(file, {});
+    } catch (const Error& error) {
+        said = error.what();
+    }
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+    EXPECT_NE(said.find("cannot write '" + path("a.tif.ovr").string()), std::string::npos) << said;
+    EXPECT_EQ(files(), 1U);
 }
 
 }  // namespace

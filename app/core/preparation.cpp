@@ -1,0 +1,71 @@
+#include "app/core/preparation.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "app/core/tile_sketch.h"
+
+namespace talus::app {
+namespace {
+
+// Linux keeps this for each thread, and threads that it begins have it too.
+void let_others_go_first() {
+    constexpr int niceness = 10;
+    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), niceness);
+}
+
+}  // namespace
+
+Preparation::Preparation(Session& session, std::function<void(const std::string&)> note)
+    : session_(session), note_(std::move(note)) {}
+
+void Preparation::poll() {
+    work_.poll();
+    if (session_.unready() == begun_) return;
+    work_.cancel();
+    begun_ = session_.unready();
+    if (begun_) begin(*begun_);
+}
+
+void Preparation::begin(const TiledRequest& tiles) {
+    if (!needs_overviews({tiles.path, tiles.import})) return measure(tiles);
+    const auto make = [this, tiles](const Progress& progress) -> Work::Then {
+        let_others_go_first();
+        make_overviews({tiles.path, tiles.import}, [&](const std::string&) { return progress; });
+        auto sketch = std::make_shared<TiledTerrain>(sketch_tiled(tiles));
+        return [this, tiles, sketch] {
+            show(std::move(*sketch));
+            measure(tiles);
+        };
+    };
+    work_.start(fmt::format("Making overviews of '{}'", tiles.path), make);
+}
+
+void Preparation::measure(const TiledRequest& tiles) {
+    const auto make = [this, tiles](const Progress& progress) -> Work::Then {
+        let_others_go_first();
+        auto ready =
+            std::make_shared<TiledTerrain>(open_tiled(tiles, [&](const std::string&) { return progress; }));
+        return [this, tiles, ready] {
+            show(std::move(*ready));
+            note_(fmt::format("'{}' is measured: bounds on the error of its tiles are known", tiles.path));
+        };
+    };
+    work_.start(fmt::format("Measuring the tiles of '{}'", tiles.path), make);
+}
+
+void Preparation::show(TiledTerrain tiles) {
+    for (const std::string& note : session_.take_tiles(std::move(tiles))) note_("note: " + note);
+}
+
+bool Preparation::take_progress() {
+    const int percent = work_.busy() ? static_cast<int>(std::floor(100 * work_.share().value_or(0))) : -1;
+    return percent != std::exchange(shown_percent_, percent);
+}
+
+}  // namespace talus::app

@@ -1,0 +1,39 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "app/core/session.h"
+#include "app/core/work.h"
+
+namespace talus::app {
+
+/// Makes tiles that a session looks at ready (open_tiled()) on a thread of its own, which lets others go
+/// first, while the session is worked with. Where they have no overviews, those are made first, and shown as
+/// a sketch.
+class Preparation {
+  public:
+    /// note: keeps a sentence in the log.
+    Preparation(Session& session, std::function<void(const std::string&)> note);
+
+    /// Once a loop of the window, drawn or not: begins what the scene needs, gives up what it does not need
+    /// any more, and hands over what is ready. May throw what the thread threw; then the scene stays as it
+    /// is, and nothing is tried again until another one needs it.
+    void poll();
+    const Work& work() const { return work_; }
+    /// Whether the bar stands elsewhere than when this was asked last.
+    bool take_progress();
+
+  private:
+    void begin(const TiledRequest& tiles);
+    void measure(const TiledRequest& tiles);
+    void show(TiledTerrain tiles);
+
+    Session& session_;
+    std::function<void(const std::string&)> note_;
+    std::optional<TiledRequest> begun_;
+    int shown_percent_ = -1;
+    Work work_;  // last: its thread ends before what it looks at goes
+};
+
+}  // namespace talus::app
