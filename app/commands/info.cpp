@@ -40,6 +40,16 @@ void print_samples(const std::string& file, const std::string& kind, const Grid&
                grid.ny, grid.dx, grid.dy, grid.width_m() / 1000, grid.height_m() / 1000);
 }
 
+// Of a file with a single level.
+std::string words_on_overviews(const io::TiledFile& file) {
+    try {
+        return needs_overviews(file) ? "no overviews: opening it makes them beside it"
+                                     : "no overviews, and so small that it needs none";
+    } catch (const Error& error) {
+        return error.what();
+    }
+}
+
 // Of a raster that is too large to be held as a whole. Its heights are told where they were measured before.
 void tiled_info(const std::string& path, const io::ImportSettings& import, bool json) {
     const io::TiledFile file(path, import);
@@ -60,8 +70,7 @@ void tiled_info(const std::string& path, const io::ImportSettings& import, bool 
     if (json) return print_json(about);
     print_samples(path, file.kind(), grid);
     if (file.levels().size() == 1)
-        fmt::print(
-            "no overviews: opening it makes them beside it, 'talus tile' writes a file that has them\n");
+        fmt::print("{}\n", words_on_overviews(file));
     else
         fmt::print("{} levels, the coarsest {} x {} samples\n", file.levels().size(), file.levels().back().x,
                    file.levels().back().y);

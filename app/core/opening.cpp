@@ -83,10 +83,14 @@ Scene scene_with_whole(const SceneRequest& request, const OpenTiles& open) {
         scene.document.notes.insert(scene.document.notes.end(), notes.begin(), notes.end());
     };
     const std::optional<io::CutOut>& cut_out = scene.document.cut_out;
-    if (!cut_out || !scene.view.toggle("tiles.backdrop")) return scene;
+    if (!cut_out) return scene;
+    const TiledRequest whole{cut_out->path.string(), cut_out->import};
+    if (!scene.view.toggle("tiles.backdrop")) {
+        scene.unready = whole;
+        return scene;
+    }
     try {
         limit_memory(scene.view);
-        const TiledRequest whole{cut_out->path.string(), cut_out->import};
         std::optional<TiledTerrain> terrain = open(whole);
         const bool is_ready = terrain && terrain->is_measured;
         if (terrain) note_all(take_whole(scene, std::move(*terrain)));

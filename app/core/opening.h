@@ -23,7 +23,8 @@ TiledScene open_tiled_scene(const SceneRequest& request, const BeginProgress& be
 
 /// The scene that is looked at: one in tiles, or one to work in (make_scene()) with what it was cut out of
 /// around it (`tiles.backdrop`); where that cannot be shown, a note of the document says why. What is to be
-/// made ready takes long (open_tiled()). Throws talus::Error where the scene cannot be opened.
+/// made ready takes long (open_tiled()), but no overviews are made of what stands around a scene. Throws
+/// talus::Error where the scene cannot be opened.
 Scene open_scene(const SceneRequest& request, const BeginProgress& begin_progress);
 
 /// The same without long work, for a window: tiles that are not measured yet are a sketch, and those around a

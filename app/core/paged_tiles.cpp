@@ -89,7 +89,7 @@ std::optional<std::string> PagedTiles::take_message() {
 }
 
 std::string PagedTiles::state() const {
-    std::string text = !terrain_->is_measured ? "a sketch, no bound on its error is known yet"
+    std::string text = !terrain_->is_measured ? "a sketch, no bound on its error is known"
                        : tolerance_px_ > asked_px_
                            ? fmt::format("within {:.2f} px: for {:.2f} px there is not enough tiles.gpu_mib",
                                          tolerance_px_, asked_px_)

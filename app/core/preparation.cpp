@@ -25,21 +25,51 @@ Preparation::Preparation(Session& session, std::function<void(const std::string&
     : session_(session), note_(std::move(note)) {}
 
 void Preparation::poll() {
-    work_.poll();
-    if (session_.unready() == begun_) return;
+    const std::optional<TiledRequest> needed = session_.unready();
+    // First: what has ended meanwhile is not handed to another scene.
+    if (begun_ && !(needed && is_same(*needed, *begun_))) {
+        work_.cancel();
+        begun_.reset();
+    }
+    if (begun_) {
+        try {
+            work_.poll();
+        } catch (...) {
+            refuse();
+            throw;
+        }
+        if (!work_.busy()) begun_.reset();
+    } else if (needed && refused_ != session_.terrain_number()) {
+        refused_.reset();
+        begun_ = needed;
+        begin(*needed);
+    }
+}
+
+void Preparation::give_up() {
+    if (!begun_) return;
+    note_(fmt::format("'{}' is not made ready: a sketch of it stays", begun_->path));
     work_.cancel();
-    begun_ = session_.unready();
-    if (begun_) begin(*begun_);
+    refuse();
+}
+
+void Preparation::refuse() {
+    begun_.reset();
+    refused_ = session_.terrain_number();
 }
 
 void Preparation::begin(const TiledRequest& tiles) {
-    if (!needs_overviews({tiles.path, tiles.import})) return measure(tiles);
+    const PagedTiles* const shown = session_.tiles();
+    if (shown && !shown->terrain().instead) return measure(tiles);
     const auto make = [this, tiles](const Progress& progress) -> Work::Then {
         let_others_go_first();
-        make_overviews({tiles.path, tiles.import}, [&](const std::string&) { return progress; });
-        auto sketch = std::make_shared<TiledTerrain>(sketch_tiled(tiles));
+        std::shared_ptr<TiledTerrain> sketch;
+        if (const io::TiledFile file(tiles.path, tiles.import); needs_overviews(file)) {
+            make_overviews(file, [&](const std::string&) { return progress; });
+            sketch = std::make_shared<TiledTerrain>(sketch_tiled(tiles));
+        }
         return [this, tiles, sketch] {
-            show(std::move(*sketch));
+            if (sketch) show(std::move(*sketch));
             measure(tiles);
         };
     };

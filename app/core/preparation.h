@@ -17,9 +17,11 @@ class Preparation {
     Preparation(Session& session, std::function<void(const std::string&)> note);
 
     /// Once a loop of the window, drawn or not: begins what the scene needs, gives up what it does not need
-    /// any more, and hands over what is ready. May throw what the thread threw; then the scene stays as it
-    /// is, and nothing is tried again until another one needs it.
+    /// any more, and hands over what is ready. Throws what the thread threw, once; then the scene stays as it
+    /// is, and nothing is tried again before another one was opened, or this one anew.
     void poll();
+    /// As somebody wishes: the sketch stays.
+    void give_up();
     const Work& work() const { return work_; }
     /// Whether the bar stands elsewhere than when this was asked last.
     bool take_progress();
@@ -28,10 +30,12 @@ class Preparation {
     void begin(const TiledRequest& tiles);
     void measure(const TiledRequest& tiles);
     void show(TiledTerrain tiles);
+    void refuse();
 
     Session& session_;
     std::function<void(const std::string&)> note_;
     std::optional<TiledRequest> begun_;
+    std::optional<int> refused_;  // the session's terrain for which nothing is tried
     int shown_percent_ = -1;
     Work work_;  // last: its thread ends before what it looks at goes
 };

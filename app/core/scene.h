@@ -38,7 +38,8 @@ struct Scene {
     std::shared_ptr<const TiledTerrain> tiles{};
     /// The raster that the document's terrain was cut out of, to be shown around it. Null: there is none.
     std::shared_ptr<const TiledTerrain> whole{};
-    /// What is to be made ready before it is shown, in place of a sketch, or around the terrain.
+    /// What is to be made ready (open_tiled()) before it is shown, in place of a sketch, or around the
+    /// terrain where `tiles.backdrop` asks for it.
     std::optional<TiledRequest> unready{};
 };
 

@@ -60,6 +60,10 @@ void Session::start(Scene scene) {
     frame_terrain();
 }
 
+std::optional<TiledRequest> Session::unready() const {
+    return overflight_ || scene_.view.toggle("tiles.backdrop") ? scene_.unready : std::nullopt;
+}
+
 std::vector<std::string> Session::take_tiles(TiledTerrain terrain) {
     std::vector<std::string> notes = terrain.notes;
     const bool is_ready = terrain.is_measured;

@@ -45,8 +45,8 @@ class Session {
     const Scene& scene() const { return scene_; }
     const SceneRequest& request() const { return request_; }
     /// Tiles that are to be made ready (open_tiled()) before they are shown in place of a sketch, or around
-    /// the terrain. None: there are none.
-    const std::optional<TiledRequest>& unready() const { return scene_.unready; }
+    /// the terrain. None: there are none, or `tiles.backdrop` asks for none around it.
+    std::optional<TiledRequest> unready() const;
     /// Shows them, ready or a better sketch of them. The camera stays. Returns notes of theirs that were not
     /// told before. Throws talus::Error where they cannot be shown.
     std::vector<std::string> take_tiles(TiledTerrain terrain);

@@ -8,7 +8,6 @@
 #include <memory>
 #include <utility>
 
-#include "sim/error.h"
 #include "sim/tiled/sparse_sampling.h"
 #include "sim/tiled/void_filling.h"
 
@@ -17,8 +16,6 @@ namespace {
 
 // Reading a sparse sampling may take so long.
 constexpr double sampling_s = 0.5;
-
-constexpr const char* all_void = "'{}' holds nothing but nodata where it was looked into";
 
 // Heights of the coarsest level of a tree.
 struct CoarseHeights {
@@ -83,10 +80,14 @@ TiledTerrain sketch_of_samples(io::TiledFile file) {
     const glm::ivec2 samples(grid.nx, grid.ny);
     CoarseHeights coarse{TileTree(grid, tile_patches, halved_levels(samples), LevelPlaces::by_halves), {}};
     coarse.heights = sample_sparsely(samples, coarse.size(), file.source().make_reader, sampling_s);
-    if (coarse.heights.empty()) throw Error(fmt::format(all_void, file.path().string()));
+    std::vector<std::string> notes = file.notes();
+    if (coarse.heights.empty()) {
+        notes.push_back(fmt::format("no height of '{}' was found at once: the sketch of it is flat",
+                                    file.path().string()));
+        coarse.heights.assign(static_cast<std::size_t>(coarse.size().x) * coarse.size().y, 0.0F);
+    }
     const auto [low, high] = std::minmax_element(coarse.heights.begin(), coarse.heights.end());
     const TileBounds all{*low, *high, 0};
-    std::vector<std::string> notes = file.notes();
     TiledTerrain terrain{std::move(file), coarse.tree, std::vector(coarse.tree.count(), all),
                          std::move(notes)};
     terrain.lowest_m = *low;

@@ -33,6 +33,11 @@ TiledTerrain with_bounds(io::TiledFile file, TileTree tree, std::vector<TileBoun
 
 }  // namespace
 
+bool is_same(const TiledRequest& a, const TiledRequest& b) {
+    std::error_code ignored;
+    return a.import == b.import && (a.path == b.path || std::filesystem::equivalent(a.path, b.path, ignored));
+}
+
 bool needs_overviews(const io::TiledFile& file) {
     if (!is_wide(TileTree(file.grid(), tile_patches, file.levels(), file.level_places()))) return false;
     std::error_code failed;
@@ -42,6 +47,10 @@ bool needs_overviews(const io::TiledFile& file) {
             "'{}' has too few overviews to be shown as a whole: 'talus tile' writes a file that has them",
             file.path().string()));
     const std::filesystem::path overviews = io::overviews_path(file.path());
+    if (!file.why_no_overviews().empty())
+        throw Error(
+            fmt::format("no overviews are made beside '{}', as {}: 'talus tile' writes a file that has them",
+                        file.path().string(), file.why_no_overviews()));
     if (std::filesystem::exists(overviews, failed))
         throw Error(fmt::format(
             "'{}' holds no overviews of '{}', remove it, or write a file that has them with 'talus tile'",
@@ -51,7 +60,9 @@ bool needs_overviews(const io::TiledFile& file) {
 
 TileTree tree_of(const io::TiledFile& file) {
     if (needs_overviews(file))
-        throw Error(fmt::format("'{}' has no overviews to be shown as a whole", file.path().string()));
+        throw Error(
+            fmt::format("'{}' has no overviews to be shown as a whole: opening it makes them beside it",
+                        file.path().string()));
     return TileTree(file.grid(), tile_patches, file.levels(), file.level_places());
 }
 
@@ -71,16 +82,10 @@ BeginProgress on_terminal() {
 
 void make_overviews(const io::TiledFile& file, const BeginProgress& begin_progress) {
     const std::string path = file.path().string();
-    bool is_written = false;
-    try {
-        is_written = io::write_overviews(file, begin_progress(fmt::format("making overviews of '{}'", path)));
-    } catch (const Error& error) {
-        throw Error(
-            fmt::format("'{}' has no overviews to be shown as a whole, and none can be made beside it ({}): "
-                        "'talus tile' writes a file elsewhere that has them",
-                        path, error.what()));
-    }
-    if (!is_written) throw Interrupted(fmt::format("interrupted while overviews of '{}' were made", path));
+    const Progress told = begin_progress(fmt::format("making overviews of '{}'", path));
+    // What is said while they are moved to their place counts too.
+    if (!io::write_overviews(file, told) || !told(1))
+        throw Interrupted(fmt::format("interrupted while overviews of '{}' were made", path));
 }
 
 TiledTerrain open_tiled(const TiledRequest& request, const BeginProgress& begin_progress) {

@@ -17,8 +17,9 @@ constexpr int tile_patches = 256;
 struct TiledRequest {
     std::string path;
     io::ImportSettings import;
-    bool operator==(const TiledRequest&) const = default;
 };
+/// Whether both are of the same file, however its path is written, read the same way.
+bool is_same(const TiledRequest& a, const TiledRequest& b);
 
 /// A file of tiles with what is known of them.
 struct TiledTerrain {
@@ -40,7 +41,7 @@ struct TiledTerrain {
 glm::vec2 heights_of(const std::vector<TileBounds>& bounds);
 
 /// Whether a file has too few levels to be shown as a whole, and overviews can be made beside it. Throws
-/// talus::Error where they cannot: it has some, or a file has their name.
+/// talus::Error where they cannot: it has some, a file has their name, or they would mislead other programs.
 bool needs_overviews(const io::TiledFile& file);
 
 /// Its tiles. Throws talus::Error where it has too few levels to be shown as a whole.

@@ -47,7 +47,10 @@ void draw_way_back(PanelContext& context) {
 }  // namespace
 
 bool has_backdrop_switch(const Session& session) {
-    return session.scene().whole && (session.surroundings() || !session.view().toggle("tiles.backdrop"));
+    const Scene& scene = session.scene();
+    if (session.overflight()) return false;
+    return scene.unready ||
+           (scene.whole && (session.surroundings() || !session.view().toggle("tiles.backdrop")));
 }
 
 bool has_cut_out_panel(const Session& session) {

@@ -76,8 +76,9 @@ void draw_question(PanelContext& context);
 void draw_self_check_dialog(PanelContext& context);
 /// A bar for long work, with a button to give it up.
 void draw_work(const Work& work, bool& cancelled);
-/// At the lower edge of the picture a bar for tiles that are made ready, with the time left.
-void draw_preparation(const Work& work, const PictureArea& area);
+/// At the lower edge of the picture a bar for tiles that are made ready, with the time left and a button to
+/// stop it.
+void draw_preparation(const Work& work, const PictureArea& area, bool& stopped);
 void draw_status_line(const Session& session, const StatusFigures& figures, int width, int height);
 /// A sentence over the picture.
 void draw_notice(const std::string& message, const PictureArea& area);

@@ -28,20 +28,22 @@ void draw_work(const Work& work, bool& cancelled) {
     ImGui::End();
 }
 
-void draw_preparation(const Work& work, const PictureArea& area) {
+void draw_preparation(const Work& work, const PictureArea& area, bool& stopped) {
     if (!work.busy()) return;
     const auto middle = static_cast<float>(area.corner.x) + static_cast<float>(area.size.x) / 2;
     const auto bottom = static_cast<float>(area.corner.y + area.size.y) - 0.8F * ImGui::GetFontSize();
     ImGui::SetNextWindowPos({middle, bottom}, ImGuiCond_Always, {0.5F, 1});
     ImGui::SetNextWindowSize({std::min(24 * ImGui::GetFontSize(), static_cast<float>(area.size.x)), 0});
-    // The hand reaches through it.
     ImGui::Begin(
         "Preparation", nullptr,
-        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing);
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing);
     text_line(work.name());
     const double share = work.share().value_or(0);
-    ImGui::ProgressBar(static_cast<float>(share), {-1, 0},
+    const float room = ImGui::CalcTextSize("Stop").x + 4 * ImGui::GetStyle().FramePadding.x;
+    ImGui::ProgressBar(static_cast<float>(share), {-room - ImGui::GetStyle().ItemSpacing.x, 0},
                        share_and_time_left(share, work.seconds()).c_str());
+    ImGui::SameLine();
+    stopped = button("Stop", "what is shown stays a sketch");
     ImGui::End();
 }
 

@@ -119,8 +119,7 @@ class Window {
             // What fails costs a frame, never the work: it is told, and the window goes on.
             attempt([&] { session_.poll(); });
             attempt([&] { project_.poll(); });
-            attempt([&] { preparation_.poll(); });
-            if (preparation_.take_progress()) wake();
+            follow_preparation();
             if (const auto message = session_.take_message()) tell(*message);
             // At rest nothing is drawn and nothing presented.
             if (busy()) frame();
@@ -238,6 +237,16 @@ class Window {
             session_.playing = false;
             tell(fmt::format("talus: {}", error.what()));
         }
+    }
+
+    // What fails behind somebody's back does not stop what he does.
+    void follow_preparation() {
+        try {
+            preparation_.poll();
+        } catch (const std::exception& error) {
+            tell(fmt::format("talus: {}", error.what()));
+        }
+        if (preparation_.take_progress()) wake();
     }
 
     void quit() {
@@ -383,7 +392,9 @@ class Window {
         draw_panels(context, figures, size);
         bool cancelled = false;
         draw_work(project_.work(), cancelled);
-        draw_preparation(preparation_.work(), area_);
+        bool stopped = false;
+        draw_preparation(preparation_.work(), area_, stopped);
+        if (stopped) preparation_.give_up();
         if (cancelled || std::exchange(requests_.cancel_work, false)) project_.cancel();
         ImGui::Render();
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -65,6 +66,23 @@ bool write_all(int file, std::span<const std::byte> content) {
     return true;
 }
 
+// Of a file while it is written, but for six letters at the end. Nobody else names files so.
+std::string hidden_name(const fs::path& target) {
+    return "." + target.filename().string() + ".talus-";
+}
+
+// Removes hidden files that nobody writes to any more.
+void remove_leftovers(const fs::path& target) {
+    const std::string begin = hidden_name(target);
+    std::error_code ignored;
+    for (const fs::directory_entry& one : fs::directory_iterator(folder_of(target), ignored)) {
+        const std::string name = one.path().filename().string();
+        if (!name.starts_with(begin) || name.size() != begin.size() + 6) continue;
+        const Descriptor file(::open(one.path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+        if (file.get() >= 0 && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(one.path().c_str());
+    }
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(const fs::path& path) : path_(path) {
@@ -78,14 +96,17 @@ AtomicFile::AtomicFile(const fs::path& path) : path_(path) {
         throw Error(fmt::format("cannot write '{}': it is no file", path.string()));
     if (fs::exists(target_, ignored) && ::access(target_.c_str(), W_OK) != 0)
         throw Error(fmt::format("cannot write '{}': {}", path.string(), reason(errno)));
-    std::string temporary = (folder_of(target_) / ("." + target_.filename().string() + ".XXXXXX")).string();
-    const Descriptor file(::mkstemp(temporary.data()));
-    if (file.get() < 0) throw Error(fmt::format("cannot write '{}': {}", path.string(), reason(errno)));
+    remove_leftovers(target_);
+    std::string temporary = (folder_of(target_) / (hidden_name(target_) + "XXXXXX")).string();
+    lock_ = ::mkostemp(temporary.data(), O_CLOEXEC);
+    if (lock_ < 0) throw Error(fmt::format("cannot write '{}': {}", path.string(), reason(errno)));
+    ::flock(lock_, LOCK_EX | LOCK_NB);
     temporary_ = temporary;
 }
 
 AtomicFile::~AtomicFile() {
     if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    if (lock_ >= 0) ::close(lock_);
 }
 
 void AtomicFile::commit() {

@@ -9,7 +9,7 @@ namespace talus::io {
 
 /// A file that another library writes by its name: it is written beside its place, under a hidden name, and
 /// moved there when it is whole (fsync, rename, fsync of the folder). Until then, and where it never is, its
-/// place holds what was there.
+/// place holds what was there. What a program that ended on the way has left of an earlier one goes.
 class AtomicFile {
   public:
     /// Makes an empty file beside the path. Throws talus::Error naming the path and the reason.
@@ -27,6 +27,7 @@ class AtomicFile {
     std::filesystem::path path_;    // as it was given
     std::filesystem::path target_;  // where it leads
     std::filesystem::path temporary_;
+    int lock_ = -1;  // a descriptor whose lock says that somebody writes to it
 };
 
 /// Writes a whole file so that the path holds either what was there or all of the new content, also across a

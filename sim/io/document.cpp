@@ -169,11 +169,6 @@ bool is_document(const fs::path& path) {
     return open_picture(path)->spec().channelindex("bedrock") >= 0;
 }
 
-std::optional<CutOut> cut_out_of(const fs::path& path) {
-    if (!is_document(path)) return std::nullopt;
-    return cut_out_told(path, open_picture(path)->spec());
-}
-
 Document open_document(const fs::path& path, const ImportSettings& settings) {
     Document document;
     Heightmap heightmap;

@@ -21,10 +21,6 @@ struct Document {
 /// Whether a file is a Talus document rather than a heightmap of another kind.
 bool is_document(const std::filesystem::path& path);
 
-/// What the terrain of a file was cut out of, without reading its samples. None: of nothing, or it is no
-/// document.
-std::optional<CutOut> cut_out_of(const std::filesystem::path& path);
-
 /// Opens a Talus document (multi-channel EXR with a channel `bedrock`) or, as bedrock, any heightmap, or the
 /// window of a raster that the settings say.
 Document open_document(const std::filesystem::path& path, const ImportSettings& settings);

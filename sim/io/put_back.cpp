@@ -211,6 +211,8 @@ std::optional<PutBack> put_back(const Document& document, const PutBackSettings&
     if (told && !told(1)) return std::nullopt;
     file.commit();
     parts.keep_alone();
+    // They are of the mosaic that was replaced.
+    remove_overviews(mosaic);
     return done;
 }
 

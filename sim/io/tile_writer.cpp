@@ -9,6 +9,7 @@
 #include <cmath>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "sim/error.h"
@@ -39,8 +40,9 @@ GDALDataType gdal_type(SampleType samples) {
 // Of a file: sizes of all levels, and which is the first that it holds.
 struct WrittenLevels {
     std::vector<glm::ivec2> sizes;
-    int first = 0;             // 1 where it holds overviews alone
-    std::string made_of = {};  // where it does: of which content they are
+    int first = 0;               // 1 where it holds overviews alone
+    std::string made_of = {};    // where it does: of which content they are
+    std::string otherwise = {};  // what can be done where the file cannot be written, behind that sentence
 };
 
 // A file that GDAL made and whose writing did not fail; closing it may.
@@ -48,7 +50,10 @@ class TiledOutput {
   public:
     TiledOutput(const fs::path& path, const AtomicFile& file, const TiledSource& source,
                 const WrittenLevels& written)
-        : path_(path), temporary_(file.temporary().string()), first_level_(written.first) {
+        : path_(path),
+          temporary_(file.temporary().string()),
+          otherwise_(written.otherwise),
+          first_level_(written.first) {
         const std::vector<glm::ivec2>& levels = written.sizes;
         const GDALDataType type = gdal_type(source.samples);
         const std::string predictor =
@@ -110,7 +115,7 @@ class TiledOutput {
         std::string said = gdal_says();
         for (std::size_t at = said.find(temporary_); at != std::string::npos; at = said.find(temporary_))
             said.replace(at, temporary_.size(), path_.string());
-        throw Error(fmt::format("cannot write '{}': {}", path_.string(), said));
+        throw Error(fmt::format("cannot write '{}': {}{}", path_.string(), said, otherwise_));
     }
 
     void place(const TiledSource& source) {
@@ -129,6 +134,7 @@ class TiledOutput {
 
     fs::path path_;
     std::string temporary_;
+    std::string otherwise_;
     int first_level_;
     Dataset dataset_;
     std::vector<GDALRasterBand*> bands_;  // from the first level on
@@ -334,11 +340,16 @@ std::vector<glm::ivec2> levels_to_write(const TiledSource& source, std::size_t l
 bool write_levels(const fs::path& path, const TiledSource& source, const WrittenLevels& levels,
                   const std::function<bool(double)>& told) {
     start_gdal();
-    AtomicFile file(path);
-    TiledOutput output(path, file, source, levels);
+    std::optional<AtomicFile> file;
+    try {
+        file.emplace(path);
+    } catch (const Error& error) {
+        throw Error(error.what() + levels.otherwise);
+    }
+    TiledOutput output(path, *file, source, levels);
     if (!TileWriter(source, output, levels.sizes, told).write()) return false;
     output.close();
-    file.commit();
+    file->commit();
     return true;
 }
 
@@ -349,14 +360,23 @@ bool write_tiled(const fs::path& path, const TiledSource& source, const std::fun
     return write_levels(path, source, {levels_to_write(source, least_levels)}, told);
 }
 
-fs::path overviews_path(const fs::path& raster) {
-    return raster.string() + ".ovr";
-}
-
 bool write_overviews(const TiledFile& raster, const std::function<bool(double)>& told) {
     const TiledSource source = raster.stored();
     return write_levels(overviews_path(raster.path()), source,
-                        {levels_to_write(source, 2), 1, std::to_string(raster.stored_fingerprint())}, told);
+                        {levels_to_write(source, 2), 1, raster.content_mark(),
+                         "; 'talus tile' writes a file elsewhere that has overviews"},
+                        told);
+}
+
+void remove_overviews(const fs::path& raster) {
+    start_gdal();
+    const fs::path path = overviews_path(raster);
+    Dataset overviews(static_cast<GDALDataset*>(
+        GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr)));
+    const bool are_own = overviews && overviews->GetMetadataItem(made_of_item, levels_domain);
+    overviews.reset();
+    std::error_code ignored;
+    if (are_own) fs::remove(path, ignored);
 }
 
 }  // namespace talus::io

@@ -17,11 +17,11 @@ namespace talus::io {
 bool write_tiled(const std::filesystem::path& path, const TiledSource& source,
                  const std::function<bool(double)>& told, std::size_t least_levels = 0);
 
-/// Where GDAL looks for overviews of a raster that has none in itself: its path + ".ovr".
-std::filesystem::path overviews_path(const std::filesystem::path& raster);
-
 /// Writes overviews of a raster beside it, which is not written to, as write_tiled() makes them, and of which
 /// content they were made. Returns and throws as write_tiled() does.
 bool write_overviews(const TiledFile& raster, const std::function<bool(double)>& told);
+
+/// Removes overviews beside a raster that write_overviews() made, and no others.
+void remove_overviews(const std::filesystem::path& raster);
 
 }  // namespace talus::io

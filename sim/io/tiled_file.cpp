@@ -49,6 +49,10 @@ std::vector<glm::ivec2> levels_of(GDALDataset& dataset) {
     return levels;
 }
 
+bool is_float(double number) {
+    return std::isnan(number) || static_cast<double>(static_cast<float>(number)) == number;
+}
+
 // What Talus has noted in a file; empty: nothing.
 std::string noted_in(GDALDataset* dataset, const char* item) {
     const char* const told = dataset ? dataset->GetMetadataItem(item, levels_domain) : nullptr;
@@ -77,15 +81,22 @@ std::vector<std::string> files_of(GDALDataset& dataset) {
     return all;
 }
 
-// Size and time of a file, also of those that GDAL alone can look into (/vsizip and the like).
-std::string stamp_of(const std::string& file) {
+// A file as its folder tells it; size and time are -1 where it is not there.
+struct Stamp {
+    std::string name;
+    std::int64_t size = -1;
+    std::int64_t time = -1;
+};
+
+// Also of files that GDAL alone can look into (/vsizip and the like).
+Stamp stamp_of(const std::string& file, const std::string& name) {
     VSIStatBufL found{};
-    if (VSIStatExL(file.c_str(), &found, VSI_STAT_EXISTS_FLAG | VSI_STAT_SIZE_FLAG) != 0) return "absent";
+    if (VSIStatExL(file.c_str(), &found, VSI_STAT_EXISTS_FLAG | VSI_STAT_SIZE_FLAG) != 0) return {name};
     std::error_code failed;
     const auto time = fs::last_write_time(file, failed);
-    return fmt::format("{} {}", found.st_size,
-                       failed ? static_cast<std::int64_t>(found.st_mtime)
-                              : static_cast<std::int64_t>(time.time_since_epoch().count()));
+    return {name, static_cast<std::int64_t>(found.st_size),
+            failed ? static_cast<std::int64_t>(found.st_mtime)
+                   : static_cast<std::int64_t>(time.time_since_epoch().count())};
 }
 
 // Calls `visit` for each file that a raster is made of, parts of mosaics too, once; until that returns true.
@@ -107,25 +118,63 @@ bool any_part(GDALDataset& dataset, const std::function<bool(const std::string&)
 
 constexpr const char* overviews_ending = ".ovr";
 
-enum class WithOverviews { no, yes };
+// A file that the raster is made of, and overviews beside it.
+struct Part {
+    Stamp file;  // its name: where it lies, seen from the raster's folder
+    Stamp overviews;
+};
 
-// Of all files that the raster is made of: where they lie seen from its folder, sizes and times.
-std::string parts_of(GDALDataset& dataset, const fs::path& folder, WithOverviews with_overviews) {
-    std::string told;
+std::vector<Part> parts_of(GDALDataset& dataset, const fs::path& folder) {
+    std::vector<Part> parts;
     std::set<std::string> visited;
-    const auto tell = [&](const std::string& file) {
-        // GDAL lists overviews of the file itself, of its parts not.
-        if (ending_of(file) == overviews_ending) return false;
+    std::set<std::string> listed;
+    const auto stamp = [&](const std::string& file) {
+        // GDAL lists overviews of the raster itself, of its parts not.
+        const bool is_beside =
+            file.ends_with(overviews_ending) &&
+            listed.contains(file.substr(0, file.size() - std::string(overviews_ending).size()));
+        listed.insert(file);
+        if (is_beside) return false;
         std::error_code failed;
         const fs::path full = fs::weakly_canonical(file, failed);
-        told +=
-            fmt::format("{} {}\n", failed ? file : full.lexically_relative(folder).string(), stamp_of(file));
-        if (with_overviews == WithOverviews::yes)
-            told += fmt::format("{}\n", stamp_of(file + overviews_ending));
+        parts.push_back({stamp_of(file, failed ? file : full.lexically_relative(folder).string()),
+                         stamp_of(file + overviews_ending, "")});
         return false;
     };
-    any_part(dataset, tell, visited);
-    return told;
+    any_part(dataset, stamp, visited);
+    return parts;
+}
+
+enum class Overviewed { no, yes };
+
+std::string words_of(const std::vector<Part>& parts, Overviewed overviewed) {
+    std::string words;
+    const auto add = [&](const Stamp& stamp) {
+        words += stamp.size < 0 ? fmt::format("{} absent\n", stamp.name)
+                                : fmt::format("{} {} {}\n", stamp.name, stamp.size, stamp.time);
+    };
+    for (const Part& part : parts) {
+        add(part.file);
+        if (overviewed == Overviewed::yes) add(part.overviews);
+    }
+    return words;
+}
+
+// A copy of files, or new names for them, changes nothing that overviews are made of.
+std::string content_mark_of(const std::vector<Part>& parts) {
+    std::vector<std::int64_t> sizes;
+    sizes.reserve(parts.size());
+    for (const Part& part : parts) sizes.push_back(part.file.size);
+    return fmt::format("{:016x}", bytes_hash(std::as_bytes(std::span(sizes))));
+}
+
+// Whether overviews that say what they were made of say this, and no part is newer.
+bool are_made_of(GDALDataset& overviews, const std::vector<Part>& parts) {
+    const std::string mark = noted_in(&overviews, made_of_item);
+    if (mark.empty()) return true;
+    const std::int64_t made = stamp_of(overviews.GetDescription(), "").time;
+    return mark == content_mark_of(parts) &&
+           std::all_of(parts.begin(), parts.end(), [&](const Part& part) { return part.file.time <= made; });
 }
 
 }  // namespace
@@ -266,14 +315,19 @@ TiledFile::TiledFile(const fs::path& path, const ImportSettings& settings) : pat
     reading->path = path;
     reading->levels = levels_ = levels_of(*dataset);
     stored_samples_ = type_of(type, false);
+    const int bands = dataset->GetRasterCount();
+    const double stored_void = band->GetNoDataValue();
+    why_no_overviews_ = bands > 1                ? fmt::format("it has {} bands", bands)
+                        : band->GetColorTable()  ? "its numbers are colours of a table"
+                        : !is_float(stored_void) ? "no float is its number for nodata"
+                                                 : "";
     const fs::path folder = fs::weakly_canonical(path).parent_path();
-    const std::string stored_parts = parts_of(*dataset, folder, WithOverviews::no);
-    parts_ = parts_of(*dataset, folder, WithOverviews::yes);
-    stored_fingerprint_ = bytes_hash(std::as_bytes(std::span(stored_parts)));
+    const std::vector<Part> parts = parts_of(*dataset, folder);
+    parts_ = words_of(parts, Overviewed::yes);
+    content_mark_ = content_mark_of(parts);
     GDALDataset* const beside = overviews_of(*dataset);
     if (beside) overviews_ = Overviews::some;
-    const std::string made_of = noted_in(beside, made_of_item);
-    if (!made_of.empty() && made_of != std::to_string(stored_fingerprint_)) {
+    if (beside && !are_made_of(*beside, parts)) {
         overviews_ = Overviews::outdated;
         reading->levels.resize(1);
         levels_.resize(1);
@@ -348,12 +402,12 @@ TiledFile::TiledFile(const fs::path& path, const ImportSettings& settings) : pat
         if (!fill_voids_by_means(coarsest, size))
             throw Error(fmt::format("'{}' holds nothing but nodata, heights were expected", path.string()));
     }
-    const auto hash_with = [&](const std::string& parts) {
+    const auto hash_with = [&](const std::string& words) {
         const std::string told =
-            fmt::format("{}{} {} {} {}", parts, reading->scale, reading->offset_m, has_nodata, nodata);
+            fmt::format("{}{} {} {} {}", words, reading->scale, reading->offset_m, has_nodata, nodata);
         return bytes_hash(std::as_bytes(std::span(told)));
     };
-    fingerprint_ = hash_with(stored_parts);
+    fingerprint_ = hash_with(words_of(parts, Overviewed::no));
     levels_fingerprint_ = hash_with(parts_);
     reading_ = reading;
     source_.make_reader = [reading] { return reader_of(reading); };
@@ -374,7 +428,8 @@ TiledSource TiledFile::stored() const {
 bool TiledFile::has_changed() const {
     try {
         const Dataset dataset = open_raster(path_);
-        return parts_of(*dataset, fs::weakly_canonical(path_).parent_path(), WithOverviews::yes) != parts_;
+        const fs::path folder = fs::weakly_canonical(path_).parent_path();
+        return words_of(parts_of(*dataset, folder), Overviewed::yes) != parts_;
     } catch (const std::exception&) {
         return false;
     }
@@ -389,6 +444,10 @@ bool TiledFile::is_made_of(const fs::path& file) const {
             return fs::equivalent(part, file, ignored);
         },
         visited);
+}
+
+fs::path overviews_path(const fs::path& raster) {
+    return raster.string() + overviews_ending;
 }
 
 ReadSamples TiledFile::make_reader() const {

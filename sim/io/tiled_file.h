@@ -15,7 +15,7 @@ namespace talus::io {
 constexpr const char* levels_domain = "TALUS";
 constexpr const char* levels_item = "LEVELS";
 constexpr const char* levels_by_halves = "means of 2 x 2";
-/// In overviews beside a raster: of which content they were made (TiledFile::stored_fingerprint()).
+/// In overviews beside a raster: of which content they were made (TiledFile::content_mark()).
 constexpr const char* made_of_item = "MADE_OF";
 
 /// Types that tiled files are written with.
@@ -79,8 +79,11 @@ class TiledFile {
     /// another content; they are no levels().
     enum class Overviews { none, some, outdated };
     Overviews overviews() const { return overviews_; }
-    /// Changes with what stored() gives, as its folder tells it.
-    std::uint64_t stored_fingerprint() const { return stored_fingerprint_; }
+    /// What overviews that are made of it note of its content. Copies and other names do not change it;
+    /// overviews that are older than a file that it is made of are outdated too.
+    const std::string& content_mark() const { return content_mark_; }
+    /// Why overviews of one band, in floats, would mislead other programs; empty: they would not.
+    const std::string& why_no_overviews() const { return why_no_overviews_; }
 
   private:
     std::filesystem::path path_;
@@ -91,7 +94,8 @@ class TiledFile {
     std::vector<std::string> notes_;
     std::uint64_t fingerprint_ = 0;
     std::uint64_t levels_fingerprint_ = 0;
-    std::uint64_t stored_fingerprint_ = 0;
+    std::string content_mark_;
+    std::string why_no_overviews_;
     bool plain_heights_ = true;
     Overviews overviews_ = Overviews::none;
     SampleType stored_samples_ = SampleType::float32;
@@ -100,6 +104,9 @@ class TiledFile {
     static ReadSamples reader_of(const std::shared_ptr<const Reading>& reading);
     std::shared_ptr<const Reading> reading_;
 };
+
+/// Where GDAL looks for overviews of a raster that has none in itself: its path + ".ovr".
+std::filesystem::path overviews_path(const std::filesystem::path& raster);
 
 /// Memory that reading may keep of rasters, all files and threads together, bytes.
 void limit_read_memory(std::size_t bytes);

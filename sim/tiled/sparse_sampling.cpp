@@ -18,6 +18,8 @@ using SamplingClock = std::chrono::steady_clock;
 
 // The first reading has so many samples in a row and in a column.
 constexpr int first_side = 4;
+// It may take so many times as long as all readings are to.
+constexpr double first_patience = 6;
 
 // Reads samples in the middle of `count` equal parts of the terrain. Empty where it is too late. Whole rows
 // belong to one thread: where a file keeps rows together they are unpacked once.
@@ -77,7 +79,12 @@ std::vector<float> sample_sparsely(glm::ivec2 samples, glm::ivec2 size,
     };
     const SamplingClock::time_point begin = SamplingClock::now();
     glm::ivec2 count = glm::min(glm::ivec2(first_side), size);
-    std::vector<float> heights = read_evenly(samples, count, readers, SamplingClock::time_point::max());
+    const auto in_seconds = [](double seconds) {
+        return SamplingClock::now() +
+               std::chrono::duration_cast<SamplingClock::duration>(std::chrono::duration<double>(seconds));
+    };
+    std::vector<float> heights = read_evenly(samples, count, readers, in_seconds(first_patience * budget_s));
+    if (heights.empty()) return {};
     double took_s = seconds_since(begin);
     // As many more as the time left is longer than the last reading took; no less than twice as many.
     for (double left_s = budget_s - took_s; count != size && left_s > 2 * took_s;
@@ -85,9 +92,7 @@ std::vector<float> sample_sparsely(glm::ivec2 samples, glm::ivec2 size,
         const double factor = std::sqrt(left_s / std::max(took_s, 1e-4));
         const glm::ivec2 more = glm::min(glm::ivec2(glm::dvec2(count) * factor), size);
         const SamplingClock::time_point start = SamplingClock::now();
-        const auto longest = std::chrono::duration<double>(budget_s);
-        std::vector<float> finer = read_evenly(
-            samples, more, readers, start + std::chrono::duration_cast<SamplingClock::duration>(longest));
+        std::vector<float> finer = read_evenly(samples, more, readers, in_seconds(budget_s));
         if (finer.empty()) break;
         heights = std::move(finer);
         count = more;

@@ -12,8 +12,8 @@ namespace talus {
 /// spread, and what lies between them is interpolated; so nothing is known of how far off they are. Samples
 /// that are not known (NaN) become means of the known ones.
 /// make_reader: of the terrain's finest level, which has `samples`; called once for each thread. budget_s: so
-/// much time reading is to take, and at most twice as much; 16 samples are read in any case. Empty where none
-/// of what was read is known. Throws what the readers throw.
+/// much time reading is to take; the first 16 samples may take six times as long. Empty where none
+/// of what was read in time is known. Throws what the readers throw.
 std::vector<float> sample_sparsely(glm::ivec2 samples, glm::ivec2 size,
                                    const std::function<ReadSamples()>& make_reader, double budget_s);
 

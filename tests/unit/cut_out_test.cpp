@@ -434,6 +434,23 @@ TEST_F(CutOuts, MayBePutBackManyTimes) {
 }
 
 // What another program changed in the whole is not taken for work.
+// Overviews that Talus made of a mosaic go with it: other programs would believe them of the next one.
+TEST_F(CutOuts, TakeOutdatedOverviewsAway) {
+    const fs::path whole = write_whole("whole.tif", hilly);
+    io::Document document = io::open_document(whole, window({200, 300}, {90, 90}));
+    raise(document, {20, 20}, {60, 60}, 3);
+    ASSERT_TRUE(io::put_back(document, {path("out.vrt"), 0}, {}));
+    // As if the mosaic had no levels of its own.
+    std::string text = io::read_text(path("out.vrt"));
+    for (std::size_t at = text.find("<Overview>"); at != std::string::npos; at = text.find("<Overview>"))
+        text.erase(at, text.find("</Overview>") + 11 - at);
+    io::write_atomically(path("out.vrt"), text);
+    ASSERT_TRUE(io::write_overviews(io::TiledFile(path("out.vrt"), {}), {}));
+    ASSERT_EQ(io::TiledFile(path("out.vrt"), {}).overviews(), io::TiledFile::Overviews::some);
+    ASSERT_TRUE(io::put_back(document, {path("out.vrt"), 0}, {}));
+    EXPECT_FALSE(fs::exists(path("out.vrt.ovr")));
+}
+
 TEST_F(CutOuts, SayWhereTheWholeIsAnotherOne) {
     const fs::path whole = write_whole("whole.tif", hilly);
     io::Document document = io::open_document(whole, window({200, 300}, {80, 80}));

@@ -444,7 +444,7 @@ TEST_F(TiledFiles, HaveOverviewsMadeBesideThem) {
 
 // A sample of an overview is the mean of four heights, whichever way a file stores them.
 TEST_F(TiledFiles, HaveOverviewsOfWhatTheyStore) {
-    const glm::ivec2 size(900, 700);
+    const glm::ivec2 size(901, 703);
     const auto whole_number = [](int x, int y) { return std::round(hilly(x, y)); };
     write_plain("part.tif", size, whole_number);
     const auto placed = [](const std::string& transform) {
@@ -471,19 +471,27 @@ TEST_F(TiledFiles, HaveOverviewsOfWhatTheyStore) {
         std::vector<float> raw;
         file.source().make_reader()(0, {glm::ivec2(0), size}, raw);
         const std::vector<float> half = whole_level(file, 1);
-        for (int y = 0; y < size.y / 2; ++y)
-            for (int x = 0; x < size.x / 2; ++x) {
+        const glm::ivec2 half_size = file.levels()[1];
+        ASSERT_EQ(half_size, (size + 1) / 2);
+        // The file's first samples are averaged together; the one that is left over is its last.
+        const bool turned_x = one.place.find("-30") != std::string::npos;
+        const bool turned_y = one.place.find(", 20<") != std::string::npos;
+        for (int y = 0; y < half_size.y; ++y)
+            for (int x = 0; x < half_size.x; ++x) {
                 double sum = 0;
                 bool known = true;
                 for (int k = 0; k < 4; ++k) {
-                    const auto i = static_cast<std::size_t>(2 * y + k / 2) * size.x + 2 * x + k % 2;
+                    const glm::ivec2 from = 2 * glm::ivec2(x, y) - glm::ivec2(turned_x, turned_y);
+                    const glm::ivec2 at =
+                        glm::clamp(from + glm::ivec2(k % 2, k / 2), glm::ivec2(0), size - 1);
+                    const auto i = static_cast<std::size_t>(at.y) * size.x + at.x;
                     sum += finest[i];
                     known = known && !std::isnan(raw[i]);
                 }
                 if (!known) continue;
                 // A mean that is the number for voids is moved to the next one.
                 const double room = one.step_m / 2 + (one.nodata.empty() ? 0 : one.step_m);
-                ASSERT_NEAR(half[static_cast<std::size_t>(y) * (size.x / 2) + x], sum / 4, room + 1e-4)
+                ASSERT_NEAR(half[static_cast<std::size_t>(y) * half_size.x + x], sum / 4, room + 1e-4)
                     << one.place << one.type << " " << x << ", " << y;
             }
         fs::remove(path("a.vrt.ovr"));
@@ -503,6 +511,11 @@ TEST_F(TiledFiles, HaveOverviewsOfWhatTheyHold) {
         spread.spacing_m = 7;
         EXPECT_EQ(io::TiledFile(path(name), spread).overviews(), Overviews::some);
     }
+    // A copy of both files has them too.
+    fs::create_directory(path("copy"));
+    for (const char* const name : {"part.tif", "part.tif.ovr"})
+        fs::copy_file(path(name), path("copy") / name);
+    EXPECT_EQ(io::TiledFile(path("copy") / "part.tif", {}).overviews(), Overviews::some);
     write_plain("part.tif", {900, 700}, changed);
     for (const char* const name : {"part.tif", "a.vrt"}) {
         const io::TiledFile before(path(name), {});
@@ -514,6 +527,54 @@ TEST_F(TiledFiles, HaveOverviewsOfWhatTheyHold) {
         ASSERT_EQ(file.levels().size(), 3U);
         EXPECT_GT(whole_level(file, 2).front(), 1.5F * hilly(0, 0));
     }
+}
+
+// Overviews of the first band alone, or of numbers that are none, would mislead who reads them.
+TEST_F(TiledFiles, SayWhyTheyHaveNoOverviews) {
+    write_plain("part.tif", {900, 700}, hilly);
+    const std::string place = "<GeoTransform>100, 30, 0, 7000, 0, -20</GeoTransform>";
+    const auto why = [&](const std::string& type, const std::string& element) {
+        write("a.vrt", mosaic_at("part.tif", {900, 700}, place, type, element));
+        return io::TiledFile(path("a.vrt"), {}).why_no_overviews();
+    };
+    EXPECT_EQ(why("Float32", ""), "");
+    EXPECT_EQ(why("Float64", "<NoDataValue>-9999</NoDataValue>"), "");
+    EXPECT_NE(why("Float64", "<NoDataValue>-1.7976931348623157e+308</NoDataValue>"), "");
+    EXPECT_NE(why("Byte",
+                  "<ColorInterp>Palette</ColorInterp><ColorTable><Entry c1=\"0\" c2=\"0\" "
+                  "c3=\"0\" c4=\"255\"/></ColorTable>"),
+              "");
+    const std::string one = mosaic_at("part.tif", {900, 700}, place);
+    const std::size_t begin = one.find("<VRTRasterBand");
+    const std::string band = one.substr(begin, one.find("</VRTDataset>") - begin);
+    std::string second = band;
+    second.replace(second.find("band=\"1\""), 8, "band=\"2\"");
+    write("b.vrt", one.substr(0, begin) + band + second + "</VRTDataset>");
+    EXPECT_NE(io::TiledFile(path("b.vrt"), {}).why_no_overviews(), "");
+}
+
+// A raster whose name ends as overviews' do is watched as any other.
+TEST_F(TiledFiles, MayBeNamedAsOverviewsAre) {
+    write_plain("a.tif", {900, 700}, hilly);
+    fs::rename(path("a.tif"), path("a.ovr"));
+    const io::TiledFile file(path("a.ovr"), {});
+    write_plain("a.tif", {901, 700}, hilly);
+    fs::rename(path("a.tif"), path("a.ovr"));
+    EXPECT_TRUE(file.has_changed());
+    EXPECT_NE(io::TiledFile(path("a.ovr"), {}).fingerprint(), file.fingerprint());
+}
+
+// What a program left that was killed while it wrote goes when the file is written again; what another one
+// writes does not.
+TEST_F(TiledFiles, ClearAwayWhatWasLeft) {
+    write(".a.tif.talus-abcdef", "half of a file");
+    write(".a.tif.backup", "somebody's");
+    const io::AtomicFile other(path("a.tif"));
+    ASSERT_TRUE(io::write_tiled(path("a.tif"), source_of({300, 300}, hilly), {}));
+    EXPECT_FALSE(fs::exists(path(".a.tif.talus-abcdef")));
+    EXPECT_TRUE(fs::exists(path(".a.tif.backup")));
+    EXPECT_TRUE(fs::exists(other.temporary()));
+    EXPECT_EQ(files(), 3U);
 }
 
 // What cannot be finished leaves nothing behind.
