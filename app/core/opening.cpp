@@ -127,15 +127,17 @@ Scene open_scene(const SceneRequest& request, const BeginProgress& begin_progres
 Scene open_scene_at_once(const SceneRequest& request) {
     if (!is_in_tiles(request))
         return scene_with_whole(request, [](const TiledRequest& tiles) -> std::optional<TiledTerrain> {
-            if (std::optional<TiledTerrain> ready = open_tiled_at_once(tiles)) return ready;
+            const io::TiledFile file(tiles.path, tiles.import);
             // Heights between few samples do not meet the scene's.
-            if (needs_overviews({tiles.path, tiles.import})) return std::nullopt;
-            return sketch_tiled(tiles);
+            if (needs_overviews(file)) return std::nullopt;
+            if (std::optional<TiledTerrain> ready = ready_of(file)) return ready;
+            return sketch_of(file);
         });
     TiledScene tiled = begin_tiled_scene(request);
     const TiledRequest tiles = tiles_of(request);
-    std::optional<TiledTerrain> ready = open_tiled_at_once(tiles);
-    tiled.terrain = shared(ready ? std::move(*ready) : sketch_tiled(tiles));
+    const io::TiledFile file(tiles.path, tiles.import);
+    std::optional<TiledTerrain> ready = ready_of(file);
+    tiled.terrain = shared(ready ? std::move(*ready) : sketch_of(file));
     Scene scene = with_stand_in(request, std::move(tiled));
     if (!scene.tiles->is_measured) scene.unready = tiles;
     return scene;

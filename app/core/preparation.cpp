@@ -66,7 +66,7 @@ void Preparation::begin(const TiledRequest& tiles) {
         std::shared_ptr<TiledTerrain> sketch;
         if (const io::TiledFile file(tiles.path, tiles.import); needs_overviews(file)) {
             make_overviews(file, [&](const std::string&) { return progress; });
-            sketch = std::make_shared<TiledTerrain>(sketch_tiled(tiles));
+            sketch = std::make_shared<TiledTerrain>(sketch_of({tiles.path, tiles.import}));
         }
         return [this, tiles, sketch] {
             if (sketch) show(std::move(*sketch));

@@ -9,6 +9,7 @@
 #include "app/core/calibration.h"
 #include "app/core/opening.h"
 #include "app/core/outputs.h"
+#include "app/core/part.h"
 #include "app/core/wall_clock.h"
 #include "app/core/wave_note.h"
 #include "render/overview.h"
@@ -270,7 +271,7 @@ std::optional<Session::Outlook> Session::outlook() const {
     const TiledTerrain& whole = tiles()->terrain();
     return Outlook{whole.file.path().string(), whole.tree.grid(),
                    surroundings_ ? surroundings_->backdrop().camera_over_tiles(camera_) : camera_,
-                   scene_.view, overflight_ ? part() : part_of_whole()};
+                   scene_.view, overflight_ ? part_of(scene_.view) : part_of_whole()};
 }
 
 // The scene's edges in metres of the whole around it.
@@ -297,22 +298,16 @@ void Session::look_as(const Outlook& before) {
         if (stays && before.view.is_given(one.name) && !not_of_tiles)
             scene_.view.set(one.name, before.view.value(one.name));
     }
-    if (overflight_) set_part(before.part);
+    if (overflight_) set_part(scene_.view, before.part);
     camera_ =
         surroundings_ ? surroundings_->backdrop().camera_from_tiles(before.over_whole) : before.over_whole;
-}
-
-void Session::set_part(const Rectangle& part) {
-    scene_.view.set("map.west_m", part.west_m);
-    scene_.view.set("map.south_m", part.south_m);
-    scene_.view.set("map.east_m", part.east_m);
-    scene_.view.set("map.north_m", part.north_m);
 }
 
 void Session::outline_part(bool shown, glm::ivec2 size) {
     outlined_ = shown && tiles();
     if (!outlined_) return;
-    const Rectangle edges = overflight_ ? part() : Rectangle{0, 0, grid().width_m(), grid().height_m()};
+    const Rectangle edges =
+        overflight_ ? part_of(scene_.view) : Rectangle{0, 0, grid().width_m(), grid().height_m()};
     const gpu::Texture& colours = overflight_ ? overflight_->renderer().colours() : renderer_->colours();
     const double margin = 0.01 * std::min(grid().dx, grid().dy);
     const Rectangle all = ground_edges();
@@ -326,39 +321,6 @@ Rectangle Session::ground_edges() const {
     const Grid& whole = surroundings_->tiles().terrain().tree.grid();
     const glm::dvec3 corner = surroundings_->backdrop().camera_from_tiles({}).eye;
     return {corner.x, corner.y, corner.x + whole.width_m(), corner.y + whole.height_m()};
-}
-
-Rectangle Session::part() const {
-    const Parameters& view = scene_.view;
-    return {view.number("map.west_m"), view.number("map.south_m"), view.number("map.east_m"),
-            view.number("map.north_m")};
-}
-
-SceneRequest Session::request_for_part() const {
-    const gpu::Region samples = samples_in(grid(), part());
-    if (std::min(samples.width, samples.height) < min_samples ||
-        std::max(samples.width, samples.height) > max_samples)
-        throw Error(fmt::format("a part of {} x {} samples cannot be worked in, each side must have {} to {}",
-                                samples.width, samples.height, min_samples, max_samples));
-    const Grid& g = grid();
-    const int last_row = samples.y + samples.height - 1;
-    const glm::dvec2 south_west(samples.x * g.dx, (g.ny - 1 - last_row) * g.dy);
-    const glm::dvec2 north_east((samples.x + samples.width - 1) * g.dx, (g.ny - 1 - samples.y) * g.dy);
-    SceneRequest request;
-    request.input = request_.input;
-    request.import = request_.import;
-    request.in_place = true;
-    request.import.window = io::window_of(overflight_->terrain().file, south_west, north_east);
-    return request;
-}
-
-SceneRequest Session::request_for_whole() const {
-    SceneRequest request;
-    request.input = scene_.document.cut_out->path.string();
-    request.import = scene_.document.cut_out->import;
-    request.tiled = true;
-    request.in_place = true;
-    return request;
 }
 
 void Session::recovered(const std::string& project, const std::string& title) {

@@ -73,16 +73,9 @@ class Session {
     const gpu::Framebuffer& framebuffer() const;
     const gpu::Texture& hits() const;
     std::vector<render::Legend> legends(const render::ViewSettings& settings) const;
-    /// The part of a terrain in tiles that `map.west_m` and its like say.
-    Rectangle part() const;
-    void set_part(const Rectangle& part);
-    /// After draw() and refine(), for a picture of that size: lays over it the outline of that part, or of
-    /// the scene before what stands around it.
+    /// After draw() and refine(), for a picture of that size: lays over it the outline of the part that is
+    /// chosen (app/core/part.h), or of the scene before what stands around it.
     void outline_part(bool shown, glm::ivec2 size);
-    /// What opens that part to be worked in. Throws talus::Error where it has too few or too many samples.
-    SceneRequest request_for_part() const;
-    /// What opens all of what the scene was cut out of, to be looked at. The scene must have been cut out.
-    SceneRequest request_for_whole() const;
     /// Whether the camera stayed where it was when the scene was opened: that is a part of what was looked
     /// at, or the whole around it.
     bool is_in_place() const { return in_place_; }

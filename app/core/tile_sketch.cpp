@@ -99,8 +99,7 @@ TiledTerrain sketch_of_samples(io::TiledFile file) {
 
 }  // namespace
 
-TiledTerrain sketch_tiled(const TiledRequest& request) {
-    io::TiledFile file(request.path, request.import);
+TiledTerrain sketch_of(io::TiledFile file) {
     if (needs_overviews(file)) return sketch_of_samples(std::move(file));
     TileTree tree = tree_of(file);
     return sketch_of_levels(std::move(file), std::move(tree));

@@ -89,10 +89,12 @@ void make_overviews(const io::TiledFile& file, const BeginProgress& begin_progre
 }
 
 TiledTerrain open_tiled(const TiledRequest& request, const BeginProgress& begin_progress) {
-    if (std::optional<TiledTerrain> ready = open_tiled_at_once(request)) return std::move(*ready);
-    if (const io::TiledFile file(request.path, request.import); needs_overviews(file))
-        make_overviews(file, begin_progress);
     io::TiledFile file(request.path, request.import);
+    if (std::optional<TiledTerrain> ready = ready_of(file)) return std::move(*ready);
+    if (needs_overviews(file)) {
+        make_overviews(file, begin_progress);
+        file = io::TiledFile(request.path, request.import);
+    }
     TileTree tree = tree_of(file);
     std::vector<std::string> notes = file.notes();
     std::vector<TileBounds> bounds = measure_tile_bounds(
@@ -107,14 +109,12 @@ TiledTerrain open_tiled(const TiledRequest& request, const BeginProgress& begin_
     return with_bounds(std::move(file), std::move(tree), std::move(bounds), std::move(notes));
 }
 
-std::optional<TiledTerrain> open_tiled_at_once(const TiledRequest& request) {
-    io::TiledFile file(request.path, request.import);
+std::optional<TiledTerrain> ready_of(const io::TiledFile& file) {
     if (needs_overviews(file)) return std::nullopt;
     TileTree tree = tree_of(file);
     std::optional<std::vector<TileBounds>> bounds = io::read_tile_sidecar(file, tree);
     if (!bounds) return std::nullopt;
-    std::vector<std::string> notes = file.notes();
-    return with_bounds(std::move(file), std::move(tree), std::move(*bounds), std::move(notes));
+    return with_bounds(file, std::move(tree), std::move(*bounds), file.notes());
 }
 
 void keep_bounds_of_mosaic(const io::CutOut& whole, const std::string& mosaic, const TileSamples& patch) {

@@ -62,8 +62,9 @@ void make_overviews(const io::TiledFile& file, const BeginProgress& begin_progre
 /// overviews not written, and Interrupted.
 TiledTerrain open_tiled(const TiledRequest& request, const BeginProgress& begin_progress);
 
-/// The same where it has no long work; none where it has. Throws as it does.
-std::optional<TiledTerrain> open_tiled_at_once(const TiledRequest& request);
+/// A file that was opened with what is known of its tiles; none where that is to be made or measured first.
+/// Throws as needs_overviews() does.
+std::optional<TiledTerrain> ready_of(const io::TiledFile& file);
 
 /// After a part was put back into what it was cut out of: keeps the bounds of the mosaic's tiles beside it,
 /// so that it opens at once. They are those of the whole, but where the patch is. Where the whole was not

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "app/core/part.h"
 #include "app/panels/panels.h"
 
 namespace talus::app {
@@ -16,15 +17,14 @@ void draw_choice_of_part(PanelContext& context) {
         choosing = !choosing;
     draw_parameters(session, context.requests, {"map.west_m", "map.south_m", "map.east_m", "map.north_m"});
     const Grid& grid = session.grid();
-    const gpu::Region samples = samples_in(grid, session.part());
-    const bool fits = std::min(samples.width, samples.height) >= min_samples &&
-                      std::max(samples.width, samples.height) <= max_samples;
+    const gpu::Region samples = samples_in(grid, part_of(session.view()));
+    const bool fits = is_terrain_size(samples.width, samples.height);
     text_line(fmt::format("{} × {} samples, {} × {} km", samples.width, samples.height,
                           figure((samples.width - 1) * grid.dx / 1000, 3),
                           figure((samples.height - 1) * grid.dy / 1000, 3)));
     if (!fits) ImGui::TextWrapped("Each side must have %d to %d samples.", min_samples, max_samples);
     if (button("Cut it out", "becomes the scene, in its place; the rest stands around it", fits))
-        context.requests.open = session.request_for_part();
+        context.requests.open = request_for_part(session);
 }
 
 // Of a scene that was cut out: back into its place.
@@ -41,7 +41,7 @@ void draw_way_back(PanelContext& context) {
         context.state.dialog.begin_put_back(session);
     heading("The whole");
     if (button("Fly over the whole", "closes this scene; what is not saved is asked for"))
-        context.requests.open = session.request_for_whole();
+        context.requests.open = request_for_whole(session);
 }
 
 }  // namespace

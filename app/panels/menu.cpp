@@ -1,5 +1,6 @@
 #include <imgui.h>
 
+#include "app/core/part.h"
 #include "app/panels/panels.h"
 
 namespace talus::app {
@@ -28,7 +29,7 @@ void draw_file_menu(PanelContext& context) {
     if (menu_item("Export…", "Ctrl+E", changes)) state.write.shown = true;
     if (session.scene().document.cut_out) {
         if (menu_item("Put back…", nullptr)) state.dialog.begin_put_back(session);
-        if (menu_item("Fly over the whole", nullptr)) requests.open = session.request_for_whole();
+        if (menu_item("Fly over the whole", nullptr)) requests.open = request_for_whole(session);
     }
     if (menu_item("Save a picture", "F12")) requests.picture = true;
     ImGui::Separator();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/core/part.h"
 #include "app/window/camera_control.h"
 
 namespace talus::app {
@@ -158,11 +159,11 @@ void Hand::choose_part(Session& session, const HandMay& may, bool& choosing_part
     if (cursor_) {
         const glm::dvec2 low = glm::min(*part_from_m_, glm::dvec2(*cursor_));
         const glm::dvec2 high = glm::max(*part_from_m_, glm::dvec2(*cursor_));
-        session.set_part({low.x, low.y, high.x, high.y});
+        set_part(session.view(), {low.x, low.y, high.x, high.y});
     }
     if (held) return;
     // A click alone chooses nothing.
-    const Rectangle part = session.part();
+    const Rectangle part = part_of(session.view());
     choosing_part = std::min(part.east_m - part.west_m, part.north_m - part.south_m) <= 0;
     part_from_m_.reset();
 }

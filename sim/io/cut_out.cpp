@@ -121,8 +121,7 @@ CutOutHeights cut_out_heights(const fs::path& path, const ImportSettings& settin
     const TiledFile whole(path, part.cut_out.import);
     part.cut_out.fingerprint = whole.fingerprint();
     const TileSamples samples = samples_in(whole, settings.window.value());
-    if (std::min(samples.count.x, samples.count.y) < min_samples ||
-        std::max(samples.count.x, samples.count.y) > max_samples)
+    if (!is_terrain_size(samples.count.x, samples.count.y))
         throw Error(fmt::format("--window holds {} x {} samples of '{}', each side must have {} to {}",
                                 samples.count.x, samples.count.y, path.string(), min_samples, max_samples));
     Heightmap& heightmap = part.heightmap;

@@ -30,7 +30,7 @@ double available_bytes() {
 }  // namespace
 
 void check_grid(const Grid& grid) {
-    if (grid.nx < min_samples || grid.ny < min_samples || grid.nx > max_samples || grid.ny > max_samples)
+    if (!is_terrain_size(grid.nx, grid.ny))
         throw Error(
             fmt::format("a terrain of {} x {} samples cannot be used, each side must have {} to {} samples",
                         grid.nx, grid.ny, min_samples, max_samples));

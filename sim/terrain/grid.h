@@ -6,6 +6,10 @@ namespace talus {
 /// The smallest and the largest number of samples in a row or a column.
 constexpr int min_samples = 2;
 constexpr int max_samples = 8192;
+/// Whether a terrain may have so many in a row and in a column.
+constexpr bool is_terrain_size(int nx, int ny) {
+    return nx >= min_samples && ny >= min_samples && nx <= max_samples && ny <= max_samples;
+}
 
 namespace glsl {
 #include "sim/tile_samples.glsl"

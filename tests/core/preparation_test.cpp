@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "app/core/opening.h"
+#include "app/core/part.h"
 #include "app/core/preparation.h"
 #include "app/core/tile_sketch.h"
 #include "sim/error.h"
@@ -67,7 +68,7 @@ class Preparations : public testing::Test {
 
 // Over the same grid, by heights that the terrain has; all levels are told from the few samples.
 TEST_F(Preparations, BeginWithASketchOfSamples) {
-    const app::TiledTerrain sketch = app::sketch_tiled({path(), {}});
+    const app::TiledTerrain sketch = app::sketch_of({path(), {}});
     EXPECT_FALSE(sketch.is_measured);
     EXPECT_EQ(sketch.tree.grid(), (Grid{size.x, size.y, 10, 10}));
     EXPECT_EQ(sketch.tree.coarsest_tiles().size(), 1U);
@@ -114,7 +115,7 @@ TEST_F(Preparations, EndWithTilesThatAreMeasured) {
     const Grid grid = session.grid();
     session.camera().eye += glm::dvec3(300, 200, 100);
     const glm::dvec3 eye = session.camera().eye;
-    session.set_part({1000, 2000, 3000, 4000});
+    app::set_part(session.view(), {1000, 2000, 3000, 4000});
     std::vector<std::string> notes;
     app::Preparation preparation(session, [&](const std::string& note) { notes.push_back(note); });
     EXPECT_FALSE(preparation.take_progress());
@@ -134,14 +135,14 @@ TEST_F(Preparations, EndWithTilesThatAreMeasured) {
     EXPECT_NE(session.tiles()->state().find("within"), std::string::npos) << session.tiles()->state();
     EXPECT_EQ(session.grid(), grid);
     EXPECT_EQ(session.camera().eye, eye);
-    EXPECT_EQ(session.part().west_m, 1000);
-    EXPECT_EQ(session.part().north_m, 4000);
+    EXPECT_EQ(app::part_of(session.view()).west_m, 1000);
+    EXPECT_EQ(app::part_of(session.view()).north_m, 4000);
     ASSERT_FALSE(notes.empty());
     EXPECT_NE(notes.back().find("is measured"), std::string::npos) << notes.back();
     draw(session);
     // The next one finds all of it.
     const app::TiledTerrain& made = session.overflight()->terrain();
-    const auto opened = app::open_tiled_at_once({path(), {}});
+    const auto opened = app::ready_of({path(), {}});
     ASSERT_TRUE(opened);
     EXPECT_EQ(opened->bounds, made.bounds);
     EXPECT_EQ(opened->bounds, measure_tile_bounds(opened->tree, [&] { return opened->file.make_reader(); }));
@@ -155,7 +156,7 @@ TEST_F(Preparations, EndWithTilesThatAreMeasured) {
 // not known.
 TEST_F(Preparations, SketchLevelsThatAreThere) {
     ASSERT_TRUE(io::write_overviews(io::TiledFile(path(), {}), {}));
-    const app::TiledTerrain sketch = app::sketch_tiled({path(), {}});
+    const app::TiledTerrain sketch = app::sketch_of({path(), {}});
     EXPECT_FALSE(sketch.is_measured);
     const auto measured = measure_tile_bounds(sketch.tree, [&] { return sketch.file.make_reader(); });
     for (std::size_t i = 0; i < measured.size(); ++i) {
@@ -207,8 +208,8 @@ TEST_F(Preparations, GoOnWhenAPartIsCutOut) {
     ASSERT_TRUE(preparation.work().busy());
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     const double before_s = preparation.work().seconds();
-    session.set_part({3000, 3000, 6000, 6000});
-    app::SceneRequest part = session.request_for_part();
+    app::set_part(session.view(), {3000, 3000, 6000, 6000});
+    app::SceneRequest part = app::request_for_part(session);
     // The same file by another name.
     part.input = folder_ / "." / "plain.tif";
     session.open(part, app::open_scene_at_once(part));
@@ -335,9 +336,12 @@ TEST_F(Preparations, SayWhatTheyCannotWrite) {
 // A file that has the overviews' name and is none of Talus's is not replaced.
 TEST_F(Preparations, RefuseWhatCannotHaveOverviews) {
     std::ofstream(path() + ".ovr") << "somebody's words";
-    for (const auto& open : {app::sketch_tiled, +[](const app::TiledRequest& tiles) {
-                                 return app::open_tiled(tiles, app::on_terminal());
-                             }}) {
+    using Open = app::TiledTerrain (*)(const app::TiledRequest&);
+    for (const Open open :
+         {+[](const app::TiledRequest& tiles) {
+              return app::sketch_of({tiles.path, tiles.import});
+          },
+          +[](const app::TiledRequest& tiles) { return app::open_tiled(tiles, app::on_terminal()); }}) {
         try {
             open({path(), {}});
             ADD_FAILURE() << "it was opened";

@@ -60,6 +60,13 @@ shot 02_drawn
 names=(map.west_m map.south_m map.east_m map.north_m)
 for i in 0 1 2 3; do type_into "${names[$i]}" "${edges[$i]}"; done
 shot 03_typed
+# There from near, as somebody would fly who has found it.
+xdotool mousemove 400 300
+for _ in $(seq 5); do xdotool click 4; frames 2; done
+xdotool keydown w
+frames 12
+xdotool keyup w
+shot 04_flown
 click "Cut it out"
 await_widget Water
 frames 4
