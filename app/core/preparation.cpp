@@ -90,7 +90,8 @@ void Preparation::measure(const TiledRequest& tiles) {
 }
 
 void Preparation::show(TiledTerrain tiles) {
-    for (const std::string& note : session_.take_tiles(std::move(tiles))) note_("note: " + note);
+    const std::vector<std::string> notes = session_.take_tiles(std::move(tiles));
+    for (const std::string& note : notes) note_("note: " + note);
 }
 
 bool Preparation::take_progress() {
