@@ -120,8 +120,13 @@ TiledScene open_tiled_scene(const SceneRequest& request, const BeginProgress& be
 
 Scene open_scene(const SceneRequest& request, const BeginProgress& begin_progress) {
     if (is_in_tiles(request)) return with_stand_in(request, open_tiled_scene(request, begin_progress));
-    return scene_with_whole(
-        request, [&](const TiledRequest& tiles) { return std::optional(open_tiled(tiles, begin_progress)); });
+    Scene scene = scene_with_whole(request, [&](const TiledRequest& tiles) {
+        // Overviews of the whole are much to ask for a picture of a part: without them this throws.
+        tree_of({tiles.path, tiles.import});
+        return std::optional(open_tiled(tiles, begin_progress));
+    });
+    scene.unready.reset();
+    return scene;
 }
 
 Scene open_scene_at_once(const SceneRequest& request) {

@@ -200,6 +200,23 @@ TEST_F(Preparations, BringWhatStandsAround) {
         EXPECT_EQ(note.find("was changed"), std::string::npos) << note;
 }
 
+// A picture of a part makes no overviews of the whole: a note says what is missing around it.
+TEST_F(Preparations, MakeNoOverviewsForAPictureOfAPart) {
+    app::SceneRequest part = request_;
+    part.tiled = false;
+    part.import.window = io::FileWindow{3000, 3000, 6000, 6000};
+    const app::Scene scene = app::open_scene(part, app::on_terminal());
+    EXPECT_FALSE(scene.whole);
+    EXPECT_FALSE(scene.unready);
+    ASSERT_FALSE(scene.document.notes.empty());
+    EXPECT_NE(scene.document.notes.back().find("has no overviews"), std::string::npos)
+        << scene.document.notes.back();
+    EXPECT_FALSE(is_there(".ovr"));
+    // Where they are there, the whole is measured and shown.
+    ASSERT_TRUE(io::write_overviews(io::TiledFile(path(), {}), {}));
+    EXPECT_TRUE(app::open_scene(part, app::on_terminal()).whole);
+}
+
 // A part can be cut out of a sketch: what is made ready goes on, and stands around the part then.
 TEST_F(Preparations, GoOnWhenAPartIsCutOut) {
     app::Session session(request_, context_.device());
