@@ -46,6 +46,8 @@ class Window {
           hand_(window_),
           input_(window_,
                  [this](const InputEvents::Key& key) {
+                     // A dialog would be about a scene that may be another one when the work ends.
+                     if ((key.mods & GLFW_MOD_CONTROL) != 0 && waits_for_work()) return;
                      press_key(key.key, key.mods, session_, state_, requests_);
                  }),
           project_(session_, state_, options.journal,
@@ -256,16 +258,18 @@ class Window {
         });
     }
 
+    // Says so where it does.
+    bool waits_for_work() {
+        const bool busy = project_.work().busy();
+        if (busy) tell(fmt::format("{} goes on: wait for it", project_.work().name()));
+        return busy;
+    }
+
     void serve_requests() {
         PanelRequests asked;
         std::swap(asked, requests_);
         // Long work has the session to itself.
-        const auto waits = [&] {
-            const bool busy = project_.work().busy();
-            if (busy && asked.any()) tell(fmt::format("{} goes on: wait for it", project_.work().name()));
-            return busy;
-        };
-        if (waits()) return;
+        if (asked.any() ? waits_for_work() : project_.work().busy()) return;
         if (asked.answer) attempt(asked.answer);
         attempt([&] { project_.serve(asked); });
         if (project_.work().busy()) return title();

@@ -43,7 +43,8 @@ for kill in $(seq "$kills"); do
     frames 4
     [ "$kill" -gt 1 ] || import -window root offered.png
     click Recover
-    await_work
+    # The scene that the window began with, and this one. Until then Ctrl+S is refused in words.
+    for _ in $(seq 300); do [ "$(grep -c "begun with hash" window.log)" -lt 2 ] || break; sleep 0.1; done
     # Saved with what is recovered it goes to its own project.
     xdotool mousemove 600 400 key ctrl+s
     await_word "saved .*ground.exr"
