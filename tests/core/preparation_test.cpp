@@ -1,6 +1,5 @@
 // Tiles that are made ready while somebody looks at a sketch of them.
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -18,6 +17,7 @@
 #include "sim/gpu/context.h"
 #include "sim/io/tile_sidecar.h"
 #include "sim/io/tile_writer.h"
+#include "tests/scenes/file_size_limit.h"
 
 namespace talus::preparation_test {
 namespace {
@@ -324,18 +324,14 @@ TEST_F(Preparations, WaitForTheBackdropToBeSeen) {
 TEST_F(Preparations, SayWhatTheyCannotWrite) {
     app::Session session(request_, context_.device());
     app::Preparation preparation(session, [](const std::string&) {});
-    rlimit before{};
-    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
-    rlimit small = before;
-    small.rlim_cur = 30000;
-    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
     std::string said;
     try {
+        const FileSizeLimit limit(30000);
+        ASSERT_TRUE(limit.is_set());
         finish(preparation);
     } catch (const Error& error) {
         said = error.what();
     }
-    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
     EXPECT_NE(said.find("plain.tif.ovr"), std::string::npos) << said;
     EXPECT_NE(said.find("talus tile"), std::string::npos) << said;
     EXPECT_EQ(said.find('\n'), std::string::npos) << said;

@@ -1,6 +1,5 @@
 // A part cut out of a raster, worked on and put back: what was not worked on keeps its bits, on every level.
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -16,6 +15,7 @@
 #include "sim/terrain/bed_beyond.h"
 #include "sim/terrain/reshape.h"
 #include "sim/terrain/state_hash.h"
+#include "tests/scenes/file_size_limit.h"
 
 namespace talus::cut_out_test {
 namespace {
@@ -393,15 +393,13 @@ TEST_F(CutOuts, LoseNothingWhereThereIsNoSpace) {
     };
     const auto files_before = files();
     raise(document, {90, 40}, {120, 70}, 25);
-    rlimit before{};
-    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
     // For the patch, and for the mosaic's text too.
     for (const rlim_t bytes : {100000U, 300U}) {
-        rlimit small = before;
-        small.rlim_cur = bytes;
-        ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
-        const std::string said = refusal([&] { io::put_back(document, {path("out.vrt")}, {}); });
-        ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+        const std::string said = refusal([&] {
+            const FileSizeLimit limit(bytes);
+            EXPECT_TRUE(limit.is_set());
+            io::put_back(document, {path("out.vrt")}, {});
+        });
         EXPECT_NE(said.find("cannot write"), std::string::npos) << said;
         EXPECT_EQ(said.find('\n'), std::string::npos) << said;
         EXPECT_EQ(io::read_text(path("out.vrt")), mosaic);

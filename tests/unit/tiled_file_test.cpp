@@ -1,6 +1,5 @@
 // Files in tiles: what is written is read again, whatever their size, and nothing else is believed.
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -16,6 +15,7 @@
 #include "sim/io/heightmap.h"
 #include "sim/io/tile_sidecar.h"
 #include "sim/io/tile_writer.h"
+#include "tests/scenes/file_size_limit.h"
 
 namespace talus::tiled_file_test {
 namespace {
@@ -292,18 +292,14 @@ TEST_F(TiledFiles, LeaveNoHalfFile) {
     EXPECT_EQ(io::read_text(path("a.tif")), "what was there");
     EXPECT_EQ(files(), 1U);
     // No space: as a limit on a file's size has it.
-    rlimit before{};
-    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
-    rlimit small = before;
-    small.rlim_cur = 300000;
-    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
     std::string said;
     try {
+        const FileSizeLimit limit(300000);
+        ASSERT_TRUE(limit.is_set());
         io::write_tiled(path("a.tif"), large, {});
     } catch (const Error& error) {
         said = error.what();
     }
-    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
     EXPECT_NE(said.find("cannot write"), std::string::npos) << said;
     EXPECT_NE(said.find("a.tif"), std::string::npos) << said;
     EXPECT_EQ(io::read_text(path("a.tif")), "what was there");
@@ -584,18 +580,14 @@ TEST_F(TiledFiles, HaveNoHalfOverviews) {
     EXPECT_FALSE(io::write_overviews(file, [](double share) { return share < 0.3; }));
     EXPECT_EQ(files(), 1U);
     EXPECT_EQ(io::TiledFile(path("a.tif"), {}).overviews(), Overviews::none);
-    rlimit before{};
-    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
-    rlimit small = before;
-    small.rlim_cur = 30000;
-    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
     std::string said;
     try {
+        const FileSizeLimit limit(30000);
+        ASSERT_TRUE(limit.is_set());
         io::write_overviews(file, {});
     } catch (const Error& error) {
         said = error.what();
     }
-    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
     EXPECT_NE(said.find("cannot write '" + path("a.tif.ovr").string()), std::string::npos) << said;
     EXPECT_EQ(files(), 1U);
 }
