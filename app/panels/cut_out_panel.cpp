@@ -37,7 +37,8 @@ void draw_way_back(PanelContext& context) {
     heading("Put back");
     draw_parameters(session, context.requests, {"map.feather_m"});
     if (button("Put back…",
-               "writes what changed as a patch, and a mosaic over both; the file itself stays as it is"))
+               "writes what changed as a patch, and a mosaic over both; the file itself stays as it is",
+               !context.work.busy()))
         context.state.dialog.begin_put_back(session);
     heading("The whole");
     if (button("Fly over the whole", "closes this scene; what is not saved is asked for"))

@@ -10,8 +10,10 @@ void draw_file_menu(PanelContext& context) {
     Session& session = context.session;
     PanelState& state = context.state;
     PanelRequests& requests = context.requests;
+    // A dialog would be about a scene that may be another one when the work ends.
+    const bool rests = !context.work.busy();
     if (menu_item("Start page", nullptr)) state.start_page = true;
-    if (menu_item("Open…", "Ctrl+O")) state.dialog.begin(FileDialog::Purpose::open, session.path());
+    if (menu_item("Open…", "Ctrl+O", rests)) state.dialog.begin(FileDialog::Purpose::open, session.path());
     if (ImGui::BeginMenu("Recent")) {
         close_on_escape();
         for (const std::string& file : context.state.recent)
@@ -21,14 +23,14 @@ void draw_file_menu(PanelContext& context) {
     ImGui::Separator();
     const bool changes = !state.only_looks;
     if (menu_item("Save", "Ctrl+S", changes && !session.path().empty())) requests.save = session.path();
-    if (menu_item("Save as…", "Ctrl+Shift+S", changes))
+    if (menu_item("Save as…", "Ctrl+Shift+S", changes && rests))
         state.dialog.begin(FileDialog::Purpose::save, session.path());
     ImGui::Separator();
-    if (menu_item("Import into this terrain…", nullptr, changes))
+    if (menu_item("Import into this terrain…", nullptr, changes && rests))
         state.dialog.begin(FileDialog::Purpose::import, session.path());
-    if (menu_item("Export…", "Ctrl+E", changes)) state.write.shown = true;
+    if (menu_item("Export…", "Ctrl+E", changes && rests)) state.write.shown = true;
     if (session.scene().document.cut_out) {
-        if (menu_item("Put back…", nullptr)) state.dialog.begin_put_back(session);
+        if (menu_item("Put back…", nullptr, rests)) state.dialog.begin_put_back(session);
         if (menu_item("Fly over the whole", nullptr)) requests.open = request_for_whole(session);
     }
     if (menu_item("Save a picture", "F12")) requests.picture = true;
