@@ -48,7 +48,7 @@ void Preparation::poll() {
 
 void Preparation::give_up() {
     if (!begun_) return;
-    note_(fmt::format("'{}' is not made ready: a sketch of it stays", begun_->path));
+    note_(fmt::format("'{}' is not made ready: what is shown stays as it is", begun_->path));
     work_.cancel();
     refuse();
 }

@@ -20,7 +20,7 @@ class Preparation {
     /// any more, and hands over what is ready. Throws what the thread threw, once; then the scene stays as it
     /// is, and nothing is tried again before another one was opened, or this one anew.
     void poll();
-    /// As somebody wishes: the sketch stays.
+    /// Ends the work: what is shown stays as it is, until the scene is opened anew.
     void give_up();
     const Work& work() const { return work_; }
     /// Whether the bar stands elsewhere than when this was asked last.

@@ -43,7 +43,7 @@ void draw_preparation(const Work& work, const PictureArea& area, bool& stopped) 
     ImGui::ProgressBar(static_cast<float>(share), {-room - ImGui::GetStyle().ItemSpacing.x, 0},
                        share_and_time_left(share, work.seconds()).c_str());
     ImGui::SameLine();
-    stopped = button("Stop", "what is shown stays a sketch");
+    stopped = button("Stop", "what is shown stays as it is");
     ImGui::End();
 }
 
