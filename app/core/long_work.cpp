@@ -6,17 +6,35 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
 #include <utility>
 
 namespace talus::app {
 namespace {
 
 std::atomic<bool> interrupted = false;
+std::atomic<std::int64_t> interrupted_ns = 0;
 
-// So that a second one ends the program at once.
+// Some senders (`timeout`, a shell that passes a signal on) send one request twice: to the program and to its
+// group.
+constexpr std::int64_t same_request_ns = 500'000'000;
+
+std::int64_t now_ns() {
+    timespec now{};
+    ::clock_gettime(CLOCK_MONOTONIC, &now);
+    return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+}
+
+// A second request ends the program at once.
 void interrupt(int signal) {
-    interrupted = true;
-    std::signal(signal, SIG_DFL);
+    const std::int64_t at_ns = now_ns();
+    if (!interrupted.exchange(true)) {
+        interrupted_ns = at_ns;
+    } else if (at_ns - interrupted_ns > same_request_ns) {
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+    }
 }
 
 constexpr std::array<int, 3> ending_signals = {SIGINT, SIGTERM, SIGHUP};
@@ -43,8 +61,11 @@ LongWork::LongWork(std::string what)
       told_(start_),
       on_terminal_(::isatty(STDERR_FILENO) == 1) {
     interrupted = false;
-    for (std::size_t i = 0; i < ending_signals.size(); ++i)
+    for (std::size_t i = 0; i < ending_signals.size(); ++i) {
         before_[i] = std::signal(ending_signals[i], interrupt);
+        // What is to be ignored (SIGHUP under nohup) stays ignored.
+        if (before_[i] == SIG_IGN) std::signal(ending_signals[i], SIG_IGN);
+    }
 }
 
 LongWork::~LongWork() {

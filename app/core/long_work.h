@@ -9,7 +9,8 @@ namespace talus::app {
 std::string share_and_time_left(double share, double passed_s);
 
 /// Tells on stderr how far long work is and how long it will take. While one of these lives, Ctrl+C (and
-/// SIGTERM and SIGHUP) ends the work instead of the program; a second one ends the program. One at a time.
+/// SIGTERM and SIGHUP) ends the work instead of the program; a second one, more than half a second later,
+/// ends the program. Signals that the program was started to ignore stay ignored. One at a time.
 class LongWork {
   public:
     /// what: of the work, e.g. "writing 'alps.tif'".

@@ -247,7 +247,7 @@ TEST_F(Program, RefusesWhatCannotBeTiled) {
            "ySize=\"65\"/>"
            "<DstRect xOff=\"0\" yOff=\"0\" xSize=\"60000\" "
            "ySize=\"60000\"/></SimpleSource></VRTRasterBand></VRTDataset>";
-    EXPECT_NE(refusal("tile large.vrt b.tif", "timeout --preserve-status -s INT 2").find("interrupted"),
+    EXPECT_NE(refusal("tile large.vrt b.tif", "timeout --preserve-status -s INT 4").find("interrupted"),
               std::string::npos);
     EXPECT_FALSE(fs::exists(path("b.tif")));
     const auto hidden = [&] {
@@ -256,6 +256,15 @@ TEST_F(Program, RefusesWhatCannotBeTiled) {
             [](const auto& file) { return file.path().filename().string().starts_with(".b.tif"); });
     };
     EXPECT_EQ(hidden(), 0);
+    // One request that is sent twice is one.
+    const std::string begun =
+        "2>&1 & until ls " + path(".b.tif*") + " >/dev/null 2>&1; do sleep 0.02; done; ";
+    const std::string twice = begun + "kill -TERM $!; sleep 0.05; kill -TERM $!; wait $!";
+    EXPECT_NE(refusal("tile large.vrt b.tif " + twice, "exec").find("interrupted"), std::string::npos);
+    EXPECT_EQ(hidden(), 0);
+    // What the program was started to ignore, as under nohup, does not end it.
+    const std::string hung_up = begun + "kill -HUP $!; sleep 0.5; kill -KILL $!; wait $!";
+    EXPECT_EQ(talus("tile large.vrt b.tif " + hung_up, "trap '' HUP; exec").code, 137);
     EXPECT_EQ(talus("tile large.vrt b.tif", "timeout -s KILL 2").code, 137);
     EXPECT_FALSE(fs::exists(path("b.tif")));
     // What it left, where it came to that, goes with the next one.
