@@ -77,7 +77,8 @@ Drawn Renderer::draw(const Terrain& terrain, const Camera& camera, const ViewSet
                      int height, const Ring& ring) {
     resize(width, height);
     const Picture picture{
-        camera, settings, width, height, terrain.tiles.now(), backdrop_ ? backdrop_->changes() : 0};
+        camera,        settings, width, height, terrain.tiles.now(), backdrop_ ? backdrop_->changes() : 0,
+        photo_.changes};
     // If drawing throws half way, the next draw starts from scratch.
     const std::optional<Picture> before = std::exchange(drawn_, std::nullopt);
     const Drawn drawn = redraw(terrain, picture, before);
@@ -133,7 +134,7 @@ Drawn Renderer::redraw(const Terrain& terrain, const Picture& picture, const std
     const Method& method = method_of(picture.settings, " drawn ", redraws_blocks);
     // What water shows of the ground may lie anywhere in the picture.
     const bool blocks = redraws_blocks && same_view && before->settings == picture.settings &&
-                        before->around == picture.around && !terrain.water;
+                        before->around == picture.around && before->photo == picture.photo && !terrain.water;
     const bool natural = is_natural(picture.settings);
     const bool shadows = picture.settings.shadows && !picture.settings.quick && natural;
     const glm::dvec3 sun = shadows ? picture.settings.sun : glm::dvec3(0);
@@ -182,6 +183,7 @@ void Renderer::colour(const Terrain& terrain, const Picture& picture, const gpu:
                            picture.width,  picture.height,
                            hits,           watered ? ground_colour_buffer_ : target};
     ShadedGround ground = shaded_ground(terrain, pyramid_, sky_view_, picture.settings.view);
+    ground.photo = photo_;
     if (backdrop_) ground.beside = backdrop_->beside(frame, redraw);
     shading_.draw(frame, ground, redraw);
     const ShadeFrame over{picture.camera, picture.settings, picture.width, picture.height, hits, target};

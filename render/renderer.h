@@ -51,6 +51,8 @@ class Renderer {
     }
     /// An image over the whole terrain (render/shading.h).
     void drape(int width, int height, std::span<const std::byte> rgba);
+    /// A photo in tiles over it, which must outlive this, instead. It must have looked from the camera's eye.
+    void lay(const LaidPhoto& photo) { photo_ = photo; }
 
     /// What draw() made: rows bottom up; textures may be larger than the picture.
     const gpu::Framebuffer& framebuffer() const {
@@ -81,6 +83,7 @@ class Renderer {
         int height = 0;
         std::uint64_t changes = 0;
         std::uint64_t around = 0;  // of what stands around
+        std::uint64_t photo = 0;   // and of the photo over it
         bool operator==(const Picture&) const = default;
     };
 
@@ -100,6 +103,7 @@ class Renderer {
     Pyramid pyramid_;
     SkyView sky_view_;
     Backdrop* backdrop_ = nullptr;
+    LaidPhoto photo_;
     Redraw redraw_;
     std::optional<Picture> drawn_;
     std::optional<std::uint64_t> refreshed_changes_;  // of the terrain that the pyramid knows

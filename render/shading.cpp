@@ -55,7 +55,10 @@ gpu::Program& Shading::program_of(const View& view, const ViewSettings& settings
         if (!gpu::filters_along()) defines.emplace_back("FILTERS_ROUND");
         if (settings.shadows && !settings.quick) defines.emplace_back("SHADOWS");
         if (settings.occlusion && ground.has_sky_share && !ground.beside) defines.emplace_back("OCCLUSION");
-        if (drape_.width() > 0) defines.emplace_back("DRAPED");
+        if (ground.photo.surface)
+            defines.emplace_back("PHOTO");
+        else if (drape_.width() > 0)
+            defines.emplace_back("DRAPED");
     } else if (!ground.has_layer) {
         defines.emplace_back("ABSENT");
     }
@@ -78,6 +81,7 @@ void Shading::draw(const ShadeFrame& frame, const ShadedGround& ground, const Re
         program.bind_sampled("drape", drape_);
         set_camera(program, grid, frame.camera, frame.width, frame.height);
         ground.bind(program);
+        if (ground.photo.surface) ground.photo.surface->bind(program, ground.photo.place.scale);
         program.set("sun", glm::vec3(frame.settings.sun));
         program.set("extent_m", static_cast<float>(extent_m(ground)));
         if (ground.beside) {

@@ -9,6 +9,7 @@
 #include "render/redraw.h"
 #include "render/shade_list.h"
 #include "render/sky_view.h"
+#include "render/tiled/photo_surface.h"
 #include "render/view.h"
 #include "sim/gpu/texture.h"
 
@@ -42,6 +43,7 @@ struct ShadedGround {
     std::function<void(gpu::Program&)> bind;
     bool has_hole = false;                        ///< in which another one stands
     std::optional<Beside> beside = std::nullopt;  ///< the other one; none: it is alone
+    LaidPhoto photo{};                            ///< instead of its materials, where the photo covers it
 };
 /// What sets the haze.
 double extent_m(const ShadedGround& ground);

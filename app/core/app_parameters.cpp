@@ -89,6 +89,9 @@ std::vector<Parameter> app_parameters() {
         whole(
             "tiles.gpu_mib", 128, 32, 1 << 16, "MiB",
             "Memory of the device that heights in tiles may take; where the view needs more, it is coarser."),
+        whole("tiles.photo_mib", 128, 16, 1 << 16, "MiB",
+              "Memory of the device that tiles of a photo over the terrain may take; where the view needs "
+              "more, it is coarser."),
         whole("tiles.host_mib", 512, 16, 1 << 20, "MiB",
               "Memory that reading files in tiles may keep of them."),
         toggle("tiles.backdrop", true,

@@ -52,11 +52,10 @@ std::shared_ptr<const TiledTerrain> shared(TiledTerrain terrain) {
     return std::make_shared<const TiledTerrain>(std::move(terrain));
 }
 
-// Parameters and texture of a scene in tiles.
+// Parameters of a scene in tiles.
 TiledScene begin_tiled_scene(const SceneRequest& request) {
     check_tiled_request(request);
     TiledScene scene{nullptr, make_scene_parameters(request), {}};
-    if (!request.texture.empty()) scene.texture = io::read_colour_image(request.texture);
     limit_memory(scene.parameters.view);
     return scene;
 }
@@ -71,7 +70,7 @@ Scene with_stand_in(const SceneRequest& request, TiledScene tiled) {
     Scene scene{std::move(stand_in), std::move(tiled.parameters.simulation),
                 std::move(tiled.parameters.view)};
     scene.title = std::filesystem::path(request.input).filename().string();
-    scene.texture = std::move(tiled.texture);
+    scene.draping = std::move(tiled.draping);
     scene.tiles = std::move(tiled.terrain);
     return scene;
 }
@@ -114,6 +113,9 @@ std::vector<std::string> take_whole(Scene& scene, TiledTerrain terrain) {
 
 TiledScene open_tiled_scene(const SceneRequest& request, const BeginProgress& begin_progress) {
     TiledScene scene = begin_tiled_scene(request);
+    // Before long work, so that what is wrong is said at once.
+    scene.draping =
+        open_draping(request.texture, io::TiledFile(request.input, request.import).georeference());
     scene.terrain = shared(open_tiled(tiles_of(request), begin_progress));
     return scene;
 }
@@ -141,6 +143,7 @@ Scene open_scene_at_once(const SceneRequest& request) {
     TiledScene tiled = begin_tiled_scene(request);
     const TiledRequest tiles = tiles_of(request);
     const io::TiledFile file(tiles.path, tiles.import);
+    tiled.draping = open_draping(request.texture, file.georeference());
     std::optional<TiledTerrain> ready = ready_of(file);
     tiled.terrain = shared(ready ? std::move(*ready) : sketch_of(file));
     Scene scene = with_stand_in(request, std::move(tiled));

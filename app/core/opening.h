@@ -15,7 +15,7 @@ void check_tiled_request(const SceneRequest& request);
 struct TiledScene {
     std::shared_ptr<const TiledTerrain> terrain;
     SceneParameters parameters;
-    io::ColourImage texture;  ///< draped over it; without pixels: none
+    Draping draping;
 };
 /// Opens what a request asks for that is_in_tiles(). Throws talus::Error where the file cannot be opened
 /// (open_tiled()), and as check_tiled_request() does.

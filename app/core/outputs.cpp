@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "app/core/calibration.h"
+#include "app/core/paged_photo.h"
 #include "app/core/still.h"
 #include "render/overview.h"
 #include "sim/error.h"
@@ -35,8 +36,14 @@ void write_overview(const std::string& path, const Scene& scene, Simulation& sim
         render::overview(scene.document.state.grid, *low, *high,
                          {static_cast<double>(width) / height, scene.view.number("camera.fov_deg")});
     drape(renderer, scene);
-    const Still still = draw_still(painter_of(renderer, simulation.terrain(), settings), camera,
-                                   render::legend_of(settings, *low, *high), {width, height},
+    StillPainter painter = painter_of(renderer, simulation.terrain(), settings);
+    const auto photo = photo_over(scene.draping, simulation.terrain().grid(),
+                                  simulation.moment_state().georeference, {*low, *high}, scene.view);
+    if (photo) {
+        renderer.lay(photo->laid());
+        painter = with_photo(painter, *photo);
+    }
+    const Still still = draw_still(painter, camera, render::legend_of(settings, *low, *high), {width, height},
                                    scene.view.whole("render.samples"));
     io::write_rgb(path, width, height, still.rgb);
 }

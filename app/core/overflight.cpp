@@ -5,15 +5,15 @@
 namespace talus::app {
 
 Overflight::Overflight(std::shared_ptr<const TiledTerrain> terrain, int gpu_mib,
-                       const io::ColourImage& texture)
+                       const io::ColourImage& picture)
     : tiles_(std::move(terrain), gpu_mib) {
-    renderer_.drape(texture.width, texture.height, std::as_bytes(std::span(texture.rgba)));
+    renderer_.drape(picture.width, picture.height, std::as_bytes(std::span(picture.rgba)));
 }
 
 render::Drawn Overflight::draw(const render::Camera& camera, const render::ViewSettings& settings,
                                glm::ivec2 size) {
     const bool other_tiles = tiles_.follow(camera, size, settings.tolerance_px);
-    const Picture picture{camera, settings, size};
+    const Picture picture{camera, settings, size, photo_changes_};
     if (!other_tiles && drawn_ == picture) return render::Drawn::nothing;
     renderer_.draw(surface(), camera, settings, size.x, size.y);
     drawn_ = picture;

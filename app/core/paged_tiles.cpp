@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <thread>
 #include <utility>
 
-#include "sim/error.h"
+#include "app/core/tile_waiting.h"
 
 namespace talus::app {
 namespace {
@@ -15,9 +14,6 @@ namespace {
 // Whether the file has changed is asked no more often, and takes no more than a twentieth of the time.
 constexpr std::chrono::seconds between_looks(2);
 constexpr int share_of_looks = 20;
-
-// A still for which no tile comes for so long is given up.
-constexpr std::chrono::seconds longest_wait(20);
 
 // Reads, and now and then sees whether the file has changed. For one thread.
 ReadSamples watching(const TiledTerrain& terrain, std::atomic<bool>& changed) {
@@ -67,17 +63,10 @@ void PagedTiles::begin_still(const render::Camera& camera, glm::ivec2 size, doub
 }
 
 void PagedTiles::wait_for_still(const render::Camera& camera, glm::ivec2 size) {
-    auto end = std::chrono::steady_clock::now() + longest_wait;
-    std::size_t before = 0;
-    do {
+    wait_for_tiles(terrain_->file.path(), [&] {
         follow(camera, size, still_px_);
-        const auto now = std::chrono::steady_clock::now();
-        if (paging_.on_their_way() != std::exchange(before, paging_.on_their_way())) end = now + longest_wait;
-        if (now > end)
-            throw Error(fmt::format("'{}' gave no tile for {} s, and {} are missing in the picture",
-                                    terrain_->file.path().string(), longest_wait.count(), before));
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    } while (paging_.on_their_way() > 0);
+        return paging_.on_their_way();
+    });
 }
 
 std::optional<std::string> PagedTiles::take_message() {

@@ -98,7 +98,7 @@ Scene make_scene(const SceneRequest& request) {
             if (p.sets_off == SetsOff::edge_clock && scene.simulation.value(p.name) != before.value(p.name))
                 scene.document.state.edges_since_s = scene.document.state.clock.simulated_s;
     }
-    if (!request.texture.empty()) scene.texture = io::read_colour_image(request.texture);
+    scene.draping = open_draping(request.texture, scene.document.state.georeference);
     scene.start.input = request.input.empty() ? "" : std::filesystem::absolute(request.input).string();
     scene.start.import_guess = to_text(request.import);
     scene.title =

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "app/core/draping.h"
 #include "app/core/tiled_terrain.h"
-#include "sim/io/colour_image.h"
 #include "sim/io/document.h"
 #include "sim/journal.h"
 #include "sim/parameters.h"
@@ -32,7 +32,7 @@ struct Scene {
     JournalStart start{};   ///< without the hash, which the caller takes of the state
     std::string title{};
     glm::ivec2 recorded_samples{0};  ///< of a journal's start: columns and rows that it was recorded with
-    io::ColourImage texture{};       ///< draped over the terrain; without pixels: none
+    Draping draping{};
     /// The terrain in tiles that is looked at. Then the document is a stand-in that nobody sees. Null: the
     /// document's terrain is.
     std::shared_ptr<const TiledTerrain> tiles{};

@@ -33,7 +33,7 @@ void Session::start(Scene scene) {
     auto renderer = std::make_unique<render::Renderer>(simulation->terrain(), patch_pixels(device_));
     if (!scene.tiles) drape(*renderer, scene);
     auto overflight = scene.tiles ? std::make_unique<Overflight>(
-                                        scene.tiles, scene.view.whole("tiles.gpu_mib"), scene.texture)
+                                        scene.tiles, scene.view.whole("tiles.gpu_mib"), scene.draping.picture)
                                   : nullptr;
     const std::vector<float> ground = scene.document.state.ground();
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
@@ -45,6 +45,7 @@ void Session::start(Scene scene) {
     renderer_ = std::move(renderer);
     overflight_ = std::move(overflight);
     follow_surroundings();
+    follow_photo();
     wave_note_ = app::wave_note(scene_.document.state, simulation_->parameters());
     gauges_ = Gauges(grid());
     balances_.clear();
@@ -70,7 +71,8 @@ std::vector<std::string> Session::take_tiles(TiledTerrain terrain) {
     const bool is_ready = terrain.is_measured;
     if (overflight_) {
         const auto tiles = std::make_shared<const TiledTerrain>(std::move(terrain));
-        overflight_ = std::make_unique<Overflight>(tiles, scene_.view.whole("tiles.gpu_mib"), scene_.texture);
+        overflight_ =
+            std::make_unique<Overflight>(tiles, scene_.view.whole("tiles.gpu_mib"), scene_.draping.picture);
         bounds_ = {tiles->lowest_m, tiles->highest_m};
         scene_.tiles = tiles;
     } else {
@@ -104,6 +106,31 @@ void Session::make_surroundings() {
     surroundings_ =
         surroundings_of(scene_, simulation_->terrain().grid(), simulation_->moment_state().georeference);
     if (surroundings_) renderer_->stand_before(&surroundings_->backdrop());
+}
+
+// Where on Earth what is looked at lies.
+std::optional<Georeference> Session::georeference() const {
+    return overflight_ ? overflight_->terrain().file.georeference()
+                       : simulation_->moment_state().georeference;
+}
+
+// Over the terrain as it is now.
+void Session::follow_photo() {
+    photo_.reset();
+    try {
+        photo_ = photo_over(scene_.draping, grid(), georeference(), glm::vec2(bounds_), scene_.view);
+    } catch (const std::exception& error) {
+        message_ = fmt::format("the photo is not shown: {}", error.what());
+    }
+    lay_photo();
+}
+
+void Session::lay_photo() {
+    const render::LaidPhoto laid = photo_ ? photo_->laid() : render::LaidPhoto();
+    if (overflight_) overflight_->lay(laid);
+    renderer_->lay(laid);
+    // Its samples are as far apart as the terrain's.
+    if (surroundings_) surroundings_->backdrop().lay(laid);
 }
 
 // Sizes and edges that were set for another terrain do not hold for this one.
@@ -155,8 +182,11 @@ void Session::follow_terrain() {
     bounds_ = {*low, *high};
     scene_.document.state.grid = grid();
     follow_surroundings();
-    // A picture over the terrain before is not one over this.
-    scene_.texture = {};
+    // A picture over the terrain before is not one over this; a photo lies where it does.
+    scene_.draping.picture = {};
+    if (scene_.draping.photo && !(scene_.draping.photo->is_placed() && georeference()))
+        scene_.draping.photo.reset();
+    follow_photo();
     gauges_ = Gauges(grid());
     balances_.clear();
     activity_.forget();
@@ -171,6 +201,8 @@ void Session::frame_terrain() {
 }
 
 render::Drawn Session::draw(const render::ViewSettings& settings, glm::ivec2 size, const render::Ring& ring) {
+    if (photo_ && render::view_named(settings.view).natural) photo_->follow(camera_, size);
+    lay_photo();
     if (overflight_) return overflight_->draw(camera_, settings, size);
     if (surroundings_) surroundings_->follow(camera_, size, settings.tolerance_px);
     return renderer_->draw(simulation_->terrain(), camera_, settings, size.x, size.y, ring);
@@ -205,10 +237,12 @@ void Session::forget_picture() {
 Still Session::still(glm::ivec2 size) {
     const render::ViewSettings settings = render::view_settings(scene_.view, simulation_->parameters());
     if (overflight_) render::check_view_of_tiles(settings);
-    const StillPainter painter = overflight_ ? overflight_->painter(settings)
-                                 : surroundings_
-                                     ? surroundings_->painter(*renderer_, simulation_->terrain(), settings)
-                                     : painter_of(*renderer_, simulation_->terrain(), settings);
+    StillPainter painter = overflight_ ? overflight_->painter(settings)
+                           : surroundings_
+                               ? surroundings_->painter(*renderer_, simulation_->terrain(), settings)
+                               : painter_of(*renderer_, simulation_->terrain(), settings);
+    lay_photo();
+    if (photo_ && render::view_named(settings.view).natural) painter = with_photo(painter, *photo_);
     Still still = draw_still(painter, camera_, legends(settings), size, scene_.view.whole("render.samples"));
     forget_picture();
     return still;
@@ -252,7 +286,9 @@ SceneRequest Session::request_for(const SceneRequest& wish) const {
     request.assignments.clear();
     request.tiled = wish.tiled;
     request.in_place = wish.in_place;
-    // An image over one terrain is not one over another, nor over a part of it.
+    // An image over one terrain is not one over another, nor over a part of it; a photo lies where it does.
+    const bool lies_there = wish.in_place && scene_.draping.photo && scene_.draping.photo->is_placed();
+    if (lies_there) return request;
     if (wish.input != request_.input || wish.import.window != request_.import.window) request.texture.clear();
     return request;
 }

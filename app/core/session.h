@@ -10,6 +10,7 @@
 #include "app/core/gauges.h"
 #include "app/core/ground_samples.h"
 #include "app/core/overflight.h"
+#include "app/core/paged_photo.h"
 #include "app/core/scene.h"
 #include "app/core/sculpting.h"
 #include "app/core/surroundings.h"
@@ -39,6 +40,8 @@ class Session {
     const PagedTiles* tiles() const {
         return overflight_ ? &overflight_->tiles() : surroundings_ ? &surroundings_->tiles() : nullptr;
     }
+    /// The photo over the terrain, in tiles; null: none.
+    const PagedPhoto* photo() const { return photo_.get(); }
     /// Parameters of drawing and of the hand: not recorded.
     Parameters& view() { return scene_.view; }
     const Parameters& view() const { return scene_.view; }
@@ -91,9 +94,11 @@ class Session {
     /// not known.
     void follow_height(std::optional<double> ground_m);
     /// True while tiles are read that a frame may show.
-    bool awaits_tiles() const { return tiles() && tiles()->awaits_tiles(); }
+    bool awaits_tiles() const {
+        return (tiles() && tiles()->awaits_tiles()) || (photo_ && photo_->awaits_tiles());
+    }
     /// True while some have come for a frame.
-    bool has_tiles() const { return tiles() && tiles()->has_news(); }
+    bool has_tiles() const { return (tiles() && tiles()->has_news()) || (photo_ && photo_->has_news()); }
     /// Throws talus::Error where the terrain is in tiles: it can be looked at, and not changed or written.
     void check_editable() const;
 
@@ -165,9 +170,10 @@ class Session {
     /// What is to be told that nobody asked for, once.
     std::optional<std::string> take_message() {
         if (message_) return std::exchange(message_, std::nullopt);
-        return overflight_     ? overflight_->tiles().take_message()
-               : surroundings_ ? surroundings_->tiles().take_message()
-                               : std::nullopt;
+        std::optional<std::string> told = overflight_     ? overflight_->tiles().take_message()
+                                          : surroundings_ ? surroundings_->tiles().take_message()
+                                                          : std::nullopt;
+        return told || !photo_ ? told : photo_->take_message();
     }
 
     /// Reads the ledger now. Waits for the device: an act, not part of a frame.
@@ -189,6 +195,9 @@ class Session {
     /// Makes anew what hangs on the terrain's size, where another one took its place.
     void follow_terrain();
     void follow_surroundings();
+    void follow_photo();
+    std::optional<Georeference> georeference() const;
+    void lay_photo();
     void make_surroundings();
     // What somebody sees of a terrain in tiles, or around a part of it.
     struct Outlook {
@@ -216,6 +225,7 @@ class Session {
     std::unique_ptr<render::Renderer> renderer_;
     std::unique_ptr<Overflight> overflight_;
     std::unique_ptr<Surroundings> surroundings_;
+    std::unique_ptr<PagedPhoto> photo_;
     render::Camera camera_;
     int terrain_number_ = 0;
     glm::dvec2 bounds_{0};

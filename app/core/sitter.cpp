@@ -7,6 +7,7 @@
 
 #include "app/core/calibration.h"
 #include "app/core/opening.h"
+#include "app/core/paged_photo.h"
 #include "app/core/surroundings.h"
 #include "render/tiled/tile_loading.h"
 #include "render/tiled/tiled_renderer.h"
@@ -22,6 +23,7 @@ Sitter whole_sitter(const SceneRequest& request, const gpu::Device& device) {
         Terrain terrain;
         render::Renderer renderer;
         std::unique_ptr<Surroundings> around;  // null: nothing stands around
+        std::unique_ptr<PagedPhoto> photo;     // null: none lies over it
         Held(Scene made, double patch_px)
             : scene(std::move(made)), terrain(scene.document.state), renderer(terrain, patch_px) {}
     };
@@ -48,6 +50,13 @@ Sitter whole_sitter(const SceneRequest& request, const gpu::Device& device) {
     }
     sitter.painter = held->around ? held->around->painter(held->renderer, held->terrain, settings)
                                   : painter_of(held->renderer, held->terrain, settings);
+    held->photo =
+        photo_over(scene.draping, sitter.grid, scene.document.state.georeference, {*low, *high}, scene.view);
+    if (held->photo) {
+        held->renderer.lay(held->photo->laid());
+        if (held->around) held->around->backdrop().lay(held->photo->laid());
+        sitter.painter = with_photo(sitter.painter, *held->photo);
+    }
     sitter.held = held;
     return sitter;
 }
@@ -58,6 +67,7 @@ Sitter tiled_sitter(const SceneRequest& request) {
         render::TiledSurface surface;
         render::TileLoading loading;
         render::TiledRenderer renderer;
+        std::unique_ptr<PagedPhoto> photo;
         render::ViewSettings settings;
         TiledFigures figures;
         double tolerance_px = 0;  // of the still that is drawn
@@ -74,8 +84,8 @@ Sitter tiled_sitter(const SceneRequest& request) {
     held->settings = settings;
     held->figures = {0, held->settings.tolerance_px, 0, held->surface.bytes()};
     held->loading.begin(held->surface);
-    held->renderer.drape(scene.texture.width, scene.texture.height,
-                         std::as_bytes(std::span(scene.texture.rgba)));
+    const io::ColourImage& picture = scene.draping.picture;
+    held->renderer.drape(picture.width, picture.height, std::as_bytes(std::span(picture.rgba)));
     Sitter sitter;
     sitter.grid = held->terrain->tree.grid();
     sitter.lowest_m = held->terrain->lowest_m;
@@ -101,6 +111,12 @@ Sitter tiled_sitter(const SceneRequest& request) {
         [&here](int samples) { return here.renderer.refine(here.surface, samples); },
         [&here](glm::ivec2 size) { return here.renderer.read_rgb(size.x, size.y); },
         [&here](glm::ivec2 size) { return here.renderer.read_depth(size.x, size.y); }};
+    held->photo = photo_over(scene.draping, sitter.grid, scene.terrain->file.georeference(),
+                             {sitter.lowest_m, sitter.highest_m}, view);
+    if (held->photo) {
+        held->renderer.lay(held->photo->laid());
+        sitter.painter = with_photo(sitter.painter, *held->photo);
+    }
     sitter.tiles = [&here] { return here.figures; };
     sitter.held = held;
     return sitter;

@@ -12,7 +12,8 @@ constexpr int largest_part = 2048;
 }  // namespace
 
 void drape(render::Renderer& renderer, const Scene& scene) {
-    renderer.drape(scene.texture.width, scene.texture.height, std::as_bytes(std::span(scene.texture.rgba)));
+    const io::ColourImage& picture = scene.draping.picture;
+    renderer.drape(picture.width, picture.height, std::as_bytes(std::span(picture.rgba)));
 }
 
 StillPainter painter_of(render::Renderer& renderer, const Terrain& terrain,

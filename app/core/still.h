@@ -15,7 +15,7 @@ struct Still {
     std::vector<float> depth_m;  ///< along each pixel's ray
 };
 
-/// Drapes the scene's picture over the terrain, or none.
+/// Drapes the scene's picture over the terrain, or none. A photo is laid (app/core/paged_photo.h).
 void drape(render::Renderer& renderer, const Scene& scene);
 
 /// What draws the parts of a still: a terrain held as a whole, or one in tiles.

@@ -135,7 +135,7 @@ void keep_bounds_of_mosaic(const io::CutOut& whole, const std::string& mosaic, c
 
 int slots_within(const TiledTerrain& terrain, int gpu_mib) {
     const std::size_t room = static_cast<std::size_t>(gpu_mib) << 20;
-    const std::size_t beside = std::min(room, render::TiledSurface::bytes_of_nodes(terrain.tree));
+    const std::size_t beside = std::min(room, render::TileNodes::bytes_of(terrain.tree));
     const std::size_t slots =
         std::min((room - beside) / render::TilePool::bytes_of_slot(terrain.tree), terrain.tree.count() + 1);
     const std::size_t coarsest = terrain.tree.coarsest_tiles().size();

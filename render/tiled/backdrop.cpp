@@ -129,11 +129,13 @@ void Backdrop::draw(const BackdropFrame& frame) {
         lay_over(frame, sample_);
         return;
     }
-    const Picture picture{over, settings, size, changes_, throws_shadows(settings) ? frame.changes : 0};
+    const Picture picture{
+        over, settings, size, changes_, throws_shadows(settings) ? frame.changes : 0, photo_.changes};
     if (drawn_ != picture) {
         const bool same_hits =
             drawn_ && drawn_->camera == over && drawn_->size == size && drawn_->tiles == changes_;
-        const bool same_but_shadow = same_hits && drawn_->settings == settings;
+        const bool same_but_shadow =
+            same_hits && drawn_->settings == settings && drawn_->photo == photo_.changes;
         drawn_.reset();
         if (!same_hits) rays_.cast(surface_, over, size, kept_.target.framebuffer());
         std::swap(kept_.shadow, before_);
@@ -172,16 +174,17 @@ void Backdrop::list_shadow_changes(glm::ivec2 size) {
 
 void Backdrop::colour(const Camera& over, const ViewSettings& settings, glm::ivec2 size, const Rest& rest,
                       const Redraw* redraw) {
-    const ShadedGround ground{surface_.tree().grid(),
-                              true,
-                              true,
-                              false,
-                              [&](gpu::Program& program) {
-                                  surface_.bind(program, over, size);
-                                  set_hole(program, first_, end_);
-                              },
-                              true,
-                              beside_of({0, 0}, throws_shadows(settings) ? rest.shadow.mask : no_shadow_)};
+    ShadedGround ground{surface_.tree().grid(),
+                        true,
+                        true,
+                        false,
+                        [&](gpu::Program& program) {
+                            surface_.bind(program, over, size);
+                            set_hole(program, first_, end_);
+                        },
+                        true,
+                        beside_of({0, 0}, throws_shadows(settings) ? rest.shadow.mask : no_shadow_)};
+    ground.photo = photo_;
     shading_.draw({over, settings, size.x, size.y, rest.target.hits(), rest.colour_buffer}, ground, redraw);
 }
 

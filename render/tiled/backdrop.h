@@ -41,6 +41,8 @@ class Backdrop {
     void note_change() { ++changes_; }
     /// The next picture is drawn anew.
     void forget() { drawn_.reset(); }
+    /// A photo in tiles over what stands around (Renderer::lay()).
+    void lay(const LaidPhoto& photo) { photo_ = photo; }
 
     /// What colours the terrain's hits need of what stands around. Draws its shadow on them, where the
     /// settings ask for shadows; in a redraw's blocks alone, where one is given.
@@ -61,6 +63,7 @@ class Backdrop {
         glm::ivec2 size{0};
         std::uint64_t tiles = 0;
         std::uint64_t ground = 0;  // that shades it
+        std::uint64_t photo = 0;
         bool operator==(const Picture&) const = default;
     };
 
@@ -99,6 +102,7 @@ class Backdrop {
     std::uint64_t changes_ = 0;
     TiledRays rays_;
     Shading shading_;
+    LaidPhoto photo_;
     gpu::Program shades_terrain_;
     gpu::Program shades_blocks_;  // of the terrain, in listed blocks
     gpu::Program shades_tiles_;

@@ -23,10 +23,12 @@ constexpr std::chrono::milliseconds longest_wait(8000);
 
 }  // namespace
 
-TilePaging::TilePaging(const TileTree& tree, ReadSamples read)
+template <typename Surface>
+Paging<Surface>::Paging(const TileTree& tree, typename Surface::ReadTile read)
     : tree_(tree), read_(std::move(read)), thread_([this] { read_on(); }) {}
 
-TilePaging::~TilePaging() {
+template <typename Surface>
+Paging<Surface>::~Paging() {
     {
         const std::lock_guard lock(mutex_);
         ending_ = true;
@@ -35,7 +37,8 @@ TilePaging::~TilePaging() {
     thread_.join();
 }
 
-void TilePaging::read_on() {
+template <typename Surface>
+void Paging<Surface>::read_on() {
     std::unique_lock lock(mutex_);
     for (;;) {
         news_.wait(lock, [&] { return ending_ || (!asked_.empty() && come_.size() < most_waiting); });
@@ -45,7 +48,7 @@ void TilePaging::read_on() {
         reading_ = read.tile;
         lock.unlock();
         try {
-            read_(read.tile.level, tree_.samples_of(read.tile), read.heights);
+            read_(read.tile.level, Surface::samples_of(tree_, read.tile), read.samples);
         } catch (const std::exception& error) {
             read.error = error.what();
         }
@@ -55,8 +58,9 @@ void TilePaging::read_on() {
     }
 }
 
-const TileChoice& TilePaging::follow(TiledSurface& surface, const Camera& camera, glm::ivec2 size,
-                                     double tolerance_px) {
+template <typename Surface>
+const TileChoice& Paging<Surface>::follow(Surface& surface, const Camera& camera, glm::ivec2 size,
+                                          double tolerance_px) {
     take(surface);
     const TileChoice& choice = surface.look(camera, size, tolerance_px);
     wanted_ = choice.wanted;
@@ -71,7 +75,8 @@ const TileChoice& TilePaging::follow(TiledSurface& surface, const Camera& camera
     return choice;
 }
 
-void TilePaging::take(TiledSurface& surface) {
+template <typename Surface>
+void Paging<Surface>::take(Surface& surface) {
     std::vector<Read> taken;
     {
         const std::lock_guard lock(mutex_);
@@ -88,13 +93,14 @@ void TilePaging::take(TiledSurface& surface) {
         }
         failures_.erase(tree_.index_of(read.tile));
         if (std::find(wanted_.begin(), wanted_.end(), read.tile) != wanted_.end())
-            surface.put(read.tile, read.heights);
+            surface.put(read.tile, read.samples);
         else
-            surface.put_aside(read.tile, read.heights);
+            surface.put_aside(read.tile, read.samples);
     }
 }
 
-void TilePaging::note_failure(const Read& read) {
+template <typename Surface>
+void Paging<Surface>::note_failure(const Read& read) {
     last_error_ = read.error;
     const auto [failure, is_new] = failures_.try_emplace(tree_.index_of(read.tile));
     failure->second.wait =
@@ -103,7 +109,8 @@ void TilePaging::note_failure(const Read& read) {
 }
 
 // What no picture wants any more is forgotten once it may be tried again.
-void TilePaging::follow_failures() {
+template <typename Surface>
+void Paging<Surface>::follow_failures() {
     const bool had_failed = !failed_.empty();
     const bool all_read = std::none_of(failed_.begin(), failed_.end(),
                                        [&](std::size_t index) { return failures_.contains(index); });
@@ -121,20 +128,23 @@ void TilePaging::follow_failures() {
         message_ = "tiles can be read again";
 }
 
-bool TilePaging::is_due(const TileId& tile) const {
+template <typename Surface>
+bool Paging<Surface>::is_due(const TileId& tile) const {
     const auto failure = failures_.find(tree_.index_of(tile));
     return failure == failures_.end() || failure->second.next <= Clock::now();
 }
 
-std::vector<TileId> TilePaging::due(const std::vector<TileId>& tiles) const {
+template <typename Surface>
+std::vector<TileId> Paging<Surface>::due(const std::vector<TileId>& tiles) const {
     std::vector<TileId> found;
     std::copy_if(tiles.begin(), tiles.end(), std::back_inserter(found),
                  [&](const TileId& tile) { return is_due(tile); });
     return found;
 }
 
-std::vector<TileId> TilePaging::ahead(TiledSurface& surface, const Camera& camera, glm::ivec2 size,
-                                      double tolerance_px) const {
+template <typename Surface>
+std::vector<TileId> Paging<Surface>::ahead(Surface& surface, const Camera& camera, glm::ivec2 size,
+                                           double tolerance_px) const {
     Camera later = camera;
     later.eye += frames_ahead * (camera.eye - last_camera_->eye);
     later.target += frames_ahead * (camera.target - last_camera_->target);
@@ -142,7 +152,8 @@ std::vector<TileId> TilePaging::ahead(TiledSurface& surface, const Camera& camer
     return surface.look_ahead(later, size, tolerance_px);
 }
 
-void TilePaging::ask(const std::vector<TileId>& tiles) {
+template <typename Surface>
+void Paging<Surface>::ask(const std::vector<TileId>& tiles) {
     {
         const std::lock_guard lock(mutex_);
         asked_.clear();
@@ -156,7 +167,8 @@ void TilePaging::ask(const std::vector<TileId>& tiles) {
     news_.notify_one();
 }
 
-bool TilePaging::has_news() const {
+template <typename Surface>
+bool Paging<Surface>::has_news() const {
     const std::lock_guard lock(mutex_);
     const bool again = std::any_of(wanted_.begin(), wanted_.end(), [&](const TileId& tile) {
         const bool is_asked =
@@ -166,13 +178,18 @@ bool TilePaging::has_news() const {
     return again || !come_.empty();
 }
 
-bool TilePaging::reads() const {
+template <typename Surface>
+bool Paging<Surface>::reads() const {
     const std::lock_guard lock(mutex_);
     return reading_.has_value() || (!asked_.empty() && come_.size() < most_waiting);
 }
 
-std::optional<std::string> TilePaging::take_message() {
+template <typename Surface>
+std::optional<std::string> Paging<Surface>::take_message() {
     return std::exchange(message_, std::nullopt);
 }
+
+template class Paging<TiledSurface>;
+template class Paging<PhotoSurface>;
 
 }  // namespace talus::render

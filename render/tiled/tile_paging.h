@@ -10,25 +10,27 @@
 #include <thread>
 #include <vector>
 
+#include "render/tiled/photo_surface.h"
 #include "render/tiled/tiled_surface.h"
 
 namespace talus::render {
 
 /// Brings tiles to a surface while pictures are drawn: one thread reads them, frames take what has come
-/// (Dick, Krüger & Westermann 2009, section 4). A frame never waits for a file.
-class TilePaging {
+/// (Dick, Krüger & Westermann 2009, section 4). A frame never waits for a file. Surface: what holds the
+/// tiles, of heights or of a photo.
+template <typename Surface>
+class Paging {
   public:
     /// Reads tiles of this tree, on a thread of its own.
-    TilePaging(const TileTree& tree, ReadSamples read);
-    ~TilePaging();
-    TilePaging(const TilePaging&) = delete;
-    TilePaging& operator=(const TilePaging&) = delete;
+    Paging(const TileTree& tree, typename Surface::ReadTile read);
+    ~Paging();
+    Paging(const Paging&) = delete;
+    Paging& operator=(const Paging&) = delete;
 
     /// Once a frame, before it is drawn: puts some of the tiles that have come, looks, and says what is to be
     /// read next: what the picture wants, the worst first, then what it will want if the camera goes on as it
     /// did since the frame before.
-    const TileChoice& follow(TiledSurface& surface, const Camera& camera, glm::ivec2 size,
-                             double tolerance_px);
+    const TileChoice& follow(Surface& surface, const Camera& camera, glm::ivec2 size, double tolerance_px);
 
     /// Tiles that the last picture wanted and that can be read, as far as is known: a later frame shows them.
     std::size_t on_their_way() const { return on_their_way_; }
@@ -47,7 +49,7 @@ class TilePaging {
     using Clock = std::chrono::steady_clock;
     struct Read {
         TileId tile;
-        std::vector<float> heights;
+        std::vector<typename Surface::Sample> samples;
         std::string error;  // empty: it was read
     };
     struct Failure {
@@ -56,17 +58,17 @@ class TilePaging {
     };
 
     void read_on();
-    void take(TiledSurface& surface);
+    void take(Surface& surface);
     void note_failure(const Read& read);
     void ask(const std::vector<TileId>& tiles);
     void follow_failures();
     bool is_due(const TileId& tile) const;
     std::vector<TileId> due(const std::vector<TileId>& tiles) const;
-    std::vector<TileId> ahead(TiledSurface& surface, const Camera& camera, glm::ivec2 size,
+    std::vector<TileId> ahead(Surface& surface, const Camera& camera, glm::ivec2 size,
                               double tolerance_px) const;
 
     TileTree tree_;
-    ReadSamples read_;
+    typename Surface::ReadTile read_;
     std::optional<Camera> last_camera_;
     std::vector<TileId> wanted_;               // by the last picture
     std::map<std::size_t, Failure> failures_;  // by TileTree::index_of()
@@ -83,5 +85,8 @@ class TilePaging {
     bool ending_ = false;
     std::thread thread_;  // last: it uses all of the above
 };
+
+using TilePaging = Paging<TiledSurface>;
+using PhotoPaging = Paging<PhotoSurface>;
 
 }  // namespace talus::render

@@ -80,8 +80,9 @@ void TiledRenderer::cast(const TiledSurface& surface, const Picture& picture, co
 void TiledRenderer::colour(const TiledSurface& surface, const Picture& picture, const gpu::Texture& hits,
                            const gpu::Framebuffer& target) {
     const glm::ivec2 size(picture.width, picture.height);
-    const ShadedGround ground{surface.tree().grid(), true, true, false,
-                              [&](gpu::Program& program) { surface.bind(program, picture.camera, size); }};
+    ShadedGround ground{surface.tree().grid(), true, true, false,
+                        [&](gpu::Program& program) { surface.bind(program, picture.camera, size); }};
+    ground.photo = photo_;
     shading_.draw({picture.camera, picture.settings, picture.width, picture.height, hits, target}, ground,
                   nullptr);
 }

@@ -39,6 +39,8 @@ class TiledRenderer {
     bool refine(const TiledSurface& surface, int samples);
     /// An image over the whole terrain (render/shading.h).
     void drape(int width, int height, std::span<const std::byte> rgba);
+    /// A photo in tiles instead (Renderer::lay()).
+    void lay(const LaidPhoto& photo) { photo_ = photo; }
 
     /// What draw() and refine() made: rows bottom up; textures may be larger than the picture.
     const gpu::Framebuffer& framebuffer() const {
@@ -67,6 +69,7 @@ class TiledRenderer {
 
     std::map<Detail, TiledRays> rays_;
     Shading shading_;
+    LaidPhoto photo_;
     HitsTarget target_;
     gpu::Texture colour_;
     gpu::Framebuffer colour_buffer_;

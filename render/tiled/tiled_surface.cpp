@@ -1,24 +1,10 @@
 #include "render/tiled/tiled_surface.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "sim/error.h"
-
 namespace talus::render {
 namespace {
-
-// As tile_node_texel() of shaders/render/tile_surface.glsl: each level has room for its rows below the one
-// before.
-int first_node_row(int rows, int level) {
-    return 2 * rows - ((2 * rows) >> level) + level;
-}
-
-int node_rows(const TileTree& tree) {
-    return first_node_row(tree.level(0).tiles.y, tree.top_level()) + tree.level(tree.top_level()).tiles.y;
-}
 
 int side_level(int side) {
     int level = 0;
@@ -26,23 +12,13 @@ int side_level(int side) {
     return level;
 }
 
-// The slot of a node that lies in a tile that is drawn (shaders/maths/tile_cast.glsl).
-constexpr float no_node = -2;
-
 // Whole numbers that a float holds.
 constexpr double exact_float = 1 << 24;
 
 }  // namespace
 
 TiledSurface::TiledSurface(TileTree tree, std::vector<TileBounds> bounds, int slots)
-    : pool_(tree, slots), slots_(std::move(tree), std::move(bounds), pool_.slots()) {
-    const glm::ivec2 finest = slots_.tree().level(0).tiles;
-    const int rows = node_rows(slots_.tree());
-    if (std::max(finest.x, rows) > gpu::widest_texture)
-        throw Error(
-            fmt::format("{} x {} tiles are more than the device's largest image holds", finest.x, finest.y));
-    nodes_ = gpu::Texture("nodes of tiles", gpu::Format::rg32f, finest.x, rows);
-    nodes_.fill(no_node);
+    : pool_(tree, slots), slots_(std::move(tree), std::move(bounds), pool_.slots()), nodes_(slots_.tree()) {
     places_ = gpu::Texture("places in tiles", gpu::Format::rgba32f, 3, pool_.slots());
     highest_m_ = slots_.bounds().front().highest_m;
     lowest_m_ = slots_.bounds().front().lowest_m;
@@ -53,14 +29,9 @@ TiledSurface::TiledSurface(TileTree tree, std::vector<TileBounds> bounds, int sl
 }
 
 std::size_t TiledSurface::bytes() const {
-    return pool_.bytes() + bytes_of_nodes(tree()) +
+    return pool_.bytes() + TileNodes::bytes_of(tree()) +
            gpu::texel_bytes(gpu::Format::rgba32f) * static_cast<std::size_t>(places_.width()) *
                places_.height();
-}
-
-std::size_t TiledSurface::bytes_of_nodes(const TileTree& tree) {
-    return gpu::texel_bytes(gpu::Format::rg32f) * static_cast<std::size_t>(tree.level(0).tiles.x) *
-           static_cast<std::size_t>(node_rows(tree));
 }
 
 std::optional<TiledSurface::HeldTile> TiledSurface::finest_at(glm::dvec2 finest) const {
@@ -90,35 +61,9 @@ void TiledSurface::put_aside(const TileId& tile, std::span<const float> heights)
 const TileChoice& TiledSurface::look(const Camera& camera, glm::ivec2 size, double tolerance_px) {
     const TileChoice& choice = slots_.look(camera, size, tolerance_px);
     pool_.build();
-    tell_nodes();
+    nodes_.tell(tree(), choice.nodes);
     tell_places(camera);
     return choice;
-}
-
-// Writes the nodes that changed since it was called last: a large terrain has many more.
-void TiledSurface::tell_nodes() {
-    NodeTexels now;
-    for (const TileNode& node : slots_.choice().nodes)
-        now[tree().index_of(node.tile)] = {node.highest_m, node.slot};
-    NodeTexels changed;
-    for (const auto& [index, texel] : told_nodes_)
-        if (!now.contains(index)) changed[index] = glm::vec2(no_node);
-    for (const auto& [index, texel] : now) {
-        const auto told = told_nodes_.find(index);
-        if (told == told_nodes_.end() || told->second != texel) changed[index] = texel;
-    }
-    told_nodes_ = std::move(now);
-    std::vector<glm::vec2> run;
-    for (auto one = changed.begin(); one != changed.end();) {
-        const std::size_t first = one->first;
-        const TileId tile = tree().tile_at(first);
-        const auto row_end = first + static_cast<std::size_t>(tree().level(tile.level).tiles.x - tile.column);
-        for (run.clear(); one != changed.end() && one->first == first + run.size() && one->first < row_end;
-             ++one)
-            run.push_back(one->second);
-        const int row = first_node_row(tree().level(0).tiles.y, tile.level) + tile.row;
-        nodes_.write({tile.column, row, static_cast<int>(run.size()), 1}, std::as_bytes(std::span(run)));
-    }
 }
 
 void TiledSurface::tell_places(const Camera& camera) {
@@ -161,7 +106,7 @@ double TiledSurface::off_m(const Camera& camera, glm::ivec2 size) const {
 void TiledSurface::bind(gpu::Program& program, const Camera& camera, glm::ivec2 size) const {
     set_camera(program, tree().grid(), camera, size.x, size.y);
     pool_.bind(program);
-    program.bind_sampled("tile_nodes", nodes_);
+    program.bind_sampled("tile_nodes", nodes_.texture());
     program.bind_sampled("tile_places", places_);
     program.set("tile_side_level", side_level(tree().side()));
     program.set("tile_top_level", tree().top_level());

@@ -1,8 +1,8 @@
 #pragma once
-#include <map>
 #include <optional>
 #include <vector>
 
+#include "render/tiled/tile_nodes.h"
 #include "render/tiled/tile_pool.h"
 #include "render/tiled/tile_slots.h"
 
@@ -11,6 +11,11 @@ namespace talus::render {
 /// A tiled terrain on the device: the tiles that are there, and which of them a picture shows.
 class TiledSurface {
   public:
+    using Sample = float;
+    using ReadTile = ReadSamples;
+    /// What put() takes of a tile.
+    static TileSamples samples_of(const TileTree& tree, const TileId& tile) { return tree.samples_of(tile); }
+
     /// bounds: of all tiles of the tree. slots: of the pool, more than the tree's coarsest tiles, which must
     /// be put() before the first look(). Throws talus::Error where they are too few.
     TiledSurface(TileTree tree, std::vector<TileBounds> bounds, int slots);
@@ -19,8 +24,6 @@ class TiledSurface {
     const std::vector<TileBounds>& bounds() const { return slots_.bounds(); }
     int slots() const { return pool_.slots(); }
     std::size_t bytes() const;
-    /// Device bytes that a tree takes beside its slots.
-    static std::size_t bytes_of_nodes(const TileTree& tree);
     float lowest_m() const { return lowest_m_; }    ///< of all samples
     float highest_m() const { return highest_m_; }  ///< likewise
     /// The slot that a tile is in, or -1.
@@ -54,17 +57,13 @@ class TiledSurface {
     void bind(gpu::Program& program, const Camera& camera, glm::ivec2 size) const;
 
   private:
-    void tell_nodes();
     void tell_places(const Camera& camera);
 
     float lowest_m_ = 0;
     float highest_m_ = 0;
     TilePool pool_;
     TileSlots slots_;
-    // Texels of nodes by TileTree::index_of(): highest point, slot.
-    using NodeTexels = std::map<std::size_t, glm::vec2>;
-    NodeTexels told_nodes_;
-    gpu::Texture nodes_;
+    TileNodes nodes_;
     gpu::Texture places_;
 };
 

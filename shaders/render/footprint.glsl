@@ -35,23 +35,34 @@ Footprint for_device(Footprint footprint) {
 
 uniform float texture_taps;  // at most, of filtered_along()
 
-// The mean of an image over a footprint, given in shares of its sides: taps evenly over the longer side, their number
-// and level of detail as in EXT_texture_filter_anisotropic.
-vec4 filtered_along(sampler2D image, vec2 place, Footprint footprint) {
+// Of a footprint in texels: how many taps are taken along its longer side, as in EXT_texture_filter_anisotropic.
+float footprint_taps(float longer, float shorter) {
+    // Of an image that is magnified one tap is the same as many.
+    return clamp(ceil(longer / max(shorter, 1.0)), 1.0, texture_taps);
+}
+
+// And how many texels each of them stands for.
+float footprint_texel(vec2 right, vec2 up) {
+    float longer = max(length(right), length(up));
+    return longer / footprint_taps(longer, min(length(right), length(up)));
+}
+
+// The mean of an image over a footprint, given in shares of its sides: taps evenly over the longer side. No tap lies beyond
+// low and high.
+vec4 filtered_along(sampler2D image, vec2 place, Footprint footprint, vec2 low, vec2 high) {
     vec2 size = vec2(textureSize(image, 0));
     float right = length(footprint.right * size);
     float up = length(footprint.up * size);
     vec2 along = right > up ? footprint.right : footprint.up;
     float longer = max(right, up);
-    // Of an image that is magnified one tap is the same as many.
-    float taps = clamp(ceil(longer / max(min(right, up), 1.0)), 1.0, texture_taps);
+    float taps = footprint_taps(longer, min(right, up));
     float level = log2(max(longer / taps, 1.0));
     vec2 between = along / taps;
     vec2 at = place - 0.5 * (taps - 1.0) * between;
     vec4 sum = vec4(0.0);
     float tap = 0.0;
     do {
-        sum += textureLod(image, at, level);
+        sum += textureLod(image, clamp(at, low, high), level);
         at += between;
         tap += 1.0;
     } while (tap < taps);

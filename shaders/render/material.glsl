@@ -3,6 +3,8 @@
 uniform sampler2D grain;  // render/grain.h: broad, middle, fine, finest
 uniform sampler2D drape;
 
+const float paper = 0.45;  // an image's white: as bright under a middling sun as on paper
+
 // The grain over absolute columns and rows: one texture at two scales, turned against each other, so that it does not repeat
 // before the eye.
 vec4 grain_at(vec2 place, Footprint footprint) {
@@ -21,8 +23,7 @@ vec3 draped(vec2 place, Footprint footprint) {
     vec2 scale = 1.0 / vec2(patches);
     footprint.right *= scale;
     footprint.up *= scale;
-    // As bright under a middling sun as on paper.
-    return 0.45 * filtered_along(drape, place * scale, footprint).rgb;
+    return paper * filtered_along(drape, place * scale, footprint, vec2(0.0), vec2(1.0)).rgb;
 }
 
 #ifdef TILED

@@ -35,6 +35,9 @@ const float pi = 3.14159265;
 #include "render/cut_face.glsl"
 #include "render/footprint.glsl"
 #include "render/material.glsl"
+#ifdef PHOTO
+#include "render/photo.glsl"
+#endif
 #include "render/occlusion.glsl"
 
 // What a view colours: a point of the ground in the picture.

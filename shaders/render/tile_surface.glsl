@@ -2,6 +2,7 @@
 // samples, and where the eye is in each of them.
 #include "render/slot_layout.glsl"
 #include "maths/tile_place.glsl"
+#include "render/tile_nodes.glsl"
 
 uniform sampler2D tile_heights;
 uniform sampler2D tile_tops;
@@ -39,11 +40,8 @@ int2 tile_slot = int2(0, 0);  // column and row of the one that was loaded last
 real2 tile_start = real2(0.0, 0.0);
 #endif
 
-// As first_node_row() of render/tiled/tiled_surface.cpp.
-int2 tile_node_texel(int2 tile, int level) { return int2(tile.x, tile.y + 2 * tile_rows - ((2 * tile_rows) >> level) + level); }
-
 real2 load_tile_node(int2 tile, int level) {
-    real2 node = texelFetch(tile_nodes, tile_node_texel(tile, level), 0).rg;
+    real2 node = texelFetch(tile_nodes, tile_node_texel(tile, level, tile_rows), 0).rg;
     return real2((node.x - origin_height_m.x) - origin_height_m.y, node.y);
 }
 

@@ -67,8 +67,8 @@ Texture::Texture(const std::string& label, Format format, int width, int height,
     raise_errors();
 }
 
-void Texture::filter(Wrap wrap) {
-    glGenerateTextureMipmap(handle_);
+void Texture::filter(Wrap wrap, SmallerLevels smaller) {
+    if (smaller == SmallerLevels::made) glGenerateTextureMipmap(handle_);
     const GLint beyond = wrap == Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
     glTextureParameteri(handle_, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTextureParameteri(handle_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);

@@ -19,6 +19,7 @@ void delete_framebuffer(unsigned name);
 enum class Format { r32f, rg32f, rgba8, srgb8, rgba32f, depth32f };
 /// What a texture shows beyond its edge: the edge, or itself again.
 enum class Wrap { edge, repeat };
+enum class SmallerLevels { made, written };
 enum class Access { read, write, read_write };
 
 /// Texels along a side that every device has on which Talus starts (docs/devices.md).
@@ -62,8 +63,9 @@ class Texture {
         return texels;
     }
 
-    /// Makes the smaller levels from the first one, and reads smooth between texels and levels from then on.
-    void filter(Wrap wrap);
+    /// Reads smooth between texels and levels from then on. Smaller levels are made from the first one, or
+    /// written by the caller.
+    void filter(Wrap wrap, SmallerLevels smaller = SmallerLevels::made);
     /// Where a program finds it; Program::bind_image() and the like know the unit.
     void bind_sampled(unsigned unit) const;
     void bind_image(unsigned unit, Access access) const;

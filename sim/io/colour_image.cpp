@@ -9,17 +9,15 @@
 namespace talus::io {
 namespace {
 
-// As OpenGL 4.5 promises for a texture.
-constexpr int largest_side = 16384;
-
 ColourImage all_of(const std::filesystem::path& path, OIIO::ImageInput& input) {
     const OIIO::ImageSpec& spec = input.spec();
     if (spec.nchannels == 2 || spec.nchannels > 4)
         throw Error(fmt::format("'{}' has {} channels, a picture in colours has 1, 3 or 4", path.string(),
                                 spec.nchannels));
-    if (spec.width < 1 || spec.height < 1 || spec.width > largest_side || spec.height > largest_side)
+    if (spec.width < 1 || spec.height < 1 || spec.width > largest_picture_side ||
+        spec.height > largest_picture_side)
         throw Error(fmt::format("'{}' has {} x {} pixels, each side must have 1 to {}", path.string(),
-                                spec.width, spec.height, largest_side));
+                                spec.width, spec.height, largest_picture_side));
     if (spec.format.is_floating_point() || spec.format.size() > 2)
         throw Error(fmt::format("'{}' holds no picture in colours: these have 8 or 16 bits a channel",
                                 path.string()));

@@ -14,6 +14,9 @@ struct ColourImage {
     std::vector<std::uint8_t> rgba;
 };
 
+/// As OpenGL 4.5 promises for a texture.
+constexpr int largest_picture_side = 16384;
+
 /// Reads any picture that OpenImageIO knows (PNG, JPEG, TIFF …), of one, three or four channels, at most
 /// 16384 pixels a side. Throws talus::Error.
 ColourImage read_colour_image(const std::filesystem::path& path);

@@ -15,6 +15,9 @@ vec3 view_colour(ViewPoint point) {
     Footprint footprint = footprint_of(ray_forward + point.at.x * ray_right + point.at.y * ray_up, point.normal, point.distance_m);
 #ifdef DRAPED
     vec3 albedo = draped(point.absolute, footprint);
+#elif defined(PHOTO)
+    vec4 photo = photo_at(point.place - origin_fraction, footprint);
+    vec3 albedo = paper * photo.rgb + (1.0 - photo.a) * material(material_place(point.absolute), footprint, point.share, point.height_m, point.relief);
 #else
     vec3 albedo = material(material_place(point.absolute), footprint, point.share, point.height_m, point.relief);
 #endif

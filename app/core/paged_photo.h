@@ -1,0 +1,72 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/core/still.h"
+#include "render/tiled/tile_paging.h"
+#include "sim/io/photo_file.h"
+
+namespace talus::app {
+
+/// A photo over a ground on the device, and the tiles of it that come for pictures.
+class PagedPhoto {
+  public:
+    /// lowest_m, highest_m: of the ground. mib: of the device's memory. Reads the coarsest tiles. Throws
+    /// talus::Error where that fails, where there is too little memory, or the photo lies beside the ground.
+    PagedPhoto(std::shared_ptr<const io::PhotoFile> file, const Grid& ground,
+               const std::optional<Georeference>& georeference, glm::vec2 heights_m, int mib);
+
+    const io::PhotoFile& file() const { return *file_; }
+    /// How it lies over the ground, and what it shows since the last follow().
+    const render::LaidPhoto& laid() const { return laid_; }
+    /// The same over another ground in the same coordinate system, whose eye is at the same place.
+    render::LaidPhoto laid_over(const Grid& ground, const std::optional<Georeference>& georeference) const;
+    /// Device bytes.
+    std::size_t bytes() const { return surface_.bytes(); }
+
+    /// Once a frame, before it is drawn with this camera over the ground, without waiting for a file.
+    void follow(const render::Camera& camera, glm::ivec2 size);
+    /// Before a still is drawn in parts: finds the one tolerance for all of them.
+    void begin_still(const render::Camera& camera, glm::ivec2 size);
+    /// Before a part is drawn: waits until all its tiles are there that can be read. Throws talus::Error
+    /// where none comes for long.
+    void wait_for_still(const render::Camera& camera, glm::ivec2 size);
+
+    /// Whether a frame is to follow without anybody's doing.
+    bool has_news() const { return paging_.has_news(); }
+    /// True while tiles are read.
+    bool awaits_tiles() const { return paging_.reads(); }
+    std::size_t drawn_tiles() const { return drawn_.size(); }  ///< of the last look
+    std::size_t awaited_tiles() const { return paging_.on_their_way(); }
+    double tolerance_px() const { return tolerance_px_; }  ///< texels are at most so wide, if all tiles come
+    /// What the status line says of it; empty: nothing.
+    std::string state() const;
+    /// What is to be said of reading, once.
+    std::optional<std::string> take_message() { return paging_.take_message(); }
+
+  private:
+    void look(const render::Camera& camera, glm::ivec2 size, double tolerance_px);
+
+    std::shared_ptr<const io::PhotoFile> file_;
+    Grid ground_;
+    render::PhotoSurface surface_;
+    render::LaidPhoto laid_;
+    std::vector<render::TileNode> nodes_;
+    std::vector<TileId> drawn_;
+    double tolerance_px_ = 0;
+    double still_px_ = 0;
+    render::PhotoPaging paging_;  // last: its thread ends before what it looks at goes
+};
+
+/// A draping's photo over a ground, with `tiles.photo_mib` of the view; null: it has none. Throws as
+/// PagedPhoto does.
+std::unique_ptr<PagedPhoto> photo_over(const Draping& draping, const Grid& ground,
+                                       const std::optional<Georeference>& georeference, glm::vec2 heights_m,
+                                       const Parameters& view);
+
+/// The same painter, whose pictures wait for the photo's tiles. What it draws from must have been laid under
+/// the photo (Renderer::lay()), which must outlive it.
+StillPainter with_photo(StillPainter painter, PagedPhoto& photo);
+
+}  // namespace talus::app
