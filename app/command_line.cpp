@@ -201,9 +201,16 @@ Command tile_command(CLI::App& app, Texts& t) {
         ->add_option("FILES", *files,
                      "any raster that GDAL reads, mosaics (.vrt) too, and the GeoTIFF to write; that alone "
                      "with --generate")
-        ->required()
         ->expected(1, 2)
         ->type_name("[IN] OUT.tif");
+    auto photos = std::make_shared<std::vector<std::string>>();
+    command
+        ->add_option(
+            "--texture", *photos,
+            "any raster in colours that GDAL reads, and the GeoTIFF to write, for --texture of other "
+            "commands; FILES may be left out then")
+        ->expected(2)
+        ->type_name("PHOTO OUT.tif");
     command->add_option("--generate", *generate,
                         "KIND,NXxNY: terrain of that many samples instead of IN, as terrain.kind has them");
     command->add_option("--seed", options->seed, "of generated terrain, 1 unless given");
@@ -211,24 +218,30 @@ Command tile_command(CLI::App& app, Texts& t) {
     command->add_option("--spacing", t.spacing, "metres between samples");
     command->add_option("--range", t.range,
                         "lo,hi: heights of the smallest and largest value of whole numbers that lie nowhere");
-    return {command, [&t, options, files, generate] {
-                options->import = t.import();
-                options->output = files->back();
-                if (generate->empty() != (files->size() == 2))
-                    throw Error("talus tile takes IN and OUT, or --generate and OUT alone");
-                if (!generate->empty()) {
-                    const auto comma = generate->find(',');
-                    options->kind = generate->substr(0, comma);
-                    options->size = size_from(comma == std::string::npos ? "" : generate->substr(comma + 1),
-                                              "--generate");
-                } else {
-                    options->input = files->front();
-                }
-                if (!(options->relief_m >= 0 && options->relief_m <= 1e5))
-                    throw Error(fmt::format("--relief {} cannot be made, it must be 0 to 100000 m",
-                                            options->relief_m));
-                tile(*options);
-            }};
+    return {
+        command, [&t, options, files, photos, generate] {
+            options->import = t.import();
+            if (!photos->empty()) {
+                options->photo = photos->front();
+                options->photo_output = photos->back();
+            }
+            if (files->empty() && generate->empty() && !photos->empty()) return tile(*options);
+            if (files->size() != (generate->empty() ? 2 : 1))
+                throw Error("talus tile takes IN and OUT, --generate and OUT alone, or --texture PHOTO OUT");
+            options->output = files->back();
+            if (!generate->empty()) {
+                const auto comma = generate->find(',');
+                options->kind = generate->substr(0, comma);
+                options->size =
+                    size_from(comma == std::string::npos ? "" : generate->substr(comma + 1), "--generate");
+            } else {
+                options->input = files->front();
+            }
+            if (!(options->relief_m >= 0 && options->relief_m <= 1e5))
+                throw Error(
+                    fmt::format("--relief {} cannot be made, it must be 0 to 100000 m", options->relief_m));
+            tile(*options);
+        }};
 }
 
 Command put_back_command(CLI::App& app, Texts& t) {

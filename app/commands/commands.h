@@ -89,11 +89,13 @@ struct TileOptions {
     glm::ivec2 size{0};  ///< its samples
     std::uint32_t seed = 1;
     double relief_m = 2000;
-    std::string output;
+    std::string output;  ///< empty: no terrain is written
+    std::string photo;   ///< empty: none is written
+    std::string photo_output;
     io::ImportSettings import;
 };
 /// Writes a raster of any size as a tiled GeoTIFF with overviews (sim/io/tile_writer.h), and measures its
-/// tiles.
+/// tiles; a photo likewise (sim/io/photo_writer.h).
 void tile(const TileOptions& options);
 
 struct PutBackOptions {

@@ -8,6 +8,8 @@
 #include "app/core/tiled_terrain.h"
 #include "sim/error.h"
 #include "sim/io/endings.h"
+#include "sim/io/photo_file.h"
+#include "sim/io/photo_writer.h"
 #include "sim/io/tile_writer.h"
 #include "sim/terrain/generate.h"
 
@@ -19,7 +21,7 @@ constexpr std::size_t read_memory_bytes = std::size_t{256} << 20;
 
 io::TiledSource file_source(const TileOptions& options) {
     const io::TiledFile file(options.input, options.import);
-    if (file.is_made_of(options.output))
+    if (io::is_made_of(options.input, options.output))
         throw Error(fmt::format("'{}' is read from, give another name to write to", options.output));
     for (const std::string& note : file.notes()) say("note: " + note);
     return file.source();
@@ -46,14 +48,18 @@ io::TiledSource generated_source(const TileOptions& options) {
     return source;
 }
 
-}  // namespace
-
-void tile(const TileOptions& options) {
-    const std::string ending = io::ending_of(options.output);
+void check_output(const std::string& output) {
+    const std::string ending = io::ending_of(output);
     if (ending != ".tif" && ending != ".tiff")
-        throw Error(fmt::format("cannot write '{}': its ending must be .tif or .tiff", options.output));
-    check_folder(options.output);
-    io::limit_read_memory(read_memory_bytes);
+        throw Error(fmt::format("cannot write '{}': its ending must be .tif or .tiff", output));
+    check_folder(output);
+}
+
+double mebibytes_of(const std::string& file) {
+    return static_cast<double>(std::filesystem::file_size(file)) / (1 << 20);
+}
+
+void tile_terrain(const TileOptions& options) {
     const io::TiledSource source = options.input.empty() ? generated_source(options) : file_source(options);
     {
         LongWork work(fmt::format("writing '{}'", options.output));
@@ -63,8 +69,43 @@ void tile(const TileOptions& options) {
     const TiledTerrain terrain = open_tiled({options.output, {}}, on_terminal());
     fmt::print("{}: {} x {} samples, {} levels, {:.1f} to {:.1f} m, {:.1f} MiB\n", options.output,
                terrain.tree.grid().nx, terrain.tree.grid().ny, terrain.tree.levels().size(), terrain.lowest_m,
-               terrain.highest_m,
-               static_cast<double>(std::filesystem::file_size(options.output)) / (1 << 20));
+               terrain.highest_m, mebibytes_of(options.output));
+}
+
+void check_photo(const TileOptions& options) {
+    check_output(options.photo_output);
+    io::check_colours(options.photo);
+    if (io::is_made_of(options.photo, options.photo_output))
+        throw Error(fmt::format("'{}' is read from, give another name to write to", options.photo_output));
+}
+
+void tile_photo(const TileOptions& options) {
+    const std::string& output = options.photo_output;
+    {
+        LongWork work(fmt::format("writing '{}'", output));
+        if (!io::write_photo(options.photo, output, [&](double share) { return work(share); }))
+            throw Error(fmt::format("interrupted, '{}' was not written", output));
+    }
+    const io::PhotoFile photo(output, {});
+    fmt::print("{}: {} x {} texels, {:.1f} MiB\n", output, photo.texels().x, photo.texels().y,
+               mebibytes_of(output));
+}
+
+}  // namespace
+
+void tile(const TileOptions& options) {
+    const bool both = !options.output.empty() && !options.photo.empty();
+    std::error_code ignored;
+    if (both && std::filesystem::weakly_canonical(options.output, ignored) ==
+                    std::filesystem::weakly_canonical(options.photo_output, ignored))
+        throw Error(fmt::format("'{}' cannot be terrain and photo at once, give them two names",
+                                options.photo_output));
+    if (!options.output.empty()) check_output(options.output);
+    // Before the terrain's long work.
+    if (!options.photo.empty()) check_photo(options);
+    io::limit_read_memory(read_memory_bytes);
+    if (!options.output.empty()) tile_terrain(options);
+    if (!options.photo.empty()) tile_photo(options);
 }
 
 }  // namespace talus::app

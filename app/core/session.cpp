@@ -320,7 +320,8 @@ bool Session::is_over(const Outlook& before) const {
     if (!overflight_ || !(overflight_->terrain().tree.grid() == before.grid)) return false;
     const io::TiledFile& file = overflight_->terrain().file;
     std::error_code ignored;
-    return !std::filesystem::equivalent(file.path(), before.whole, ignored) && file.is_made_of(before.whole);
+    return !std::filesystem::equivalent(file.path(), before.whole, ignored) &&
+           io::is_made_of(file.path(), before.whole);
 }
 
 // Sun, view and way of flying stay, and the camera is where it was over the whole. What hangs on the

@@ -46,7 +46,10 @@ int slots_that_fit(const TileTree& tree, int slots) {
 }  // namespace
 
 TileSamples PhotoSurface::samples_of(const TileTree& tree, const TileId& tile) {
-    return {tree.first_level_patch(tile) - border, glm::ivec2(texels_across(tree))};
+    // Smaller pictures are means of the same texels as coarser levels.
+    constexpr int together = 1 << halvings;
+    const glm::ivec2 first = tree.first_level_patch(tile) - border;
+    return {first - (first % together + together) % together, glm::ivec2(texels_across(tree))};
 }
 
 std::size_t PhotoSurface::bytes_of_slot(const TileTree& tree) {
@@ -111,7 +114,7 @@ void PhotoSurface::tell_places() {
             continue;
         }
         const glm::dvec2 corner = corner_of(slot);
-        const glm::dvec2 first = tree().first_level_patch(*tile) - border;
+        const glm::dvec2 first = samples_of(tree(), *tile).first;
         // Texels are counted from their middles here, and in an image from its edge.
         const glm::dvec2 eye = corner + tree().place_in(tile->level, eye_) - first + 0.5;
         texels.emplace_back(glm::dvec4(eye, 1.0 / tree().level(tile->level).ratio));

@@ -18,7 +18,7 @@ class PhotoSurface {
     /// What put() takes of a tile: more than it covers, so that a pixel's footprint ends within.
     static TileSamples samples_of(const TileTree& tree, const TileId& tile);
     /// Smaller pictures of them that put() takes behind them (with_smaller_pictures()).
-    static constexpr int halvings = 2;
+    static constexpr int halvings = 4;
     /// Device bytes of one slot of a tree's tiles, and of the tree beside its slots.
     static std::size_t bytes_of_slot(const TileTree& tree);
 

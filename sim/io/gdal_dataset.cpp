@@ -55,6 +55,14 @@ std::string gdal_says() {
     return message.empty() ? "the file is damaged or of another kind" : message;
 }
 
+std::string gdal_says_of(const std::filesystem::path& hidden, const std::filesystem::path& named) {
+    std::string said = gdal_says();
+    for (std::size_t at = said.find(hidden.string()); at != std::string::npos;
+         at = said.find(hidden.string()))
+        said.replace(at, hidden.string().size(), named.string());
+    return said;
+}
+
 RasterPlace place_of(GDALDataset& dataset) {
     RasterPlace place;
     Georeference georeference;

@@ -24,6 +24,8 @@ Dataset open_raster(const std::filesystem::path& path);
 
 /// GDAL's last message of this thread as part of a sentence.
 std::string gdal_says();
+/// The same of a file that is written under a hidden name, by the name that it will have.
+std::string gdal_says_of(const std::filesystem::path& hidden, const std::filesystem::path& named);
 
 /// Where a raster lies, in the order of Talus: the north row first, columns eastwards.
 struct RasterPlace {

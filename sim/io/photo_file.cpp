@@ -55,6 +55,31 @@ bool is_same_system(GDALDataset& photo, const Georeference& ground) {
     return here->IsSame(&*there, heed.data()) != 0;
 }
 
+bool is_alpha(GDALRasterBand& band) {
+    return band.GetColorInterpretation() == GCI_AlphaBand;
+}
+
+// Bands of red, green and blue.
+std::array<int, 3> colour_bands(const fs::path& path, GDALDataset& dataset) {
+    if (dataset.GetRasterCount() < 1)
+        throw Error(fmt::format("'{}' holds no band of colours", path.string()));
+    std::vector<int> colours;
+    for (int number = 1; number <= dataset.GetRasterCount(); ++number) {
+        GDALRasterBand& band = *dataset.GetRasterBand(number);
+        if (is_alpha(band)) continue;
+        const GDALDataType type = band.GetRasterDataType();
+        if (type != GDT_Byte && type != GDT_UInt16)
+            throw Error(fmt::format("'{}' holds {} numbers, colours of a photo have 8 or 16 bits",
+                                    path.string(), GDALGetDataTypeName(type)));
+        colours.push_back(number);
+    }
+    if (colours.size() == 1) return {colours[0], colours[0], colours[0]};
+    if (colours.size() < 3)
+        throw Error(
+            fmt::format("'{}' has {} bands of colours, a photo has 1 or 3", path.string(), colours.size()));
+    return {colours[0], colours[1], colours[2]};
+}
+
 Dataset with_colours_as_bands(const fs::path& path, GDALDataset& dataset) {
     std::array<const char*, 5> words = {"-of", "VRT", "-expand", "rgba", nullptr};
     const std::unique_ptr<GDALTranslateOptions, FreeOptions> options(
@@ -84,8 +109,7 @@ Dataset as_the_ground_lies(const fs::path& path, GDALDataset& dataset, const Geo
 Opened open(const fs::path& path, const std::optional<Georeference>& ground) {
     Opened opened;
     opened.source = open_raster(path);
-    if (opened.source->GetRasterCount() < 1)
-        throw Error(fmt::format("'{}' holds no band of colours", path.string()));
+    colour_bands(path, *opened.source);
     if (opened.source->GetRasterBand(1)->GetColorTable())
         opened.expanded = with_colours_as_bands(path, *opened.source);
     std::array<double, 6> t{};
@@ -94,29 +118,6 @@ Opened open(const fs::path& path, const std::optional<Georeference>& ground) {
     if (!lies_straight || !is_same_system(opened.top(), *ground))
         opened.warped = as_the_ground_lies(path, opened.top(), *ground);
     return opened;
-}
-
-bool is_alpha(GDALRasterBand& band) {
-    return band.GetColorInterpretation() == GCI_AlphaBand;
-}
-
-// Bands of red, green and blue.
-std::array<int, 3> colour_bands(const fs::path& path, GDALDataset& dataset) {
-    std::vector<int> colours;
-    for (int number = 1; number <= dataset.GetRasterCount(); ++number) {
-        GDALRasterBand& band = *dataset.GetRasterBand(number);
-        if (is_alpha(band)) continue;
-        const GDALDataType type = band.GetRasterDataType();
-        if (type != GDT_Byte && type != GDT_UInt16)
-            throw Error(fmt::format("'{}' holds {} numbers, colours of a photo have 8 or 16 bits",
-                                    path.string(), GDALGetDataTypeName(type)));
-        colours.push_back(number);
-    }
-    if (colours.size() == 1) return {colours[0], colours[0], colours[0]};
-    if (colours.size() < 3)
-        throw Error(
-            fmt::format("'{}' has {} bands of colours, a photo has 1 or 3", path.string(), colours.size()));
-    return {colours[0], colours[1], colours[2]};
 }
 
 int longest_side(GDALRasterBand& band) {
@@ -269,6 +270,10 @@ ReadTexels PhotoFile::make_reader() const {
     return [reader](int level, const TileSamples& samples, std::vector<PhotoTexel>& texels) {
         reader->read(level, samples, texels);
     };
+}
+
+void check_colours(const fs::path& path) {
+    colour_bands(path, *open_raster(path));
 }
 
 bool is_photo(const fs::path& path, bool ground_is_placed) {

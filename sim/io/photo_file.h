@@ -38,6 +38,9 @@ class PhotoFile {
     std::array<double, 6> transform_{};  // of the photo, where it is placed
 };
 
+/// Throws talus::Error where a file cannot be read, or holds no colours that a photo can have.
+void check_colours(const std::filesystem::path& path);
+
 /// Whether a file is to be opened so: it says where on Earth it lies, as the ground does, or it has more
 /// texels a side than a picture that is held as a whole. False where GDAL does not open it.
 bool is_photo(const std::filesystem::path& path, bool ground_is_placed);

@@ -127,7 +127,7 @@ void check_names(const TiledFile& whole, const PutBackSettings& settings, const 
     if (ending_of(settings.mosaic) != ".vrt")
         throw Error(
             fmt::format("cannot put back into '{}': a mosaic's name ends in .vrt", settings.mosaic.string()));
-    if (whole.is_made_of(mosaic))
+    if (is_made_of(whole.path(), mosaic))
         throw Error(
             fmt::format("'{}' is a part of what the terrain was cut out of, and stays as it is: give the "
                         "mosaic another name",

@@ -111,11 +111,8 @@ class TiledOutput {
 
   private:
     [[noreturn]] void fail() const {
-        // GDAL knows the file by the name that it has until it is whole.
-        std::string said = gdal_says();
-        for (std::size_t at = said.find(temporary_); at != std::string::npos; at = said.find(temporary_))
-            said.replace(at, temporary_.size(), path_.string());
-        throw Error(fmt::format("cannot write '{}': {}{}", path_.string(), said, otherwise_));
+        throw Error(fmt::format("cannot write '{}': {}{}", path_.string(), gdal_says_of(temporary_, path_),
+                                otherwise_));
     }
 
     void place(const TiledSource& source) {

@@ -435,10 +435,10 @@ bool TiledFile::has_changed() const {
     }
 }
 
-bool TiledFile::is_made_of(const fs::path& file) const {
+bool is_made_of(const fs::path& raster, const fs::path& file) {
     std::set<std::string> visited;
     return any_part(
-        *open_raster(path_),
+        *open_raster(raster),
         [&](const std::string& part) {
             std::error_code ignored;
             return fs::equivalent(part, file, ignored);

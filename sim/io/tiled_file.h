@@ -62,10 +62,6 @@ class TiledFile {
     /// where that cannot be found out.
     bool has_changed() const;
 
-    /// Whether writing to this path would change the raster: it is the file, or one that it lists as its
-    /// part, or a part of one.
-    bool is_made_of(const std::filesystem::path& file) const;
-
     /// A reader of all levels for one thread. Samples that are not known lie as high as the next coarser
     /// level where that knows them; in the coarsest, as means of ever larger parts of it have it. It throws
     /// talus::Error naming the file.
@@ -104,6 +100,10 @@ class TiledFile {
     static ReadSamples reader_of(const std::shared_ptr<const Reading>& reading);
     std::shared_ptr<const Reading> reading_;
 };
+
+/// Whether writing to a file would change a raster: it is the raster's, or one that it lists as its part, or
+/// a part of one. Throws talus::Error where the raster cannot be opened.
+bool is_made_of(const std::filesystem::path& raster, const std::filesystem::path& file);
 
 /// Where GDAL looks for overviews of a raster that has none in itself: its path + ".ovr".
 std::filesystem::path overviews_path(const std::filesystem::path& raster);

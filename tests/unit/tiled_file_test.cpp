@@ -362,9 +362,9 @@ TEST_F(TiledFiles, KnowTheirPartsHoweverTheyAreNamed) {
     EXPECT_EQ(io::TiledFile("outer.vrt", {}).fingerprint(), outer);
     fs::current_path(before);
     const io::TiledFile file(path("outer.vrt"), {});
-    EXPECT_TRUE(file.is_made_of(path("outer.vrt")));
-    EXPECT_TRUE(file.is_made_of(path("inner.vrt")));
-    EXPECT_FALSE(file.is_made_of(path("other.tif")));
+    EXPECT_TRUE(io::is_made_of(file.path(), path("outer.vrt")));
+    EXPECT_TRUE(io::is_made_of(file.path(), path("inner.vrt")));
+    EXPECT_FALSE(io::is_made_of(file.path(), path("other.tif")));
     EXPECT_FALSE(file.has_changed());
     ASSERT_TRUE(io::write_tiled(path("part.tif"),
                                 source_of({640, 480}, [](int x, int y) { return hilly(y, x); }), {}));
@@ -433,7 +433,7 @@ TEST_F(TiledFiles, HaveOverviewsMadeBesideThem) {
         // What was cut out of it was cut out of the same; bounds of its tiles are others.
         EXPECT_EQ(file.fingerprint(), before.fingerprint());
         EXPECT_NE(file.levels_fingerprint(), before.levels_fingerprint());
-        EXPECT_TRUE(file.is_made_of(io::overviews_path(path("a.tif"))));
+        EXPECT_TRUE(io::is_made_of(file.path(), io::overviews_path(path("a.tif"))));
         fs::remove(io::overviews_path(path("a.tif")));
     }
 }
