@@ -22,8 +22,7 @@ class PagedPhoto {
     const render::LaidPhoto& laid() const { return laid_; }
     /// The same over another ground in the same coordinate system, whose eye is at the same place.
     render::LaidPhoto laid_over(const Grid& ground, const std::optional<Georeference>& georeference) const;
-    /// Device bytes.
-    std::size_t bytes() const { return surface_.bytes(); }
+    const render::PhotoSurface& surface() const { return surface_; }
 
     /// Once a frame, before it is drawn with this camera over the ground, without waiting for a file.
     void follow(const render::Camera& camera, glm::ivec2 size);

@@ -190,6 +190,8 @@ void draw_status_line(const Session& session, const StatusFigures& figures, int 
         if (around->tiles().awaited_tiles() > 0)
             text += fmt::format("{} tiles on their way, ", around->tiles().awaited_tiles());
     }
+    const std::string photo = session.photo() ? session.photo()->state() : "";
+    if (!photo.empty()) text += photo + ", ";
     text += fmt::format("frame {:.1f} ms at {:.0f} %  |  {}", figures.frame_ms, 100 * figures.scale,
                         figures.device);
     ImDrawList* list = ImGui::GetForegroundDrawList();

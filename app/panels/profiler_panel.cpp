@@ -7,6 +7,19 @@
 
 namespace talus::app {
 
+namespace {
+
+// Of the terrain or of a photo.
+template <typename Paged>
+void tile_figures(const Paged& tiles, int slots, std::size_t bytes) {
+    figure_line("drawn", fmt::format("{}", tiles.drawn_tiles()));
+    figure_line("on their way", fmt::format("{}", tiles.awaited_tiles()));
+    figure_line("there is room for", fmt::format("{}", slots));
+    figure_line("memory of the device", fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1 << 20)));
+}
+
+}  // namespace
+
 void draw_profiler_panel(PanelContext& context) {
     Session& session = context.session;
     if (!context.state.only_looks) {
@@ -20,11 +33,11 @@ void draw_profiler_panel(PanelContext& context) {
     }
     if (const PagedTiles* tiles = session.tiles()) {
         heading("Tiles of the picture");
-        figure_line("drawn", fmt::format("{}", tiles->drawn_tiles()));
-        figure_line("on their way", fmt::format("{}", tiles->awaited_tiles()));
-        figure_line("there is room for", fmt::format("{}", tiles->surface().slots()));
-        figure_line("memory of the device",
-                    fmt::format("{:.1f} MiB", static_cast<double>(tiles->surface().bytes()) / (1 << 20)));
+        tile_figures(*tiles, tiles->surface().slots(), tiles->surface().bytes());
+    }
+    if (const PagedPhoto* photo = session.photo()) {
+        heading("Tiles of the photo");
+        tile_figures(*photo, photo->surface().slots(), photo->surface().bytes());
     }
     heading("Passes, ms a second");
     if (context.state.passes_s <= 0) return;

@@ -261,14 +261,21 @@ PhotoPlace PhotoFile::place_over(const Grid& ground, const std::optional<Georefe
     const glm::dvec2 last = place.first + place.scale * glm::dvec2(ground.nx - 1, ground.ny - 1);
     if (glm::any(glm::lessThan(last, glm::dvec2(-0.5))) ||
         glm::any(glm::greaterThan(place.first, glm::dvec2(texels_) - 0.5)))
-        throw Error(fmt::format("the photo '{}' lies beside the terrain", path_.string()));
+        throw Error(fmt::format("'{}' lies beside the terrain", path_.string()));
     return place;
 }
 
 ReadTexels PhotoFile::make_reader() const {
-    const auto reader = std::make_shared<PhotoReader>(path_, ground_);
-    return [reader](int level, const TileSamples& samples, std::vector<PhotoTexel>& texels) {
-        reader->read(level, samples, texels);
+    return [path = path_, ground = ground_, reader = std::make_shared<PhotoReader>(path_, ground_)](
+               int level, const TileSamples& samples, std::vector<PhotoTexel>& texels) mutable {
+        // What could not be read is looked at afresh: libtiff does not read a broken block again.
+        if (!reader) reader = std::make_shared<PhotoReader>(path, ground);
+        try {
+            reader->read(level, samples, texels);
+        } catch (...) {
+            reader.reset();
+            throw;
+        }
     };
 }
 

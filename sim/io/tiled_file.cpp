@@ -25,6 +25,10 @@ constexpr std::int64_t most_filled = std::int64_t{1} << 24;
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
+std::shared_ptr<GDALDataset> shared_raster(const fs::path& path) {
+    return {open_raster(path).release(), CloseDataset()};
+}
+
 GDALRasterBand* band_of(GDALDataset& dataset, int level) {
     GDALRasterBand* band = dataset.GetRasterBand(1);
     return level == 0 ? band : band->GetOverview(level - 1);
@@ -288,8 +292,8 @@ struct TiledFile::Reading {
 
 // Samples that are not known stay so.
 ReadSamples TiledFile::reader_of(const std::shared_ptr<const Reading>& reading) {
-    const std::shared_ptr<GDALDataset> own(open_raster(reading->path).release(), CloseDataset());
-    return [reading, own](int level, const TileSamples& samples, std::vector<float>& heights) {
+    return [reading, own = shared_raster(reading->path)](int level, const TileSamples& samples,
+                                                         std::vector<float>& heights) {
         reading->read(*own, level, samples, heights);
     };
 }
@@ -451,10 +455,17 @@ fs::path overviews_path(const fs::path& raster) {
 }
 
 ReadSamples TiledFile::make_reader() const {
-    const std::shared_ptr<GDALDataset> own(open_raster(path_).release(), CloseDataset());
-    return [reading = reading_, own](int level, const TileSamples& samples, std::vector<float>& heights) {
-        reading->read(*own, level, samples, heights);
-        reading->fill(*own, level, samples, heights);
+    return [reading = reading_, own = shared_raster(path_)](int level, const TileSamples& samples,
+                                                            std::vector<float>& heights) mutable {
+        // What could not be read is looked at afresh: libtiff does not read a broken block again.
+        if (!own) own = shared_raster(reading->path);
+        try {
+            reading->read(*own, level, samples, heights);
+            reading->fill(*own, level, samples, heights);
+        } catch (...) {
+            own.reset();
+            throw;
+        }
     };
 }
 

@@ -11,6 +11,7 @@
 #include "sim/io/photo_file.h"
 #include "sim/io/photo_writer.h"
 #include "sim/tiled/screen_colour.h"
+#include "tests/scenes/broken_file.h"
 #include "tests/scenes/file_size_limit.h"
 
 namespace talus::photo_file_test {
@@ -250,6 +251,27 @@ TEST_F(PhotoFiles, RefuseWhatIsNone) {
     EXPECT_NE(refusal("beside.vrt", utm).find("beside"), std::string::npos);
     const Georeference turned{"", {500000, 100, 30, 3800000, 30, -100}};
     refusal("beside.vrt", turned);
+}
+
+// A level that is a single block of the file too.
+TEST_F(PhotoFiles, AreReadAgainWhenTheyComeBack) {
+    write_picture("a.png", {700, 600});
+    ASSERT_TRUE(io::write_photo(path("a.png"), path("a.tif"), [](double) { return true; }));
+    const io::PhotoFile photo(path("a.tif"), {});
+    auto read = [reader = photo.make_reader()](int level) mutable {
+        std::vector<PhotoTexel> texels;
+        reader(level, {glm::ivec2(20), glm::ivec2(200)}, texels);
+        return texels;
+    };
+    const std::vector<PhotoTexel> finest = texels(photo, 0, {glm::ivec2(20), glm::ivec2(200)});
+    const std::vector<PhotoTexel> half = texels(photo, 1, {glm::ivec2(20), glm::ivec2(200)});
+    scenes::BrokenFile broken(path("a.tif"));
+    EXPECT_THROW(read(1), Error);
+    EXPECT_THROW(read(0), Error);
+    EXPECT_THROW(read(1), Error);
+    broken.mend();
+    EXPECT_EQ(read(1), half);
+    EXPECT_EQ(read(0), finest);
 }
 
 TEST_F(PhotoFiles, AreWrittenAsAWholeOrNotAtAll) {

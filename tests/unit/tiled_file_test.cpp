@@ -15,6 +15,7 @@
 #include "sim/io/heightmap.h"
 #include "sim/io/tile_sidecar.h"
 #include "sim/io/tile_writer.h"
+#include "tests/scenes/broken_file.h"
 #include "tests/scenes/file_size_limit.h"
 
 namespace talus::tiled_file_test {
@@ -590,6 +591,24 @@ TEST_F(TiledFiles, HaveNoHalfOverviews) {
     }
     EXPECT_NE(said.find("cannot write '" + path("a.tif.ovr").string()), std::string::npos) << said;
     EXPECT_EQ(files(), 1U);
+}
+
+// A level that is a single block of the file too.
+TEST_F(TiledFiles, AreReadAgainWhenTheyComeBack) {
+    ASSERT_TRUE(io::write_tiled(path("a.tif"), source_of({700, 600}, hilly), [](double) { return true; }));
+    const io::TiledFile file(path("a.tif"), {});
+    auto read = [reader = file.make_reader()](int level) mutable {
+        std::vector<float> heights;
+        reader(level, {glm::ivec2(20), glm::ivec2(200)}, heights);
+        return heights;
+    };
+    std::vector<float> half;
+    file.make_reader()(1, {glm::ivec2(20), glm::ivec2(200)}, half);
+    scenes::BrokenFile broken(path("a.tif"));
+    EXPECT_THROW(read(1), Error);
+    EXPECT_THROW(read(1), Error);
+    broken.mend();
+    EXPECT_EQ(read(1), half);
 }
 
 }  // namespace
