@@ -104,7 +104,7 @@ struct Limit {
 };
 constexpr std::array<Limit, 11> limits = {{
     {GL_MAX_TEXTURE_SIZE, "texels along a texture's side", 16384},
-    {GL_MAX_TEXTURE_IMAGE_UNITS, "textures in a fragment shader", 13},
+    {GL_MAX_TEXTURE_IMAGE_UNITS, "textures in a fragment shader", 14},
     {GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS, "textures in a vertex shader", 2},
     {GL_MAX_IMAGE_UNITS, "images that shaders write", 6},
     {GL_MAX_COMPUTE_IMAGE_UNIFORMS, "images in a compute shader", 6},

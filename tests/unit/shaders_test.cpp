@@ -64,11 +64,37 @@ void simulate_everything(Simulation& simulation) {
     simulation.ledger();
 }
 
+// A grey photo over a ground, as a picture from this eye needs it.
+class GreyPhoto {
+  public:
+    GreyPhoto(const Grid& ground, const render::Camera& camera)
+        : surface_(photo_tree({40, 40}, ground, place_), 0, 300, 2), laid_{&surface_, place_, 1} {
+        const TileId all = {surface_.tree().top_level(), 0, 0};
+        std::vector<PhotoTexel> texels;
+        with_smaller_pictures(
+            [](int, const TileSamples& samples, std::vector<PhotoTexel>& read) {
+                read.assign(static_cast<std::size_t>(samples.count.x) * samples.count.y,
+                            {128, 128, 128, 255});
+            },
+            render::PhotoSurface::halvings)(all.level, render::PhotoSurface::samples_of(surface_.tree(), all),
+                                            texels);
+        surface_.put(all, texels);
+        surface_.look(laid_.camera_over(ground, camera), {64, 48}, 1);
+    }
+    const render::LaidPhoto& laid() const { return laid_; }
+
+  private:
+    PhotoPlace place_{glm::dvec2(-0.5), glm::dvec2(0.5)};
+    render::PhotoSurface surface_;
+    render::LaidPhoto laid_;
+};
+
 // Every view by every method, with every choice of shading, of ground without and with layers.
 void draw_everything(Terrain& terrain) {
     render::Renderer renderer(terrain, 8);
     const render::Camera camera = render::overview(grid, 0, 300);
     const std::vector<std::uint8_t> picture(4 * 4 * 4, 200);
+    const GreyPhoto photo(grid, camera);
     for (const render::MethodEntry& method : render::methods())
         for (const char* view : {"shaded", "steps", "cells"}) {
             render::ViewSettings settings;
@@ -78,13 +104,14 @@ void draw_everything(Terrain& terrain) {
             renderer.refine(terrain, 2);
         }
     for (const render::View& view : render::views())
-        for (int choice = 0; choice < (view.natural ? 16 : 1); ++choice) {
+        for (int choice = 0; choice < (view.natural ? 24 : 1); ++choice) {
             render::ViewSettings settings;
             settings.view = view.name;
             settings.shadows = (choice & 1) == 0;
             settings.occlusion = (choice & 2) == 0;
             settings.quick = (choice & 4) != 0;
             if ((choice & 8) != 0) renderer.drape(4, 4, std::as_bytes(std::span(picture)));
+            renderer.lay((choice & 16) != 0 ? photo.laid() : render::LaidPhoto());
             renderer.draw(terrain, camera, settings, 64, 48, {glm::dvec2(300), 50});
         }
 }
@@ -96,17 +123,19 @@ void draw_tiles() {
     const TileId coarsest = {tree.top_level(), 0, 0};
     const glm::ivec2 count = tree.samples_of(coarsest).count;
     surface.put(coarsest, std::vector<float>(static_cast<std::size_t>(count.x) * count.y));
-    const std::vector<std::uint32_t> photo(4, 0xff808080U);
+    const std::vector<std::uint32_t> picture(4, 0xff808080U);
     const render::Camera camera = render::overview(grid, 0, 300);
     surface.look(camera, {64, 48}, 1);
+    const GreyPhoto photo(grid, camera);
     for (const render::View& view : render::views())
-        for (int choice = 0; choice < (view.natural ? 4 : 1); ++choice) {
+        for (int choice = 0; choice < (view.natural ? 6 : 1); ++choice) {
             if (!render::is_of_tiles(view)) continue;
             render::TiledRenderer renderer;
             render::ViewSettings settings;
             settings.view = view.name;
             settings.shadows = (choice & 1) == 0;
-            if ((choice & 2) != 0) renderer.drape(2, 2, std::as_bytes(std::span(photo)));
+            if ((choice & 2) != 0) renderer.drape(2, 2, std::as_bytes(std::span(picture)));
+            if ((choice & 4) != 0) renderer.lay(photo.laid());
             renderer.draw(surface, camera, settings, 64, 48);
             render::Outline().draw(renderer.colours(), renderer.hits(), grid, camera, {64, 48},
                                    {100, 100, 300, 300}, {0, 0, 690, 650});
@@ -129,14 +158,18 @@ void draw_backdrop() {
     renderer.stand_before(&backdrop);
     const render::Camera camera = render::overview(inner, 0, 30);
     surface.look(backdrop.camera_over_tiles(camera), {64, 48}, 1);
+    const GreyPhoto photo(inner, camera);
     const std::vector<std::uint8_t> picture(4 * 4 * 4, 200);
     for (const render::View& view : render::views())
-        for (int choice = 0; choice < (view.natural ? 8 : 1); ++choice) {
+        for (int choice = 0; choice < (view.natural ? 12 : 1); ++choice) {
             render::ViewSettings settings;
             settings.view = view.name;
             settings.shadows = (choice & 1) == 0;
             settings.occlusion = (choice & 2) == 0;
             if ((choice & 4) != 0) renderer.drape(4, 4, std::as_bytes(std::span(picture)));
+            const render::LaidPhoto laid = (choice & 8) != 0 ? photo.laid() : render::LaidPhoto();
+            renderer.lay(laid);
+            backdrop.lay(laid);
             renderer.draw(terrain, camera, settings, 64, 48);
         }
 }
