@@ -51,7 +51,8 @@ class Renderer {
     }
     /// An image over the whole terrain (render/shading.h).
     void drape(int width, int height, std::span<const std::byte> rgba);
-    /// A photo in tiles over it, which must outlive this, instead. It must have looked from the camera's eye.
+    /// A photo in tiles over it instead, which must live until another one, or none, is laid. It must have
+    /// looked from the camera's eye. Two with the same `changes` count as one picture.
     void lay(const LaidPhoto& photo) { photo_ = photo; }
 
     /// What draw() made: rows bottom up; textures may be larger than the picture.

@@ -56,7 +56,9 @@ gpu::Program& Shading::program_of(const View& view, const ViewSettings& settings
         if (settings.shadows && !settings.quick) defines.emplace_back("SHADOWS");
         if (settings.occlusion && ground.has_sky_share && !ground.beside) defines.emplace_back("OCCLUSION");
         if (ground.photo.surface)
-            defines.emplace_back("PHOTO");
+            defines.insert(defines.end(), ground.photo.covers_all
+                                              ? std::initializer_list<std::string>{"PHOTO", "PHOTO_COVERS"}
+                                              : std::initializer_list<std::string>{"PHOTO"});
         else if (drape_.width() > 0)
             defines.emplace_back("DRAPED");
     } else if (!ground.has_layer) {

@@ -29,6 +29,11 @@ bool is_film(const RenderOptions& options) {
 
 // Where not all tiles fit that a picture asked for.
 void say_tolerance(const Sitter& sitter) {
+    if (sitter.photo_px && sitter.photo_px() > 1)
+        say(fmt::format(
+            "note: the photo's texels are up to {:.1f} pixels wide, finer ones would not fit into "
+            "tiles.photo_mib",
+            sitter.photo_px()));
     if (!sitter.tiles) return;
     const TiledFigures tiles = sitter.tiles();
     if (tiles.tolerance_px > tiles.asked_px)

@@ -101,6 +101,10 @@ void tile(const TileOptions& options) {
         throw Error(fmt::format("'{}' cannot be terrain and photo at once, give them two names",
                                 options.photo_output));
     if (!options.output.empty()) check_output(options.output);
+    if (both && io::is_made_of(options.photo, options.output))
+        throw Error(fmt::format("'{}' is the photo, give another name to write to", options.output));
+    if (both && !options.input.empty() && io::is_made_of(options.input, options.photo_output))
+        throw Error(fmt::format("'{}' is read from, give another name to write to", options.photo_output));
     // Before the terrain's long work.
     if (!options.photo.empty()) check_photo(options);
     io::limit_read_memory(read_memory_bytes);

@@ -13,8 +13,6 @@ namespace talus::app {
 struct Draping {
     io::ColourImage picture{};                     ///< without pixels: none
     std::shared_ptr<const io::PhotoFile> photo{};  ///< null: none
-
-    bool is_there() const { return photo || !picture.rgba.empty(); }
 };
 
 /// path: empty for nothing. ground: where the terrain lies on Earth. What lies on Earth too is laid where it

@@ -13,8 +13,7 @@
 namespace talus::app {
 namespace {
 
-std::atomic<bool> interrupted = false;
-std::atomic<std::int64_t> interrupted_ns = 0;
+std::atomic<std::int64_t> interrupted_ns = 0;  // when it was; 0: it was not
 
 // Some senders (`timeout`, a shell that passes a signal on) send one request twice: to the program and to its
 // group.
@@ -29,9 +28,9 @@ std::int64_t now_ns() {
 // A second request ends the program at once.
 void interrupt(int signal) {
     const std::int64_t at_ns = now_ns();
-    if (!interrupted.exchange(true)) {
-        interrupted_ns = at_ns;
-    } else if (at_ns - interrupted_ns > same_request_ns) {
+    std::int64_t before_ns = 0;
+    const bool is_first = interrupted_ns.compare_exchange_strong(before_ns, at_ns);
+    if (!is_first && at_ns - before_ns > same_request_ns) {
         std::signal(signal, SIG_DFL);
         std::raise(signal);
     }
@@ -60,7 +59,7 @@ LongWork::LongWork(std::string what)
       start_(std::chrono::steady_clock::now()),
       told_(start_),
       on_terminal_(::isatty(STDERR_FILENO) == 1) {
-    interrupted = false;
+    interrupted_ns = 0;
     for (std::size_t i = 0; i < ending_signals.size(); ++i) {
         before_[i] = std::signal(ending_signals[i], interrupt);
         // What is to be ignored (SIGHUP under nohup) stays ignored.
@@ -74,7 +73,7 @@ LongWork::~LongWork() {
 }
 
 bool LongWork::operator()(double share) {
-    if (interrupted) return false;
+    if (interrupted_ns != 0) return false;
     const auto now = std::chrono::steady_clock::now();
     const double passed_s = std::chrono::duration<double>(now - start_).count();
     const double since_s = std::chrono::duration<double>(now - told_).count();

@@ -78,6 +78,7 @@ Scene with_stand_in(const SceneRequest& request, TiledScene tiled) {
 // A scene to work in, and what it was cut out of, as far as that is opened.
 Scene scene_with_whole(const SceneRequest& request, const OpenTiles& open) {
     Scene scene = make_scene(request);
+    if (scene.draping.photo) limit_memory(scene.view);
     const auto note_all = [&](const std::vector<std::string>& notes) {
         scene.document.notes.insert(scene.document.notes.end(), notes.begin(), notes.end());
     };

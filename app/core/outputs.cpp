@@ -37,11 +37,12 @@ void write_overview(const std::string& path, const Scene& scene, Simulation& sim
                          {static_cast<double>(width) / height, scene.view.number("camera.fov_deg")});
     drape(renderer, scene);
     StillPainter painter = painter_of(renderer, simulation.terrain(), settings);
-    const auto photo = photo_over(scene.draping, simulation.terrain().grid(),
-                                  simulation.moment_state().georeference, {*low, *high}, scene.view);
+    const auto photo =
+        photo_over(scene.draping, simulation.terrain().grid(), simulation.moment_state().georeference,
+                   heights_between(simulation.terrain().grid(), ground), scene.view);
     if (photo) {
         renderer.lay(photo->laid());
-        painter = with_photo(painter, *photo);
+        painter = with_photo(painter, *photo, settings.view, Missing::refused);
     }
     const Still still = draw_still(painter, camera, render::legend_of(settings, *low, *high), {width, height},
                                    scene.view.whole("render.samples"));

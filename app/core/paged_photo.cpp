@@ -13,11 +13,6 @@ namespace {
 // Texels of what is shown are as wide as a pixel at most; they are filtered over what a pixel covers.
 constexpr double wanted_px = 1;
 
-TileTree tree_over(const io::PhotoFile& file, const Grid& ground,
-                   const std::optional<Georeference>& georeference) {
-    return photo_tree(file.texels(), ground, file.place_over(ground, georeference));
-}
-
 int photo_slots(const io::PhotoFile& file, const TileTree& tree, int mib) {
     const std::size_t room = static_cast<std::size_t>(mib) << 20;
     const std::size_t beside = std::min(room, render::TileNodes::bytes_of(tree));
@@ -30,6 +25,14 @@ int photo_slots(const io::PhotoFile& file, const TileTree& tree, int mib) {
     return static_cast<int>(slots);
 }
 
+render::PhotoSurface surface_over(const io::PhotoFile& file, const Grid& ground,
+                                  const std::optional<Georeference>& georeference,
+                                  const HeightsBetween& heights, int mib) {
+    const PhotoPlace place = file.place_over(ground, georeference);
+    const TileTree tree = photo_tree(file.texels(), ground, place);
+    return {tree, photo_bounds(tree, place, heights), photo_slots(file, tree, mib)};
+}
+
 ReadTexels reader_of(const io::PhotoFile& file) {
     return with_smaller_pictures(file.make_reader(), render::PhotoSurface::halvings);
 }
@@ -37,12 +40,12 @@ ReadTexels reader_of(const io::PhotoFile& file) {
 }  // namespace
 
 PagedPhoto::PagedPhoto(std::shared_ptr<const io::PhotoFile> file, const Grid& ground,
-                       const std::optional<Georeference>& georeference, glm::vec2 heights_m, int mib)
+                       const std::optional<Georeference>& georeference, const HeightsBetween& heights,
+                       int mib)
     : file_(std::move(file)),
       ground_(ground),
-      surface_(tree_over(*file_, ground, georeference), heights_m.x, heights_m.y,
-               photo_slots(*file_, tree_over(*file_, ground, georeference), mib)),
-      laid_{&surface_, file_->place_over(ground, georeference), 1},
+      surface_(surface_over(*file_, ground, georeference, heights, mib)),
+      laid_(laid_over(ground, georeference)),
       paging_(surface_.tree(), reader_of(*file_)) {
     const ReadTexels read = reader_of(*file_);
     std::vector<PhotoTexel> texels;
@@ -54,7 +57,8 @@ PagedPhoto::PagedPhoto(std::shared_ptr<const io::PhotoFile> file, const Grid& gr
 
 render::LaidPhoto PagedPhoto::laid_over(const Grid& ground,
                                         const std::optional<Georeference>& georeference) const {
-    return {&surface_, file_->place_over(ground, georeference), laid_.changes};
+    return {&surface_, file_->place_over(ground, georeference), laid_.changes,
+            file_->covers(ground, georeference)};
 }
 
 void PagedPhoto::look(const render::Camera& camera, glm::ivec2 size, double tolerance_px) {
@@ -73,6 +77,7 @@ void PagedPhoto::follow(const render::Camera& camera, glm::ivec2 size) {
 
 void PagedPhoto::begin_still(const render::Camera& camera, glm::ivec2 size) {
     still_px_ = surface_.look(laid_.camera_over(ground_, camera), size, wanted_px).tolerance_px;
+    largest_px_ = std::max(largest_px_, still_px_);
 }
 
 void PagedPhoto::wait_for_still(const render::Camera& camera, glm::ivec2 size) {
@@ -96,21 +101,23 @@ std::string PagedPhoto::state() const {
 }
 
 std::unique_ptr<PagedPhoto> photo_over(const Draping& draping, const Grid& ground,
-                                       const std::optional<Georeference>& georeference, glm::vec2 heights_m,
-                                       const Parameters& view) {
+                                       const std::optional<Georeference>& georeference,
+                                       const HeightsBetween& heights, const Parameters& view) {
     if (!draping.photo) return nullptr;
-    return std::make_unique<PagedPhoto>(draping.photo, ground, georeference, heights_m,
+    return std::make_unique<PagedPhoto>(draping.photo, ground, georeference, heights,
                                         view.whole("tiles.photo_mib"));
 }
 
-StillPainter with_photo(StillPainter painter, PagedPhoto& photo) {
+StillPainter with_photo(StillPainter painter, PagedPhoto& photo, const std::string& view, Missing missing) {
+    if (!render::view_named(view).natural) return painter;
     StillPainter waiting = painter;
     waiting.begin = [begin = painter.begin, &photo](const render::Camera& camera, glm::ivec2 size) {
         if (begin) begin(camera, size);
         photo.begin_still(camera, size);
     };
-    waiting.draw = [draw = painter.draw, &photo](const render::Camera& camera, glm::ivec2 size) {
+    waiting.draw = [draw = painter.draw, &photo, missing](const render::Camera& camera, glm::ivec2 size) {
         photo.wait_for_still(camera, size);
+        if (missing == Missing::refused && photo.failure()) throw Error(*photo.failure());
         draw(camera, size);
     };
     return waiting;

@@ -45,7 +45,6 @@ void Session::start(Scene scene) {
     renderer_ = std::move(renderer);
     overflight_ = std::move(overflight);
     follow_surroundings();
-    follow_photo();
     wave_note_ = app::wave_note(scene_.document.state, simulation_->parameters());
     gauges_ = Gauges(grid());
     balances_.clear();
@@ -75,6 +74,7 @@ std::vector<std::string> Session::take_tiles(TiledTerrain terrain) {
             std::make_unique<Overflight>(tiles, scene_.view.whole("tiles.gpu_mib"), scene_.draping.picture);
         bounds_ = {tiles->lowest_m, tiles->highest_m};
         scene_.tiles = tiles;
+        follow_photo();
     } else {
         notes = take_whole(scene_, std::move(terrain));
         follow_surroundings();
@@ -92,7 +92,7 @@ std::vector<std::string> Session::take_tiles(TiledTerrain terrain) {
 void Session::follow_surroundings() {
     renderer_->stand_before(nullptr);
     surroundings_.reset();
-    if (!scene_.view.toggle("tiles.backdrop")) return;
+    if (!scene_.view.toggle("tiles.backdrop")) return follow_photo();
     try {
         make_surroundings();
     } catch (const std::exception& error) {
@@ -100,6 +100,7 @@ void Session::follow_surroundings() {
         surroundings_.reset();
         message_ = fmt::format("what stands around is not shown: {}", error.what());
     }
+    follow_photo();
 }
 
 void Session::make_surroundings() {
@@ -114,13 +115,32 @@ std::optional<Georeference> Session::georeference() const {
                        : simulation_->moment_state().georeference;
 }
 
+// Of what is seen under it.
+HeightsBetween Session::heights_under_photo() const {
+    if (!scene_.draping.photo) return {};
+    if (overflight_) return heights_between(overflight_->terrain().tree, overflight_->terrain().bounds);
+    if (surroundings_) return surroundings_->heights();
+    return heights_between(grid(), simulation_->terrain().ground.read_all<float>());
+}
+
+bool Session::shows_photo() const {
+    return photo_ && render::view_named(scene_.view.choice("render.view")).natural;
+}
+
 // Over the terrain as it is now.
 void Session::follow_photo() {
     photo_.reset();
     try {
-        photo_ = photo_over(scene_.draping, grid(), georeference(), glm::vec2(bounds_), scene_.view);
+        if (scene_.draping.photo && scene_.draping.photo->is_placed() && !georeference())
+            throw Error("the terrain does not say any more where it lies");
+        photo_ = photo_over(scene_.draping, grid(), georeference(), heights_under_photo(), scene_.view);
+        if (photo_ && surroundings_) {
+            const TiledTerrain& whole = surroundings_->tiles().terrain();
+            around_ = photo_->laid_over(whole.tree.grid(), whole.file.georeference());
+        }
     } catch (const std::exception& error) {
-        message_ = fmt::format("the photo is not shown: {}", error.what());
+        message_ = fmt::format("{}{}the photo is not shown: {}", message_.value_or(""), message_ ? "; " : "",
+                               error.what());
     }
     lay_photo();
 }
@@ -129,8 +149,9 @@ void Session::lay_photo() {
     const render::LaidPhoto laid = photo_ ? photo_->laid() : render::LaidPhoto();
     if (overflight_) overflight_->lay(laid);
     renderer_->lay(laid);
-    // Its samples are as far apart as the terrain's.
-    if (surroundings_) surroundings_->backdrop().lay(laid);
+    if (!surroundings_) return;
+    around_.changes = laid.changes;
+    surroundings_->backdrop().lay(photo_ ? around_ : laid);
 }
 
 // Sizes and edges that were set for another terrain do not hold for this one.
@@ -181,12 +202,10 @@ void Session::follow_terrain() {
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
     bounds_ = {*low, *high};
     scene_.document.state.grid = grid();
-    follow_surroundings();
     // A picture over the terrain before is not one over this; a photo lies where it does.
     scene_.draping.picture = {};
-    if (scene_.draping.photo && !(scene_.draping.photo->is_placed() && georeference()))
-        scene_.draping.photo.reset();
-    follow_photo();
+    if (scene_.draping.photo && !scene_.draping.photo->is_placed()) scene_.draping.photo.reset();
+    follow_surroundings();
     gauges_ = Gauges(grid());
     balances_.clear();
     activity_.forget();
@@ -201,7 +220,7 @@ void Session::frame_terrain() {
 }
 
 render::Drawn Session::draw(const render::ViewSettings& settings, glm::ivec2 size, const render::Ring& ring) {
-    if (photo_ && render::view_named(settings.view).natural) photo_->follow(camera_, size);
+    if (shows_photo()) photo_->follow(camera_, size);
     lay_photo();
     if (overflight_) return overflight_->draw(camera_, settings, size);
     if (surroundings_) surroundings_->follow(camera_, size, settings.tolerance_px);
@@ -242,7 +261,7 @@ Still Session::still(glm::ivec2 size) {
                                ? surroundings_->painter(*renderer_, simulation_->terrain(), settings)
                                : painter_of(*renderer_, simulation_->terrain(), settings);
     lay_photo();
-    if (photo_ && render::view_named(settings.view).natural) painter = with_photo(painter, *photo_);
+    if (photo_) painter = with_photo(painter, *photo_, settings.view, Missing::coarser);
     Still still = draw_still(painter, camera_, legends(settings), size, scene_.view.whole("render.samples"));
     forget_picture();
     return still;

@@ -40,8 +40,8 @@ class Session {
     const PagedTiles* tiles() const {
         return overflight_ ? &overflight_->tiles() : surroundings_ ? &surroundings_->tiles() : nullptr;
     }
-    /// The photo over the terrain, in tiles; null: none.
-    const PagedPhoto* photo() const { return photo_.get(); }
+    /// The photo over the terrain, in tiles; null: none, or the view does not show it.
+    const PagedPhoto* photo() const { return shows_photo() ? photo_.get() : nullptr; }
     /// Parameters of drawing and of the hand: not recorded.
     Parameters& view() { return scene_.view; }
     const Parameters& view() const { return scene_.view; }
@@ -95,10 +95,12 @@ class Session {
     void follow_height(std::optional<double> ground_m);
     /// True while tiles are read that a frame may show.
     bool awaits_tiles() const {
-        return (tiles() && tiles()->awaits_tiles()) || (photo_ && photo_->awaits_tiles());
+        return (tiles() && tiles()->awaits_tiles()) || (shows_photo() && photo_->awaits_tiles());
     }
     /// True while some have come for a frame.
-    bool has_tiles() const { return (tiles() && tiles()->has_news()) || (photo_ && photo_->has_news()); }
+    bool has_tiles() const {
+        return (tiles() && tiles()->has_news()) || (shows_photo() && photo_->has_news());
+    }
     /// Throws talus::Error where the terrain is in tiles: it can be looked at, and not changed or written.
     void check_editable() const;
 
@@ -197,6 +199,8 @@ class Session {
     void follow_surroundings();
     void follow_photo();
     std::optional<Georeference> georeference() const;
+    HeightsBetween heights_under_photo() const;
+    bool shows_photo() const;
     void lay_photo();
     void make_surroundings();
     // What somebody sees of a terrain in tiles, or around a part of it.
@@ -226,6 +230,7 @@ class Session {
     std::unique_ptr<Overflight> overflight_;
     std::unique_ptr<Surroundings> surroundings_;
     std::unique_ptr<PagedPhoto> photo_;
+    render::LaidPhoto around_;  // the photo, over what stands around
     render::Camera camera_;
     int terrain_number_ = 0;
     glm::dvec2 bounds_{0};

@@ -51,11 +51,15 @@ Sitter whole_sitter(const SceneRequest& request, const gpu::Device& device) {
     sitter.painter = held->around ? held->around->painter(held->renderer, held->terrain, settings)
                                   : painter_of(held->renderer, held->terrain, settings);
     held->photo =
-        photo_over(scene.draping, sitter.grid, scene.document.state.georeference, {*low, *high}, scene.view);
+        photo_over(scene.draping, sitter.grid, scene.document.state.georeference,
+                   held->around ? held->around->heights() : heights_between(sitter.grid, ground), scene.view);
     if (held->photo) {
         held->renderer.lay(held->photo->laid());
-        if (held->around) held->around->backdrop().lay(held->photo->laid());
-        sitter.painter = with_photo(sitter.painter, *held->photo);
+        if (held->around)
+            held->around->backdrop().lay(
+                held->photo->laid_over(scene.whole->tree.grid(), scene.whole->file.georeference()));
+        sitter.painter = with_photo(sitter.painter, *held->photo, settings.view, Missing::refused);
+        sitter.photo_px = [photo = held->photo.get()] { return photo->largest_px(); };
     }
     sitter.held = held;
     return sitter;
@@ -112,10 +116,11 @@ Sitter tiled_sitter(const SceneRequest& request) {
         [&here](glm::ivec2 size) { return here.renderer.read_rgb(size.x, size.y); },
         [&here](glm::ivec2 size) { return here.renderer.read_depth(size.x, size.y); }};
     held->photo = photo_over(scene.draping, sitter.grid, scene.terrain->file.georeference(),
-                             {sitter.lowest_m, sitter.highest_m}, view);
+                             heights_between(scene.terrain->tree, scene.terrain->bounds), view);
     if (held->photo) {
         held->renderer.lay(held->photo->laid());
-        sitter.painter = with_photo(sitter.painter, *held->photo);
+        sitter.painter = with_photo(sitter.painter, *held->photo, settings.view, Missing::refused);
+        sitter.photo_px = [photo = held->photo.get()] { return photo->largest_px(); };
     }
     sitter.tiles = [&here] { return here.figures; };
     sitter.held = held;

@@ -29,6 +29,7 @@ struct Sitter {
     std::vector<std::string> notes;
     StillPainter painter;
     std::function<TiledFigures()> tiles;  ///< null: it is held as a whole
+    std::function<double()> photo_px;     ///< texels of the photo are at most so wide; null: it has none
     std::shared_ptr<void> held;           ///< what the painter draws from
 };
 

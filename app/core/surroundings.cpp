@@ -16,6 +16,12 @@ StillPainter Surroundings::painter(render::Renderer& renderer, const Terrain& te
     return painter;
 }
 
+HeightsBetween Surroundings::heights() const {
+    const TiledTerrain& whole = tiles_.terrain();
+    return [of_whole = heights_between(whole.tree, whole.bounds), shift = glm::dvec2(backdrop_.first())](
+               glm::dvec2 first, glm::dvec2 last) { return of_whole(first + shift, last + shift); };
+}
+
 std::unique_ptr<Surroundings> surroundings_of(const Scene& scene, const Grid& grid,
                                               const std::optional<Georeference>& place) {
     if (!scene.whole) return nullptr;

@@ -4,6 +4,7 @@
 #include "app/core/paged_tiles.h"
 #include "app/core/still.h"
 #include "render/tiled/backdrop.h"
+#include "sim/tiled/heights_between.h"
 
 namespace talus::app {
 
@@ -17,6 +18,8 @@ class Surroundings {
 
     PagedTiles& tiles() { return tiles_; }
     const PagedTiles& tiles() const { return tiles_; }
+    /// Heights of the whole, by the scene's columns and rows.
+    HeightsBetween heights() const;
     render::Backdrop& backdrop() { return backdrop_; }
     const render::Backdrop& backdrop() const { return backdrop_; }
 

@@ -29,7 +29,7 @@ void draw_view_panel(PanelContext& context) {
     heading("Picture");
     const auto changes_picture =
         context.session.overflight() ? render::is_heeded_in_tiles : render::is_heeded;
-    const bool draped = context.session.scene().draping.is_there();
+    const bool draped = context.session.photo() || !context.session.scene().draping.picture.rgba.empty();
     std::vector<std::string> shown;
     for (std::string& name : names_in(context.session, "render"))
         if (changes_picture(name, context.session.view(), draped) ||

@@ -30,6 +30,8 @@ class Backdrop {
     /// of the tiled one. The surface must outlive this.
     Backdrop(const TiledSurface& surface, const Grid& terrain, glm::ivec2 first);
 
+    /// The tiled terrain's column and row of the terrain's first sample.
+    glm::ivec2 first() const { return first_; }
     /// The camera in the tiled terrain's own metres.
     Camera camera_over_tiles(const Camera& camera) const;
     /// And one of those in the terrain's metres.

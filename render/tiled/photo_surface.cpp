@@ -14,19 +14,6 @@ int texels_across(const TileTree& tree) {
     return tree.room_patches() + 2 * border;
 }
 
-// The wider a texel, the farther off is what it shows: that is the error that a picture's tiles are chosen
-// by.
-std::vector<TileBounds> bounds_of(const TileTree& tree, float lowest_m, float highest_m) {
-    std::vector<TileBounds> bounds;
-    bounds.reserve(tree.count());
-    for (int level = 0; level <= tree.top_level(); ++level) {
-        const glm::dvec2 texel_m = tree.level(level).ratio * glm::dvec2(tree.grid().dx, tree.grid().dy);
-        const TileBounds one{lowest_m, highest_m, static_cast<float>(std::max(texel_m.x, texel_m.y))};
-        bounds.insert(bounds.end(), tree.first_of(level + 1) - tree.first_of(level), one);
-    }
-    return bounds;
-}
-
 int side_level_of(int side) {
     int level = 0;
     while (1 << level < side) ++level;
@@ -39,8 +26,11 @@ int slots_in_row(const TileTree& tree, int slots) {
     return std::min((slots + most - 1) / most, most);
 }
 
+// Whole rows, so that no more is held than was asked for.
 int slots_that_fit(const TileTree& tree, int slots) {
-    return std::min(slots, slots_in_row(tree, slots) * (gpu::widest_texture / texels_across(tree)));
+    const int in_row = slots_in_row(tree, slots);
+    const int fit = std::min(slots, in_row * (gpu::widest_texture / texels_across(tree)));
+    return std::max(fit / in_row * in_row, std::min(fit, in_row));
 }
 
 }  // namespace
@@ -59,14 +49,15 @@ std::size_t PhotoSurface::bytes_of_slot(const TileTree& tree) {
     return texels * gpu::texel_bytes(gpu::Format::srgb8);
 }
 
-PhotoSurface::PhotoSurface(TileTree tree, float lowest_m, float highest_m, int slots)
+PhotoSurface::PhotoSurface(TileTree tree, std::vector<TileBounds> bounds, int slots)
     : across_(texels_across(tree)),
-      slots_(tree, bounds_of(tree, lowest_m, highest_m), slots_that_fit(tree, slots)),
+      slots_(tree, std::move(bounds), slots_that_fit(tree, slots)),
       nodes_(tree),
       in_row_(slots_in_row(tree, slots_.count())) {
     const int rows = (slots_.count() + in_row_ - 1) / in_row_;
     texels_ = gpu::Texture("tiles of the photo", gpu::Format::srgb8, in_row_ * across_, rows * across_,
                            1 + halvings);
+    texels_.fill(0);
     texels_.filter(gpu::Wrap::edge, gpu::SmallerLevels::written);
     places_ = gpu::Texture("places in the photo's tiles", gpu::Format::rgba32f, 2, slots_.count());
 }
@@ -118,7 +109,7 @@ void PhotoSurface::tell_places() {
         // Texels are counted from their middles here, and in an image from its edge.
         const glm::dvec2 eye = corner + tree().place_in(tile->level, eye_) - first + 0.5;
         texels.emplace_back(glm::dvec4(eye, 1.0 / tree().level(tile->level).ratio));
-        texels.emplace_back(glm::vec4(corner + 0.5, corner + static_cast<double>(across_) - 0.5));
+        texels.emplace_back(glm::vec4(corner, corner + static_cast<double>(across_)));
     }
     places_.write(places_.whole(), std::as_bytes(std::span(texels)));
 }
@@ -134,6 +125,7 @@ void PhotoSurface::bind(gpu::Program& program, glm::dvec2 texels_per_sample) con
     program.set("photo_side_level", side_level_of(tree().side()));
     program.set("photo_top_level", tree().top_level());
     program.set("photo_rows", tree().level(0).tiles.y);
+    program.set("photo_widest", static_cast<float>(1 << halvings));
 }
 
 Camera LaidPhoto::camera_over(const Grid& ground, const Camera& camera) const {

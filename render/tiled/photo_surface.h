@@ -22,9 +22,9 @@ class PhotoSurface {
     /// Device bytes of one slot of a tree's tiles, and of the tree beside its slots.
     static std::size_t bytes_of_slot(const TileTree& tree);
 
-    /// tree: photo_tree(). lowest_m, highest_m: of the ground. slots: more than the tree's coarsest tiles,
+    /// tree: photo_tree(). bounds: photo_bounds(). slots: more than the tree's coarsest tiles,
     /// which must be put() before the first look(). Throws talus::Error where they are too few.
-    PhotoSurface(TileTree tree, float lowest_m, float highest_m, int slots);
+    PhotoSurface(TileTree tree, std::vector<TileBounds> bounds, int slots);
 
     const TileTree& tree() const { return slots_.tree(); }
     int slots() const { return slots_.count(); }
@@ -64,6 +64,7 @@ struct LaidPhoto {
     const PhotoSurface* surface = nullptr;
     PhotoPlace place{};
     std::uint64_t changes = 0;  ///< another number where it shows something else
+    bool covers_all = false;    ///< of the ground: its materials are seen nowhere
 
     /// The ground's camera in the photo's metres.
     Camera camera_over(const Grid& ground, const Camera& camera) const;

@@ -8,7 +8,7 @@
 namespace talus::render {
 namespace {
 
-// Tiles that a frame takes: their pyramids are built within it.
+// Tiles that a frame takes: it writes them to the device, and builds their pyramids.
 constexpr std::size_t most_taken = 16;
 
 // Tiles that have been read and wait for a frame.

@@ -37,6 +37,8 @@ class Paging {
     /// Tiles that the last picture wanted and that could not be read. They are tried again, and coarser ones
     /// are drawn.
     std::size_t failed() const { return failed_.size(); }
+    /// Why the last one could not be; empty: all could be read until now.
+    const std::string& last_error() const { return last_error_; }
     /// Whether a frame has something to do: tiles have come, or are to be tried again.
     bool has_news() const;
     /// True while the thread reads, or has been asked to.

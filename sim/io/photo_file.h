@@ -23,6 +23,8 @@ class PhotoFile {
     glm::ivec2 texels() const { return texels_; }  ///< in a row and in a column
     /// Whether the photo and the ground say where they lie; else it is stretched over all of the ground.
     bool is_placed() const { return is_placed_; }
+    /// Whether it covers all of a ground of this place and size, without leaving anything out.
+    bool covers(const Grid& ground, const std::optional<Georeference>& georeference) const;
     /// Where it lies over a ground of this place and size, in the ground's coordinate system. Throws
     /// talus::Error where it lies beside it.
     PhotoPlace place_over(const Grid& ground, const std::optional<Georeference>& georeference) const;
@@ -35,6 +37,7 @@ class PhotoFile {
     std::optional<Georeference> ground_;
     glm::ivec2 texels_{0};
     bool is_placed_ = false;
+    bool is_whole_ = false;              // it leaves nothing out
     std::array<double, 6> transform_{};  // of the photo, where it is placed
 };
 

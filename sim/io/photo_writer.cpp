@@ -69,8 +69,8 @@ bool add_overviews(GDALDataset& copy, Telling& telling) {
     for (int longest = std::max(copy.GetRasterXSize(), copy.GetRasterYSize()); longest > smallest_overview;
          longest = (longest + 1) / 2)
         factors.push_back(factors.empty() ? 2 : 2 * factors.back());
-    return factors.empty() || copy.BuildOverviews("AVERAGE", static_cast<int>(factors.size()), factors.data(),
-                                                  0, nullptr, Telling::tell, &telling) == CE_None;
+    return factors.empty() || copy.BuildOverviews("RMS", static_cast<int>(factors.size()), factors.data(), 0,
+                                                  nullptr, Telling::tell, &telling) == CE_None;
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "sim/tiled/photo.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -25,6 +25,34 @@ PhotoTexel mean_of(const PhotoTexel& a, const PhotoTexel& b, const PhotoTexel& c
 TileTree photo_tree(glm::ivec2 texels, const Grid& ground, const PhotoPlace& place) {
     const Grid grid{texels.x, texels.y, ground.dx / place.scale.x, ground.dy / place.scale.y};
     return TileTree(grid, photo_side, halved_levels(texels));
+}
+
+std::vector<TileBounds> photo_bounds(const TileTree& tree, const PhotoPlace& place,
+                                     const HeightsBetween& heights) {
+    std::vector<TileBounds> bounds(tree.count());
+    for (std::size_t i = 0; i < tree.count(); ++i) {
+        const TileId tile = tree.tile_at(i);
+        const TileLevel& level = tree.level(tile.level);
+        const glm::dvec2 texel_m = level.ratio * glm::dvec2(tree.grid().dx, tree.grid().dy);
+        const auto error_m = static_cast<float>(std::max(texel_m.x, texel_m.y));
+        if (tile.level == 0) {
+            const auto range = heights((glm::dvec2(tree.first_patch(tile)) - place.first) / place.scale,
+                                       (glm::dvec2(tree.last_patch(tile)) - place.first) / place.scale);
+            if (range) bounds[i] = {range->x, range->y, error_m};
+            continue;
+        }
+        for (int k = 0; k < 4; ++k) {
+            const TileId below = {tile.level - 1, 2 * tile.column + k % 2, 2 * tile.row + k / 2};
+            const glm::ivec2 tiles = tree.level(below.level).tiles;
+            if (below.column >= tiles.x || below.row >= tiles.y) continue;
+            const TileBounds& one = bounds[tree.index_of(below)];
+            if (one.error_m <= 0) continue;
+            const bool is_first = bounds[i].error_m <= 0;
+            bounds[i] = {is_first ? one.lowest_m : std::min(bounds[i].lowest_m, one.lowest_m),
+                         is_first ? one.highest_m : std::max(bounds[i].highest_m, one.highest_m), error_m};
+        }
+    }
+    return bounds;
 }
 
 ReadTexels with_smaller_pictures(ReadTexels read, int halvings) {

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "sim/tiled/tile_tree.h"
+#include "sim/tiled/heights_between.h"
 
 namespace talus {
 
@@ -31,6 +31,11 @@ struct PhotoPlace {
 
 /// Sizes of a photo's levels and how tiles cut it up. Its metres are those of the ground that it lies over.
 TileTree photo_tree(glm::ivec2 texels, const Grid& ground, const PhotoPlace& place);
+
+/// What is known of its tiles: between which heights the ground under each lies, and, as the error that tiles
+/// are chosen by, how wide its texels are. Where no ground lies, nothing is ever off.
+std::vector<TileBounds> photo_bounds(const TileTree& tree, const PhotoPlace& place,
+                                     const HeightsBetween& heights);
 
 /// A reader that gives, behind the texels, `halvings` smaller pictures of them, each the means of 2 x 2 of
 /// the one before, as light adds up. Both sides must be multiples of two so many times.

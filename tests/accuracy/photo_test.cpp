@@ -92,7 +92,10 @@ class Gallery {
           laid_(terrain_, 32),
           draped_(terrain_, 32),
           place_{glm::dvec2(-0.5), glm::dvec2(photo.texels()) / glm::dvec2(grid.nx - 1, grid.ny - 1)},
-          surface_(photo_tree(photo.texels(), grid, place_), 0, 300, slots),
+          surface_(photo_tree(photo.texels(), grid, place_),
+                   photo_bounds(photo_tree(photo.texels(), grid, place_), place_,
+                                heights_between(grid, generate_heights(grid, {"hills", 3, 300}))),
+                   slots),
           read_(with_smaller_pictures(photo.reader(), render::PhotoSurface::halvings)) {
         draped_.drape(photo.texels().x, photo.texels().y, std::as_bytes(std::span(photo.finest())));
         put(surface_.tree().coarsest_tiles());

@@ -40,6 +40,7 @@ constexpr std::array benchmarks = {
     Benchmark{"update", [](double) { talus::bench::bench_update(); }},
     Benchmark{"frame", talus::bench::bench_frame},
     Benchmark{"backdrop", talus::bench::bench_backdrop},
+    Benchmark{"photo", [](double) { talus::bench::bench_photo(); }},
     Benchmark{"waves", [](double) { talus::bench::bench_waves(); }},
     Benchmark{"erosion", talus::bench::bench_erosion},
     Benchmark{"sculpt", talus::bench::bench_sculpt},

@@ -64,5 +64,7 @@ void bench_frame(double patch_pixels);
 /// A part with the rest of its terrain around it, against each of them alone.
 /// patch_pixels: the hybrid's choice on this device.
 void bench_backdrop(double patch_pixels);
+/// A photo in tiles over terrain in tiles, against a picture held as a whole and the ground's materials.
+void bench_photo();
 
 }  // namespace talus::bench

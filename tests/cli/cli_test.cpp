@@ -212,6 +212,51 @@ TEST_F(Program, DrawsFilesInTiles) {
     EXPECT_NEAR(made["height_max"].get<double>() - made["height_min"].get<double>(), 300, 40);
 }
 
+TEST_F(Program, LaysPhotosOverTerrain) {
+    ASSERT_EQ(talus("run --preset alpine --size 257x193 --ticks 0 --out a.tif --image photo.png").code, 0);
+    const Outcome tiled = talus("tile a.tif ground.tif --texture photo.png photo.tif");
+    ASSERT_EQ(tiled.code, 0) << tiled.output;
+    EXPECT_NE(tiled.output.find("photo.tif: 1280 x 720 texels"), std::string::npos) << tiled.output;
+    ASSERT_EQ(talus("tile --texture photo.tif again.tif").code, 0);
+    // Where the ground lies, turned up and half as large.
+    std::ofstream(path("placed.vrt"))
+        << "<VRTDataset rasterXSize=\"1280\" rasterYSize=\"720\"><GeoTransform>0,2,0,0,0,2</GeoTransform>"
+           "<VRTRasterBand dataType=\"Byte\" band=\"1\"><SimpleSource><SourceFilename "
+           "relativeToVRT=\"1\">photo.tif</SourceFilename><SourceBand>1</SourceBand></SimpleSource>"
+           "</VRTRasterBand></VRTDataset>";
+    const std::string view = " --size 160x90 --image ";
+    ASSERT_EQ(talus("render a.tif --texture placed.vrt" + view + "whole.png").code, 0);
+    const Outcome in_tiles = talus("render a.tif --tiled --texture placed.vrt" + view + "tiled.png");
+    ASSERT_EQ(in_tiles.code, 0) << in_tiles.output;
+    ASSERT_EQ(talus("render a.tif --tiled" + view + "bare.png").code, 0);
+    EXPECT_NE(bytes_of("tiled.png"), bytes_of("bare.png"));
+    ASSERT_EQ(talus("render a.tif --tiled --texture placed.vrt" + view + "second.png").code, 0);
+    EXPECT_EQ(bytes_of("second.png"), bytes_of("tiled.png"));
+    // A view that does not show it.
+    ASSERT_EQ(talus("render a.tif --tiled --view slope --texture placed.vrt" + view + "slope.png").code, 0);
+    ASSERT_EQ(talus("render a.tif --tiled --view slope" + view + "bare_slope.png").code, 0);
+    EXPECT_EQ(bytes_of("slope.png"), bytes_of("bare_slope.png"));
+    // Both outputs are none of the inputs.
+    const std::string before = bytes_of("photo.tif");
+    refusal("tile a.tif photo.tif --texture photo.tif other.tif");
+    refusal("tile a.tif other.tif --texture photo.tif a.tif");
+    refusal("tile a.tif same.tif --texture photo.tif same.tif");
+    refusal("tile --texture photo.tif photo.tif");
+    refusal("tile --texture absent.tif b.tif");
+    refusal("tile --texture ground.tif b.tif");
+    refusal("tile --texture photo.tif b.png");
+    refusal("tile --texture photo.tif");
+    refusal("render a.tif --texture absent.tif" + view + "x.png");
+    EXPECT_EQ(bytes_of("photo.tif"), before);
+    EXPECT_FALSE(fs::exists(path("b.tif")));
+    EXPECT_FALSE(fs::exists(path("other.tif")));
+    // What cannot be read on the way is said.
+    std::fstream(path("photo.tif"), std::ios::binary | std::ios::in | std::ios::out).seekp(3000)
+        << std::string(before.size() - 3000, '\0');
+    EXPECT_NE(refusal("render a.tif --texture placed.vrt" + view + "x.png").find("cannot be read"),
+              std::string::npos);
+}
+
 TEST_F(Program, RefusesWhatCannotBeTiled) {
     ASSERT_EQ(talus("run --preset alpine --size 65x65 --ticks 0 --out a.tif").code, 0);
     for (const char* arguments : {"tile a.tif",

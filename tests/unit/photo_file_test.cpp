@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -13,6 +14,7 @@
 #include "sim/tiled/screen_colour.h"
 #include "tests/scenes/broken_file.h"
 #include "tests/scenes/file_size_limit.h"
+#include "tests/scenes/memory_tiles.h"
 
 namespace talus::photo_file_test {
 namespace {
@@ -96,19 +98,24 @@ TEST_F(PhotoFiles, AreReadAtAllLevelsAndWrittenAsTheyAre) {
         // Beside the photo its edge goes on.
         const std::vector<PhotoTexel> corner = texels(*photo, 0, {glm::ivec2(-2), glm::ivec2(3)});
         for (const PhotoTexel& one : corner) EXPECT_EQ(one, all.front());
-        // Level 1 stands for pairs; where both sides are halved evenly it is their mean.
+        // A level's texel has about the colour of the mean light of those that it stands for: squares of
+        // colours are near the light.
+        constexpr int off = 9;
+        const auto colour_of_mean = [&](glm::ivec2 from, glm::ivec2 count) {
+            float light = 0;
+            for (int y = 0; y < count.y; ++y)
+                for (int x = 0; x < count.x; ++x)
+                    light += from_screen(all[static_cast<std::size_t>(from.y + y) * size.x + from.x + x].g);
+            return static_cast<int>(to_screen(light / static_cast<float>(count.x * count.y)));
+        };
         const std::vector<PhotoTexel> half = texels(*photo, 1, {{10, 0}, {8, 4}});
         for (int y = 0; y < 4; ++y)
-            for (int x = 0; x < 8; ++x) {
-                const auto red = [&](int dx, int dy) {
-                    return static_cast<int>(
-                        all[static_cast<std::size_t>(2 * y + dy) * size.x + 20 + 2 * x + dx].r);
-                };
-                const int mean = (red(0, 0) + red(1, 0) + red(0, 1) + red(1, 1) + 2) / 4;
-                EXPECT_NEAR(half[static_cast<std::size_t>(y) * 8 + x].r, mean, 2) << x << ' ' << y;
-            }
-        std::vector<PhotoTexel> whole = texels(*photo, 11, {glm::ivec2(0), glm::ivec2(1)});
-        EXPECT_NEAR(whole.front().g, 127, 4);
+            for (int x = 0; x < 8; ++x)
+                EXPECT_NEAR(half[static_cast<std::size_t>(y) * 8 + x].g,
+                            colour_of_mean({20 + 2 * x, 2 * y}, {2, 2}), off)
+                    << x << ' ' << y;
+        const std::vector<PhotoTexel> whole = texels(*photo, 11, {glm::ivec2(0), glm::ivec2(1)});
+        EXPECT_NEAR(whole.front().g, colour_of_mean({0, 0}, size), off);
     }
 }
 
@@ -232,6 +239,103 @@ TEST_F(PhotoFiles, HaveBandsOfSixteenBitsOneBandOrATable) {
     EXPECT_EQ(read("table.vrt")[5], of_table);
     ASSERT_TRUE(io::write_photo(path("table.vrt"), path("table.tif"), [](double) { return true; }));
     EXPECT_EQ(read("table.tif")[5], of_table);
+}
+
+// What is left out is left out by all bands; alpha counts behind other bands too; colours go by their names.
+TEST_F(PhotoFiles, ChooseTheirBandsByWhatTheyMean) {
+    const glm::ivec2 size(16, 8);
+    const std::vector<std::uint8_t> rgb = write_picture("a.png", size);
+    std::vector<std::uint8_t> alpha(std::size_t{3} * 16 * 8, 255);
+    alpha[0] = 0;
+    alpha[3] = 128;
+    io::write_rgb(path("alpha.png"), 16, 8, alpha);
+    const auto read = [&](const std::string& name) {
+        return texels(io::PhotoFile(path(name), {}), 0, {glm::ivec2(0), size});
+    };
+    const auto nodata = [](int value) { return "<NoDataValue>" + std::to_string(value) + "</NoDataValue>"; };
+    // The third texel has the red that is nodata, and neither its green nor its blue.
+    write_raster("nodata.vrt", size,
+                 band(1, "a.png", 1, nodata(rgb[6])) + band(2, "a.png", 2, nodata(rgb[7] ^ 1)) +
+                     band(3, "a.png", 3, nodata(rgb[8] ^ 1)));
+    EXPECT_EQ(read("nodata.vrt")[2], (PhotoTexel{rgb[6], rgb[7], rgb[8], 255}));
+    write_raster("void.vrt", size,
+                 band(1, "a.png", 1, nodata(rgb[6])) + band(2, "a.png", 2, nodata(rgb[7])) +
+                     band(3, "a.png", 3, nodata(rgb[8])));
+    EXPECT_EQ(read("void.vrt")[2].a, 0);
+    write_raster("infrared.vrt", size,
+                 colours("a.png") + band(4, "a.png", 1, "") +
+                     band(5, "alpha.png", 1, "<ColorInterp>Alpha</ColorInterp>"));
+    EXPECT_EQ(read("infrared.vrt")[0].a, 0);
+    EXPECT_EQ(read("infrared.vrt")[1].a, 128);
+    EXPECT_EQ(read("infrared.vrt")[5], (PhotoTexel{rgb[15], rgb[16], rgb[17], 255}));
+    write_raster("turned.vrt", size,
+                 band(1, "a.png", 3, "<ColorInterp>Blue</ColorInterp>") +
+                     band(2, "a.png", 2, "<ColorInterp>Green</ColorInterp>") +
+                     band(3, "a.png", 1, "<ColorInterp>Red</ColorInterp>"));
+    EXPECT_EQ(read("turned.vrt")[5], (PhotoTexel{rgb[15], rgb[16], rgb[17], 255}));
+    write_raster("wide.vrt", size,
+                 band(1, "a.png", 1, "", "UInt16") + band(2, "a.png", 2, "", "UInt16") +
+                     band(3, "a.png", 3, "", "UInt16") +
+                     band(4, "alpha.png", 1, "<ColorInterp>Alpha</ColorInterp>", "UInt16"));
+    EXPECT_EQ(read("wide.vrt")[1].a, 128);
+}
+
+TEST_F(PhotoFiles, AreNotAnotherOneOnTheWay) {
+    write_picture("a.png", {700, 600});
+    write_picture("b.png", {300, 200});
+    ASSERT_TRUE(io::write_photo(path("a.png"), path("a.tif"), [](double) { return true; }));
+    const io::PhotoFile photo(path("a.tif"), {});
+    auto reader = photo.make_reader();
+    std::vector<PhotoTexel> read;
+    scenes::BrokenFile broken(path("a.tif"));
+    EXPECT_THROW(reader(1, {glm::ivec2(0), glm::ivec2(50)}, read), Error);
+    ASSERT_TRUE(io::write_photo(path("b.png"), path("a.tif"), [](double) { return true; }));
+    for (const int level : {0, 9})
+        EXPECT_THROW(reader(level, {glm::ivec2(0), glm::ivec2(1)}, read), Error) << level;
+}
+
+TEST(ScreenColours, AreThoseOfTheirLight) {
+    for (int colour = 0; colour < 256; ++colour)
+        EXPECT_EQ(to_screen(from_screen(static_cast<std::uint8_t>(colour))), colour);
+    EXPECT_EQ(from_screen(255), 1);
+    EXPECT_NEAR(from_screen(188), 0.5, 0.005);  // half of the light, by the standard's table
+    EXPECT_EQ(to_screen(-1), 0);
+    EXPECT_EQ(to_screen(2), 255);
+}
+
+TEST(HeightsBetween, HoldAllThatLiesThere) {
+    const Grid grid{700, 500, 10, 10};
+    std::vector<float> heights(grid.count());
+    for (std::size_t i = 0; i < heights.size(); ++i)
+        heights[i] = static_cast<float>(300 * std::sin(1e-4 * static_cast<double>(i)) + (i * 7919) % 100);
+    const scenes::MemoryTiles tiles(grid, heights, 32);
+    const HeightsBetween whole = heights_between(grid, heights);
+    const HeightsBetween tiled = heights_between(tiles.tree(), tiles.bounds());
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> x(-50, 750);
+    std::uniform_real_distribution<double> y(-50, 550);
+    for (int i = 0; i < 300; ++i) {
+        const glm::dvec2 a(x(random), y(random));
+        const glm::dvec2 b(x(random), y(random));
+        const glm::dvec2 first = glm::min(a, b);
+        const glm::dvec2 last = glm::max(a, b);
+        std::optional<glm::vec2> range;
+        for (int row = 0; row < grid.ny; ++row)
+            for (int column = 0; column < grid.nx; ++column) {
+                if (column < first.x || column > last.x || row < first.y || row > last.y) continue;
+                const float h = heights[static_cast<std::size_t>(row) * grid.nx + column];
+                range = range ? glm::vec2(std::min(range->x, h), std::max(range->y, h)) : glm::vec2(h);
+            }
+        if (!range) continue;
+        for (const HeightsBetween* told : {&whole, &tiled}) {
+            const std::optional<glm::vec2> between = (*told)(first, last);
+            ASSERT_TRUE(between);
+            EXPECT_LE(between->x, range->x);
+            EXPECT_GE(between->y, range->y);
+        }
+    }
+    EXPECT_FALSE(whole({-20, 0}, {-10, 400}));
+    EXPECT_FALSE(tiled({0, 501}, {700, 600}));
 }
 
 TEST_F(PhotoFiles, RefuseWhatIsNone) {

@@ -67,8 +67,9 @@ void simulate_everything(Simulation& simulation) {
 // A grey photo over a ground, as a picture from this eye needs it.
 class GreyPhoto {
   public:
-    GreyPhoto(const Grid& ground, const render::Camera& camera)
-        : surface_(photo_tree({40, 40}, ground, place_), 0, 300, 2), laid_{&surface_, place_, 1} {
+    GreyPhoto(const Grid& ground, const render::Camera& camera, bool covers_all = false)
+        : surface_(photo_tree({40, 40}, ground, place_), std::vector<TileBounds>(1), 2),
+          laid_{&surface_, place_, 1, covers_all} {
         const TileId all = {surface_.tree().top_level(), 0, 0};
         std::vector<PhotoTexel> texels;
         with_smaller_pictures(
@@ -158,7 +159,7 @@ void draw_backdrop() {
     renderer.stand_before(&backdrop);
     const render::Camera camera = render::overview(inner, 0, 30);
     surface.look(backdrop.camera_over_tiles(camera), {64, 48}, 1);
-    const GreyPhoto photo(inner, camera);
+    const GreyPhoto photo(inner, camera, true);
     const std::vector<std::uint8_t> picture(4 * 4 * 4, 200);
     for (const render::View& view : render::views())
         for (int choice = 0; choice < (view.natural ? 12 : 1); ++choice) {

@@ -17,7 +17,10 @@ vec3 view_colour(ViewPoint point) {
     vec3 albedo = draped(point.absolute, footprint);
 #elif defined(PHOTO)
     vec4 photo = photo_at(point.place - origin_fraction, footprint);
-    vec3 albedo = paper * photo.rgb + (1.0 - photo.a) * material(material_place(point.absolute), footprint, point.share, point.height_m, point.relief);
+    vec3 albedo = paper * photo.rgb;
+#ifndef PHOTO_COVERS
+    albedo += (1.0 - photo.a) * material(material_place(point.absolute), footprint, point.share, point.height_m, point.relief);
+#endif
 #else
     vec3 albedo = material(material_place(point.absolute), footprint, point.share, point.height_m, point.relief);
 #endif
