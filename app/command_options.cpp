@@ -107,7 +107,7 @@ void add_gpu(CLI::App& app, Texts& t) {
 }
 void add_texture(CLI::App& app, Texts& t) {
     app.add_option("--texture", t.texture,
-                   "a picture draped over the terrain, its edges on the outer samples")
+                   "a picture over the terrain: where it lies on Earth, or stretched over all of it")
         ->type_name("PICTURE");
 }
 void add_import(CLI::App& app, Texts& t) {
