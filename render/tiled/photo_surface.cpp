@@ -49,7 +49,7 @@ std::size_t PhotoSurface::bytes_of_slot(const TileTree& tree) {
     return texels * gpu::texel_bytes(gpu::Format::srgb8);
 }
 
-PhotoSurface::PhotoSurface(TileTree tree, std::vector<TileBounds> bounds, int slots)
+PhotoSurface::PhotoSurface(const TileTree& tree, std::vector<TileBounds> bounds, int slots)
     : across_(texels_across(tree)),
       slots_(tree, std::move(bounds), slots_that_fit(tree, slots)),
       nodes_(tree),

@@ -24,7 +24,7 @@ class PhotoSurface {
 
     /// tree: photo_tree(). bounds: photo_bounds(). slots: more than the tree's coarsest tiles,
     /// which must be put() before the first look(). Throws talus::Error where they are too few.
-    PhotoSurface(TileTree tree, std::vector<TileBounds> bounds, int slots);
+    PhotoSurface(const TileTree& tree, std::vector<TileBounds> bounds, int slots);
 
     const TileTree& tree() const { return slots_.tree(); }
     int slots() const { return slots_.count(); }

@@ -36,8 +36,8 @@ class PhotosOfSessions : public testing::Test {
             };
         };
         io::write_tiled(path("ground.tif"), ground, [](double) { return true; });
-        std::vector<std::uint8_t> rgb;
-        for (int i = 0; i < 3 * 3010 * 2010; ++i) rgb.push_back(static_cast<std::uint8_t>((i * 31) % 256));
+        std::vector<std::uint8_t> rgb(std::size_t{3} * 3010 * 2010);
+        for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = static_cast<std::uint8_t>((i * 31) % 256);
         io::write_rgb(path("photo.png"), 3010, 2010, rgb);
         // Beside a picture, where GDAL finds its place.
         std::ofstream(path("photo.pgw")) << "1\n0\n0\n-1\n5000.5\n8999.5\n";

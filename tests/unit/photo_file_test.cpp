@@ -70,7 +70,7 @@ class PhotoFiles : public ::testing::Test {
             photo.place_over({11, 11, 100, 100}, ground);
             texels(photo, 0, {glm::ivec2(0), glm::ivec2(1)});
         } catch (const Error& error) {
-            const std::string message = error.what();
+            std::string message = error.what();
             EXPECT_EQ(message.find('\n'), std::string::npos) << message;
             EXPECT_NE(message.find(name), std::string::npos) << message;
             return message;
