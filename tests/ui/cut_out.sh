@@ -99,7 +99,7 @@ type_into time.speed 60
 click Water
 type_into water.rain_mm_per_h 10000
 xdotool mousemove 600 600
-for _ in 1 2 3 4; do
+for _ in $(seq 8); do
     play 8
     save lake.exr
     deepest=$(depth lake.exr)

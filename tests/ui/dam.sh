@@ -69,7 +69,7 @@ click Water
 type_into water.rain_mm_per_h 10000
 xdotool mousemove 600 600
 # A machine that does other things as well fills it more slowly.
-for _ in 1 2 3 4; do
+for _ in $(seq 8); do
     play 8
     save lake.exr
     deepest=$(depth lake.exr)
