@@ -45,7 +45,7 @@ PagedPhoto::PagedPhoto(std::shared_ptr<const io::PhotoFile> file, const Grid& gr
     : file_(std::move(file)),
       ground_(ground),
       surface_(surface_over(*file_, ground, georeference, heights, mib)),
-      laid_(laid_over(ground, georeference)),
+      laid_{&surface_, file_->place_over(ground, georeference), 1, file_->covers(ground, georeference)},
       paging_(surface_.tree(), reader_of(*file_)) {
     const ReadTexels read = reader_of(*file_);
     std::vector<PhotoTexel> texels;
