@@ -45,6 +45,8 @@ class PagedPhoto {
     std::size_t awaited_tiles() const { return paging_.on_their_way(); }
     /// Texels of all stills until now are at most so wide.
     double largest_px() const { return largest_px_; }
+    /// CPU time that its reading thread has taken, seconds.
+    double read_cpu_s() { return paging_.read_cpu_s(); }
     /// What the status line says of it; empty: nothing.
     std::string state() const;
     /// What is to be said of reading, once.

@@ -1,5 +1,8 @@
 #include "render/tiled/tile_paging.h"
 
+#include <pthread.h>
+#include <time.h>
+
 #include <algorithm>
 #include <chrono>
 #include <iterator>
@@ -35,6 +38,15 @@ Paging<Surface>::~Paging() {
     }
     news_.notify_one();
     thread_.join();
+}
+
+template <typename Surface>
+double Paging<Surface>::read_cpu_s() {
+    clockid_t clock{};
+    timespec taken{};
+    if (pthread_getcpuclockid(thread_.native_handle(), &clock) != 0 || clock_gettime(clock, &taken) != 0)
+        return 0;
+    return static_cast<double>(taken.tv_sec) + 1e-9 * static_cast<double>(taken.tv_nsec);
 }
 
 template <typename Surface>

@@ -46,6 +46,8 @@ class Paging {
     /// A sentence where tiles that a picture wants begin to fail, and where they could be read again. Once
     /// for each.
     std::optional<std::string> take_message();
+    /// CPU time that its thread has taken, seconds.
+    double read_cpu_s();
 
   private:
     using Clock = std::chrono::steady_clock;

@@ -473,6 +473,10 @@ void limit_read_memory(std::size_t bytes) {
     GDALSetCacheMax64(static_cast<GIntBig>(bytes));
 }
 
+std::size_t read_memory_bytes() {
+    return static_cast<std::size_t>(GDALGetCacheUsed64());
+}
+
 bool is_larger_than_a_terrain(const fs::path& path) {
     start_gdal();
     VSIStatBufL found{};

@@ -110,6 +110,8 @@ std::filesystem::path overviews_path(const std::filesystem::path& raster);
 
 /// Memory that reading may keep of rasters, all files and threads together, bytes.
 void limit_read_memory(std::size_t bytes);
+/// Memory that it keeps of them now, bytes.
+std::size_t read_memory_bytes();
 
 /// Whether a file is a raster of more samples than a terrain that is held as a whole may have
 /// (sim/terrain/grid.h). False where GDAL does not open it.

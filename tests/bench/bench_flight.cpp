@@ -1,20 +1,21 @@
 // Flights over a raster in tiles while its tiles come, against the same frames with all tiles there.
 #include <fmt/format.h>
-#include <pthread.h>
 #include <time.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <fstream>
 #include <random>
 #include <string>
 
+#include "app/core/paged_photo.h"
 #include "app/core/tiled_terrain.h"
 #include "render/tiled/tile_loading.h"
 #include "render/tiled/tile_paging.h"
 #include "render/tiled/tiled_renderer.h"
 #include "sim/error.h"
+#include "tests/bench/finest_surface.h"
 #include "tests/bench/measure.h"
 
 namespace talus::bench {
@@ -36,76 +37,54 @@ double thread_s() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// The CPU time of the thread that reads, told at any time. Where a GPU draws, frames are measured by wall
-// time, and it counts for nothing.
-class ReadTime {
-  public:
-    ReadSamples around(ReadSamples read) {
-        return [this, read = std::move(read)](int level, const TileSamples& samples,
-                                              std::vector<float>& heights) {
-            if (!known_) {
-                pthread_getcpuclockid(pthread_self(), &clock_);
-                known_ = true;
-            }
-            read(level, samples, heights);
-        };
-    }
-    double seconds() const {
-        timespec now{};
-        if (!known_ || busy_cores() == 1) return 0;
-        clock_gettime(clock_, &now);
-        return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-    }
-
-  private:
-    clockid_t clock_{};
-    std::atomic<bool> known_ = false;
-};
-
-// MiB that the process has held at most.
-double peak_mib() {
-    std::ifstream status("/proc/self/status");
-    for (std::string line; std::getline(status, line);)
-        if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1024;
-    return 0;
+double mib(std::size_t bytes) {
+    return static_cast<double>(bytes) / (1 << 20);
 }
 
-// The finest level's bilinear surface, read where it is asked for.
-class FinestSurface {
-  public:
-    FinestSurface(const Grid& grid, ReadSamples read) : grid_(grid), read_(std::move(read)) {}
+// MiB that the process holds now.
+double held_mib() {
+    std::ifstream status("/proc/self/statm");
+    std::size_t all = 0;
+    std::size_t resident = 0;
+    status >> all >> resident;
+    return mib(resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)));
+}
 
-    // None beside the terrain.
-    std::optional<double> height_m(glm::dvec2 place_m) {
-        const glm::dvec2 at(grid_.column_of(place_m.x), grid_.row_of(place_m.y));
-        if (at.x < 0 || at.y < 0 || at.x > grid_.nx - 1 || at.y > grid_.ny - 1) return std::nullopt;
-        const glm::ivec2 patch = glm::min(glm::ivec2(at), glm::ivec2(grid_.nx, grid_.ny) - 2);
-        read_(0, {patch, {2, 2}}, corners_);
-        const glm::dvec2 in = at - glm::dvec2(patch);
-        return std::lerp(std::lerp<double>(corners_[0], corners_[1], in.x),
-                         std::lerp<double>(corners_[2], corners_[3], in.x), in.y);
+// The largest of all frames.
+struct Memory {
+    double reading_mib = 0;
+    double tiles_mib = 0;
+    double photo_mib = 0;
+    double process_mib = 0;
+
+    void take(const Memory& now) {
+        reading_mib = std::max(reading_mib, now.reading_mib);
+        tiles_mib = std::max(tiles_mib, now.tiles_mib);
+        photo_mib = std::max(photo_mib, now.photo_mib);
+        process_mib = std::max(process_mib, now.process_mib);
     }
-
-  private:
-    Grid grid_;
-    ReadSamples read_;
-    std::vector<float> corners_;
 };
 
 class Flight {
   public:
-    Flight(const app::TiledTerrain& terrain, int gpu_mib)
+    Flight(const app::TiledTerrain& terrain, const FlightRun& run)
         : terrain_(terrain),
-          finest_(terrain.tree.grid(), terrain.file.make_reader()),
-          paged_(terrain.tree, terrain.bounds, app::slots_within(terrain, gpu_mib)),
-          loaded_(terrain.tree, terrain.bounds, app::slots_within(terrain, gpu_mib)),
-          loading_([&] { return terrain.file.make_reader(); }),
-          paging_(terrain.tree, read_time_.around(terrain.file.make_reader())) {
+          run_(run),
+          finest_(terrain),
+          paged_(terrain.tree, terrain.bounds, app::slots_within(terrain, run.gpu_mib)),
+          loaded_(terrain.tree, terrain.bounds, app::slots_within(terrain, run.gpu_mib)),
+          loading_([&] { return terrain.make_reader(); }),
+          paging_(terrain.tree, terrain.make_reader()) {
         loading_.begin(paged_);
         loading_.begin(loaded_);
+        if (run.photo.empty()) return;
+        const app::Draping draping = app::open_draping(run.photo, terrain.file.georeference());
+        if (!draping.photo) throw Error(fmt::format("'{}' is no photo that is read in tiles", run.photo));
+        for (auto* photo : {&paged_photo_, &loaded_photo_})
+            *photo = std::make_unique<app::PagedPhoto>(
+                draping.photo, terrain.tree.grid(), terrain.file.georeference(),
+                heights_between(terrain.tree, terrain.bounds), run.photo_mib);
     }
-
-    std::size_t device_bytes() const { return paged_.bytes(); }
 
     // Cameras so high over the ground along a line, with as much looked down.
     std::vector<render::Camera> way(glm::dvec2 middle, double height_m, double length_m, double down) {
@@ -136,42 +115,51 @@ class Flight {
         int late = 0;
         int waiting = 0;
         std::size_t awaited = 0;
-        int checked = 0;
-        int off = 0;
+        Seen seen;
+        Memory most;
         double reached_px = 0;
         double most_more = 0;
         render::ViewSettings settings;
         settings.sun = glm::normalize(glm::dvec3(-0.6, 0.5, 0.45));
+        const auto follow = [&](const render::Camera& camera) {
+            if (paged_photo_) paged_photo_->follow(camera, flown_size);
+            return paging_.follow(paged_, camera, flown_size, flight_px);
+        };
         // The first frame of a flight waits for nothing either, but shaders are compiled in it.
         for (int warm = 0; warm < 2; ++warm)
-            draw(paged_, way.front(), settings,
-                 [&] { paging_.follow(paged_, way.front(), flown_size, flight_px); });
+            draw(paged_, paged_photo_.get(), way.front(), settings, [&] { follow(way.front()); });
         for (const render::Camera& camera : way) {
-            const double read_before = read_time_.seconds();
-            const auto follow = [&] {
+            const double read_before = read_cpu_s();
+            const auto look = [&] {
                 const double begin = thread_s();
-                const render::TileChoice& choice = paging_.follow(paged_, camera, flown_size, flight_px);
+                const render::TileChoice choice = follow(camera);
                 follow_s.push_back(thread_s() - begin);
+                const std::size_t of_photo = paged_photo_ ? paged_photo_->awaited_tiles() : 0;
                 reached_px = std::max(reached_px, choice.tolerance_px);
-                waiting += choice.wanted.empty() ? 0 : 1;
-                awaited += choice.wanted.size();
+                waiting += choice.wanted.size() + of_photo == 0 ? 0 : 1;
+                awaited += choice.wanted.size() + of_photo;
             };
-            const double with_reading = draw(paged_, camera, settings, follow);
-            took_s.push_back(with_reading - (read_time_.seconds() - read_before));
+            const double with_reading = draw(paged_, paged_photo_.get(), camera, settings, look);
+            took_s.push_back(with_reading - (read_cpu_s() - read_before));
+            take_memory(most);
         }
         for (std::size_t frame = 0; frame < way.size(); ++frame) {
             const render::Camera& camera = way[frame];
             const double tolerance_px = loading_.load(loaded_, camera, flown_size, flight_px).tolerance_px;
-            const double loaded =
-                draw(loaded_, camera, settings, [&] { loaded_.look(camera, flown_size, flight_px); });
+            if (loaded_photo_) {
+                loaded_photo_->begin_still(camera, flown_size);
+                loaded_photo_->wait_for_still(camera, flown_size);
+            }
+            const double loaded = draw(loaded_, loaded_photo_.get(), camera, settings, [&] {
+                if (loaded_photo_) loaded_photo_->follow(camera, flown_size);
+                loaded_.look(camera, flown_size, flight_px);
+            });
             const std::vector<float> depth = renderer_.read_depth(flown_size.x, flown_size.y);
             for (int k = 0; k < checked_pixels; ++k) {
                 const glm::ivec2 pixel(static_cast<int>(random() % flown_size.x),
                                        static_cast<int>(random() % flown_size.y));
-                const float distance_m = depth[static_cast<std::size_t>(pixel.y) * flown_size.x + pixel.x];
-                if (std::isinf(distance_m)) continue;
-                ++checked;
-                off += off_px(camera, pixel, distance_m) > tolerance_px ? 1 : 0;
+                check(camera, pixel, depth[static_cast<std::size_t>(pixel.y) * flown_size.x + pixel.x],
+                      tolerance_px, seen);
             }
             loaded_s.push_back(loaded);
             times.push_back(took_s[frame] / loaded);
@@ -188,72 +176,114 @@ class Flight {
             "{:.2f}; "
             "beyond 1.5 times by at most {:.1f} ms, late {}; waiting for tiles {} of {}, for {:.1f} on "
             "average; "
-            "tolerance reached {:.2f} px; {} of {} pixels farther off\n",
+            "tolerance reached {:.2f} px; {} of {} pixels farther off; {} of {} rays pass through\n",
             name, 1e3 * at(took_s, 0.5), 1e3 * at(follow_s, 0.5), 1e3 * at(loaded_s, 0.5), at(times, 0.5),
             at(times, 0.9), at(times, 1), 1e3 * most_more, late, waiting, took_s.size(),
-            static_cast<double>(awaited) / flight_frames, reached_px, off, checked);
+            static_cast<double>(awaited) / flight_frames, reached_px, seen.off, seen.hits, seen.passed,
+            seen.rays);
+        fmt::print(
+            "          most of all frames, MiB: tiles {:.1f} of {}, photo {:.1f} of {}, reading {:.1f} "
+            "of {}, the process {:.0f}\n",
+            most.tiles_mib, run_.gpu_mib, most.photo_mib, run_.photo_mib, most.reading_mib, run_.host_mib,
+            most.process_mib);
         late_ += late;
-        off_ += off;
+        off_ += seen.off + seen.passed;
+        if (most.tiles_mib > run_.gpu_mib || most.photo_mib > run_.photo_mib ||
+            most.reading_mib > run_.host_mib)
+            over_ = true;
     }
 
     void check() const {
         if (late_ > 0) throw Error(fmt::format("{} frames took longer than they may", late_));
         if (off_ > 0) throw Error(fmt::format("{} pixels are farther off than the tolerance", off_));
+        if (over_) throw Error("memory is over what it may be");
     }
 
   private:
-    template <typename Follow>
-    double draw(const render::TiledSurface& surface, const render::Camera& camera,
-                const render::ViewSettings& settings, const Follow& follow) {
+    // Pixels that were looked at against the finest surface.
+    struct Seen {
+        int hits = 0;
+        int off = 0;  // of them: the surface is farther above or below than the tolerance
+        int rays = 0;
+        int passed = 0;  // of them: on its way it was farther below the surface than the tolerance
+    };
+
+    template <typename Look>
+    double draw(const render::TiledSurface& surface, app::PagedPhoto* photo, const render::Camera& camera,
+                const render::ViewSettings& settings, const Look& look) {
         const double begin = run_time_s();
-        follow();
+        look();
+        renderer_.lay(photo ? photo->laid() : render::LaidPhoto{});
         renderer_.draw(surface, camera, settings, flown_size.x, flown_size.y);
         const std::vector<std::uint8_t> wait = renderer_.read_rgb(1, 1);
         return run_time_s() - begin;
     }
 
-    // How far the finest surface is above or below what a pixel shows.
-    double off_px(const render::Camera& camera, glm::ivec2 pixel, double distance_m) {
+    // Of the threads that read. Where a GPU draws, frames are measured by wall time, and it counts for
+    // nothing.
+    double read_cpu_s() {
+        if (busy_cores() == 1) return 0;
+        return paging_.read_cpu_s() + (paged_photo_ ? paged_photo_->read_cpu_s() : 0);
+    }
+
+    void take_memory(Memory& most) const {
+        most.take({mib(io::read_memory_bytes()), mib(paged_.bytes()),
+                   paged_photo_ ? mib(paged_photo_->surface().bytes()) : 0, held_mib()});
+    }
+
+    // distance_m: of the hit; infinite where the sky is seen.
+    void check(const render::Camera& camera, glm::ivec2 pixel, float distance_m, double tolerance_px,
+               Seen& seen) {
         const render::CameraRays rays = render::camera_rays(camera, flown_size.x, flown_size.y);
         const glm::dvec2 at(2 * (pixel.x + 0.5) / flown_size.x - 1, 1 - 2 * (pixel.y + 0.5) / flown_size.y);
         const glm::dvec3 way = glm::normalize(rays.middle + at.x * rays.right + at.y * rays.up);
-        glm::dvec3 point = camera.eye + distance_m * way;
-        const std::optional<double> ground_m = finest_.height_m(point);
+        // How far from the pixel the surface is seen above or below a place of its ray.
+        const auto off_px = [&](glm::dvec3 place, double ground_m) {
+            const auto seen_at = render::place_in_picture(camera, rays, {place.x, place.y, ground_m});
+            return seen_at ? glm::length(0.5 * (*seen_at - at) * glm::dvec2(flown_size)) : 0;
+        };
+        bool passed = false;
+        finest_.along(camera.eye, way, distance_m, [&](glm::dvec3 place, double ground_m) {
+            passed = passed || (ground_m > place.z && off_px(place, ground_m) > tolerance_px);
+        });
+        ++seen.rays;
+        seen.passed += passed ? 1 : 0;
+        if (std::isinf(distance_m)) return;
+        const glm::dvec3 hit = camera.eye + static_cast<double>(distance_m) * way;
+        ++seen.hits;
         // On the terrain's sides there is no ground.
-        if (!ground_m) return 0;
-        point.z = *ground_m;
-        const auto place = render::place_in_picture(camera, rays, point);
-        return place ? glm::length(0.5 * (*place - at) * glm::dvec2(flown_size)) : 0;
+        const std::optional<double> ground_m = finest_.height_m(hit);
+        seen.off += ground_m && off_px(hit, *ground_m) > tolerance_px ? 1 : 0;
     }
 
     const app::TiledTerrain& terrain_;
+    const FlightRun& run_;
     FinestSurface finest_;
     render::TiledSurface paged_;
     render::TiledSurface loaded_;
     render::TileLoading loading_;
     render::TiledRenderer renderer_;
-    ReadTime read_time_;
+    std::unique_ptr<app::PagedPhoto> paged_photo_;
+    std::unique_ptr<app::PagedPhoto> loaded_photo_;
     int late_ = 0;
     int off_ = 0;
+    bool over_ = false;
     render::TilePaging paging_;
 };
 
 }  // namespace
 
 void bench_flight(const FlightRun& run) {
-    constexpr int host_mib = 512;
-    io::limit_read_memory(std::size_t{host_mib} << 20);
+    io::limit_read_memory(static_cast<std::size_t>(run.host_mib) << 20);
     const app::TiledTerrain terrain = app::open_tiled({run.file, {}}, app::on_terminal());
     const Grid& grid = terrain.tree.grid();
-    Flight flight(terrain, run.gpu_mib);
+    Flight flight(terrain, run);
     const double extent_m = run.extent_m.value_or(std::min(grid.width_m(), grid.height_m()));
     const glm::dvec2 middle = run.middle_m.value_or(0.5 * glm::dvec2(grid.width_m(), grid.height_m()));
-    fmt::print("{} x {} samples, {:.1f} MiB of the device for tiles\n", grid.nx, grid.ny,
-               static_cast<double>(flight.device_bytes()) / (1 << 20));
+    fmt::print("{} x {} samples{}\n", grid.nx, grid.ny,
+               run.photo.empty() ? "" : fmt::format(" under '{}'", run.photo));
     flight.fly("ground", flight.way(middle, 0.004 * extent_m, 0.5 * extent_m, 0.25));
     flight.fly("high", flight.way(middle, 0.1 * extent_m, 0.6 * extent_m, 0.7));
-    fmt::print("the process held at most {:.0f} MiB, the device's and a second set of tiles among them\n",
-               peak_mib());
     flight.check();
 }
 

@@ -1,7 +1,9 @@
 // Benchmarks: talus_bench NAME [SHADER_DIR] of the table below, or papers [TABLE [TERRAIN [METHOD]]], or
-// flight FILE [MIB [EXTENT_M X_M Y_M]]. Figures are process CPU time, or wall time where a GPU draws;
-// interleaved, medians (docs/benchmarks.md).
+// flight FILE [--photo FILE] [--host-mib N] [--extent M] [--middle X,Y]. Figures are process CPU time, or
+// wall time where a GPU draws; interleaved, medians (docs/benchmarks.md).
 #include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>
@@ -16,15 +18,21 @@
 
 namespace {
 
-// FILE [MIB [EXTENT_M X_M Y_M]]
 talus::bench::FlightRun flight_run(int argc, char** argv) {
     talus::bench::FlightRun run;
-    run.file = argv[2];
-    if (argc > 3) run.gpu_mib = std::stoi(argv[3]);
-    if (argc > 6) {
-        run.extent_m = std::stod(argv[4]);
-        run.middle_m = glm::dvec2(std::stod(argv[5]), std::stod(argv[6]));
-    }
+    std::vector<double> middle_m;
+    CLI::App options("flies over a raster in tiles", "talus_bench flight");
+    options.add_option("FILE", run.file)->required();
+    options.add_option("--photo", run.photo, "over it");
+    options.add_option("--gpu-mib", run.gpu_mib, "memory of the device for tiles");
+    options.add_option("--photo-mib", run.photo_mib, "and for the photo's");
+    options.add_option("--host-mib", run.host_mib, "memory that reading may keep");
+    options.add_option("--extent", run.extent_m, "heights and lengths are shares of it, m");
+    options.add_option("--middle", middle_m, "of the way: X,Y from the south-west sample, m")
+        ->delimiter(',')
+        ->expected(2);
+    options.parse(argc - 1, argv + 1);
+    if (!middle_m.empty()) run.middle_m = glm::dvec2(middle_m[0], middle_m[1]);
     return run;
 }
 
@@ -59,7 +67,7 @@ int main(int argc, char** argv) {
             names += fmt::format("{}{}", names.empty() ? "" : "|", one.name);
         fmt::print(stderr,
                    "usage: talus_bench {} [SHADER_DIR], or talus_bench papers [TABLE [TERRAIN [METHOD]]], or "
-                   "talus_bench flight FILE [MIB [EXTENT_M X_M Y_M]]\n",
+                   "talus_bench flight FILE [--photo FILE] [--host-mib N] [--extent M] [--middle X,Y]\n",
                    names);
         return 2;
     }

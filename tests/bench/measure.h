@@ -45,14 +45,18 @@ void bench_sculpt(double patch_pixels);
 /// What is flown over, and where.
 struct FlightRun {
     std::string file;
+    std::string photo;                   ///< laid over it; empty: none
     int gpu_mib = 128;                   ///< memory of the device for tiles
+    int photo_mib = 128;                 ///< and for the photo's
+    int host_mib = 512;                  ///< memory that reading may keep
     std::optional<double> extent_m;      ///< heights and lengths are shares of it; the terrain's shorter side
     std::optional<glm::dvec2> middle_m;  ///< of the way; the terrain's
 };
 /// Flies over a raster in tiles, along the ground and high up: what frames take while tiles come, against the
-/// same frames with all tiles there; memory; and pixels whose ground is farther off than the tolerance.
-/// Throws talus::Error where frames take longer than is promised (docs/benchmarks.md, "Flights"), or pixels
-/// are farther off.
+/// same frames with all tiles there; memory; pixels whose ground is farther off than the tolerance, and
+/// whose rays were farther below the ground on their way.
+/// Throws talus::Error where frames take longer than is promised (docs/benchmarks.md, "Flights"), pixels are
+/// farther off, or memory is over what it may be.
 void bench_flight(const FlightRun& run);
 /// Writes out/papers: all tables, or the one of this name; on all terrains, or that of this name;
 /// of flight and survey the rows alone that begin with a method's name.

@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# A person's errand in a real window, no internals touched: over a raster in tiles a rectangle is drawn and the valley in it cut out;
+# A person's errand in a real window, no internals touched: over a raster in tiles one flies to a valley, draws a rectangle and cuts it out;
 # a dam is sculpted across it, it rains, a lake rises, the brush breaches the dam; all is undone and redone, saved, put back; the
 # mosaic is opened and shows the work. The raster keeps its bytes, and the mosaic every sample that was not worked on. Pictures
 # stay in the folder.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/window.sh"
 
-# The valley, and where the dam begins, ends and is breached in the picture that the window frames of it (dam.sh).
+# Where the valley lies in the picture that the window opens with, and turns of the wheel there; a drag over it, and about which edges it
+# draws, m; where the dam begins, ends and is breached in the picture that the window frames of these edges, and how many pixels a
+# kilometre to the east and to the north goes there.
 if [ -f "${TALUS_DATA:-}/santa_ynez_coast_30m_1537.tif" ]; then
     for part in santa_ynez_coast_30m_1537:0:46110:46110:0 bigtujunga_30m_1197x643:44010:40020:79920:20730; do
         IFS=: read -r name west north east south <<<"$part"
@@ -14,20 +16,30 @@ if [ -f "${TALUS_DATA:-}/santa_ynez_coast_30m_1537.tif" ]; then
     done
     gdalbuildvrt -q parts.vrt bigtujunga_30m_1197x643.tif santa_ynez_coast_30m_1537.tif
     "$talus" tile parts.vrt whole.tif >/dev/null 2>&1
+    valley=(418 254)
+    turns=(4 13)
+    drawn=(360 415 444 72)
     edges=(33300 19500 36000 22800)
     first=15 # coordinates of the south-west sample
     spacing=30
     dam=(620 393 665 380)
     breach=(642 386)
+    km_east=(189 -53)
+    km_north=(-59 -88)
 else
     "$talus" run --preset still --set terrain.kind=valley --set terrain.relief_m=400 --size 193x193 --spacing 20 --ticks 0 \
         --out valley.tif 2>/dev/null
     "$talus" tile valley.tif whole.tif >/dev/null 2>&1
-    edges=(0 0 3200 3840)
+    valley=(350 300)
+    turns=(5 4)
+    drawn=(84 70 585 301)
+    edges=(20 20 3180 3820)
     first=0
     spacing=20
     dam=(661 328 608 278)
     breach=(634 302)
+    km_east=(169 -47)
+    km_north=(-46 -57)
 fi
 sha256sum whole.tif >whole.sum
 
@@ -57,26 +69,43 @@ await_widget "Drag over the ground…"
 drag 300 260 500 220
 await_widget "Draw it"
 shot 02_drawn
-names=(map.west_m map.south_m map.east_m map.north_m)
-for i in 0 1 2 3; do type_into "${names[$i]}" "${edges[$i]}"; done
-shot 03_typed
-# There from near, as somebody would fly who has found it.
-xdotool mousemove 400 300
-for _ in $(seq 5); do xdotool click 4; frames 2; done
-xdotool keydown w
-frames 12
-xdotool keyup w
-shot 04_flown
+# There, as somebody would fly who has seen it, and drawn anew from near.
+xdotool mousemove "${valley[@]}"
+for _ in $(seq "${turns[1]}"); do
+    xdotool click "${turns[0]}"
+    frames 4
+done
+# From straight above a rectangle ends where it seems to.
+over=("${valley[0]}" $((valley[1] + 400)))
+drag "${valley[@]}" "${over[@]}" 3
+shot 03_flown
+click "Draw it"
+drag "${drawn[@]}"
+await_widget "Draw it"
+shot 04_drawn
 click "Cut it out"
 await_widget Water
 frames 4
-shot 04_in_place
+shot 05_in_place
 xdotool mousemove 600 600 key f
-shot 05_framed
+shot 06_framed
 xdotool mousemove 600 600 key ctrl+shift+s
 answer "$PWD/saved.exr"
 await_word "saved .*saved.exr"
 cp saved.exr valley.exr
+# The edges of what was cut out: samples, and the first and last one's places.
+read -r west south east north < <("$talus" info --json valley.exr | /usr/bin/python3 -c "
+import json, sys
+info = json.load(sys.stdin)
+west, dx, _, north, _, dy = info['geotransform']
+edges = west + dx / 2, north + (info['ny'] - 0.5) * dy, west + (info['nx'] - 0.5) * dx, north + dy / 2
+print(*(round(edge) - $first for edge in edges))")
+# The wheel goes to the ground that was seen a frame ago, so nobody gets anywhere twice to the sample.
+for edge in 0 1 2 3; do
+    at=($west $south $east $north)
+    off=$((${at[edge]} - ${edges[edge]}))
+    [ "${off#-}" -le $((5 * spacing)) ] || fail "the part that was drawn ends at ${at[edge]} m, not at ${edges[edge]}"
+done
 
 # Nothing was done yet.
 click "Put back…"
@@ -84,10 +113,22 @@ answer "$PWD/nothing.vrt"
 await_word "nothing is to be put back"
 [ ! -e nothing.vrt ] && [ ! -e nothing.parts ] || fail "something was put back"
 
+# Places of the picture where the same ground is seen in the part that was drawn.
+in_part() {
+    local east=$((west - ${edges[0]})) north=$((south - ${edges[1]}))
+    while [ $# -gt 0 ]; do
+        echo $(($1 - (east * ${km_east[0]} + north * ${km_north[0]}) / 1000))
+        echo $(($2 - (east * ${km_east[1]} + north * ${km_north[1]}) / 1000))
+        shift 2
+    done
+}
+dam=($(in_part "${dam[@]}"))
+breach=($(in_part "${breach[@]}"))
+
 click ramp
 type_into brush.radius_m 70
 drag "${dam[@]}"
-shot 06_dam
+shot 07_dam
 save dam.exr
 [ "$(hash_of dam.exr)" != "$(hash_of valley.exr)" ] || fail "the ramp changed nothing"
 
@@ -105,7 +146,7 @@ for _ in $(seq 8); do
     deepest=$(depth lake.exr)
     [ "${deepest%.*}" -lt 10 ] || break
 done
-shot 07_lake
+shot 08_lake
 [ "${deepest%.*}" -ge 10 ] || fail "no lake rose: $deepest m at most"
 
 click lower
@@ -120,7 +161,7 @@ sleep 2.5
 xdotool mouseup 1
 sleep 2
 xdotool key space
-shot 08_breach
+shot 09_breach
 save breach.exr
 # Back to before the dam, and forth again.
 click History
@@ -146,16 +187,16 @@ click "Put back…"
 answer "$PWD/worked.vrt"
 click "Put it back"
 await_word "put [0-9]* samples back: .*worked.vrt is the whole with them"
-shot 09_put_back
+shot 10_put_back
 click "Fly over the whole"
 for _ in $(seq 100); do [ -z "$(rect_of Play)" ] && break; sleep 0.1; done
 [ -z "$(rect_of Play)" ] || fail "the whole did not open"
-shot 10_whole
+shot 11_whole
 xdotool mousemove 600 600 key ctrl+o
 answer "$PWD/worked.vrt"
 await_work
 click "Cut out"
-shot 11_mosaic
+shot 12_mosaic
 close_window
 
 sha256sum --quiet -c whole.sum || fail "the raster has other bytes"
@@ -164,19 +205,18 @@ window() { # WEST SOUTH EAST NORTH, metres from the south-west sample
     echo "$(($1 + first)),$(($2 + first)),$(($3 + first)),$(($4 + first))"
 }
 "$talus" convert saved.exr worked.tif
-"$talus" convert worked.vrt part.tif --window "$(window "${edges[@]}")"
+"$talus" convert worked.vrt part.tif --window "$(window "$west" "$south" "$east" "$north")"
 cmp worked.tif part.tif || fail "the mosaic has another ground than the document"
-"$talus" convert whole.tif before.tif --window "$(window "${edges[@]}")"
+"$talus" convert whole.tif before.tif --window "$(window "$west" "$south" "$east" "$north")"
 cmp -s before.tif part.tif && fail "the mosaic's ground is the raster's"
-read -r west south east north <<<"${edges[*]}"
 beside() { # NAME WEST SOUTH EAST NORTH
     "$talus" convert whole.tif "$1_before.tif" --window "$(window "${@:2}")"
     "$talus" convert worked.vrt "$1_after.tif" --window "$(window "${@:2}")"
     cmp "$1_before.tif" "$1_after.tif" || fail "$1 of the part the mosaic has another ground than the raster"
 }
 strip=$((10 * spacing))
-[ "$west" = 0 ] || beside west $((west - strip)) "$south" "$west" "$north"
-[ "$south" = 0 ] || beside south "$west" $((south - strip)) "$east" "$south"
+[ "$west" -lt "$strip" ] || beside west $((west - strip)) "$south" "$west" "$north"
+[ "$south" -lt "$strip" ] || beside south "$west" $((south - strip)) "$east" "$south"
 beside east "$east" "$south" $((east + strip)) "$north"
 [ "$first" = 0 ] || beside north "$west" "$north" "$east" $((north + strip))
 gdalinfo -checksum worked.vrt >/dev/null || fail "GDAL does not read the mosaic"

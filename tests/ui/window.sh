@@ -121,17 +121,17 @@ await_word() {
     fail "the window never said '$1'"
 }
 hash_of() { "$talus" info --json "$1" | sed -n 's/.*"hash": "\(.*\)".*/\1/p'; }
-# A drag of the left button, slowly enough that the cursor is read on the way.
+# A drag of the left button, or of another one, slowly enough that the cursor is read on the way.
 drag() {
     xdotool mousemove "$1" "$2"
     frames 8
-    xdotool mousedown 1
+    xdotool mousedown "${5:-1}"
     frames 8
     xdotool mousemove $((($1 + $3) / 2)) $((($2 + $4) / 2))
     frames 8
     xdotool mousemove "$3" "$4"
     frames 8
-    xdotool mouseup 1
+    xdotool mouseup "${5:-1}"
     frames 4
 }
 # Lets time run for so many seconds.
