@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
+#include "app/core/tile_room.h"
 #include "app/core/tile_waiting.h"
 #include "sim/error.h"
 
@@ -13,24 +15,14 @@ namespace {
 // Texels of what is shown are as wide as a pixel at most; they are filtered over what a pixel covers.
 constexpr double wanted_px = 1;
 
-int photo_slots(const io::PhotoFile& file, const TileTree& tree, int mib) {
-    const std::size_t room = static_cast<std::size_t>(mib) << 20;
-    const std::size_t beside = std::min(room, render::TileNodes::bytes_of(tree));
-    const std::size_t slots =
-        std::min((room - beside) / render::PhotoSurface::bytes_of_slot(tree), tree.count() + 1);
-    const std::size_t coarsest = tree.coarsest_tiles().size();
-    if (slots <= coarsest)
-        throw Error(fmt::format("tiles.photo_mib = {} holds {} tiles of '{}', more than {} are needed", mib,
-                                slots, file.path().string(), coarsest));
-    return static_cast<int>(slots);
-}
-
 render::PhotoSurface surface_over(const io::PhotoFile& file, const Grid& ground,
                                   const std::optional<Georeference>& georeference,
                                   const HeightsBetween& heights, int mib) {
     const PhotoPlace place = file.place_over(ground, georeference);
     const TileTree tree = photo_tree(file.texels(), ground, place);
-    return {tree, photo_bounds(tree, place, heights), photo_slots(file, tree, mib)};
+    return {
+        tree, photo_bounds(tree, place, heights),
+        slots_within({"tiles.photo_mib", mib, file.path()}, tree, render::PhotoSurface::bytes_of_slot(tree))};
 }
 
 ReadTexels reader_of(const io::PhotoFile& file) {
@@ -55,10 +47,9 @@ PagedPhoto::PagedPhoto(std::shared_ptr<const io::PhotoFile> file, const Grid& gr
     }
 }
 
-render::LaidPhoto PagedPhoto::laid_over(const Grid& ground,
-                                        const std::optional<Georeference>& georeference) const {
-    return {&surface_, file_->place_over(ground, georeference), laid_.changes,
-            file_->covers(ground, georeference)};
+void PagedPhoto::stand_within(const Grid& whole, const std::optional<Georeference>& georeference) {
+    laid_around_ = {&surface_, file_->place_over(whole, georeference), laid_.changes,
+                    file_->covers(whole, georeference)};
 }
 
 void PagedPhoto::look(const render::Camera& camera, glm::ivec2 size, double tolerance_px) {
@@ -68,7 +59,7 @@ void PagedPhoto::look(const render::Camera& camera, glm::ivec2 size, double tole
     if (nodes_ == choice.nodes && drawn_ == choice.drawn) return;
     nodes_ = choice.nodes;
     drawn_ = choice.drawn;
-    ++laid_.changes;
+    laid_around_.changes = ++laid_.changes;
 }
 
 void PagedPhoto::follow(const render::Camera& camera, glm::ivec2 size) {

@@ -21,8 +21,10 @@ class PagedPhoto {
     const io::PhotoFile& file() const { return *file_; }
     /// How it lies over the ground, and what it shows since the last follow().
     const render::LaidPhoto& laid() const { return laid_; }
-    /// The same over another ground in the same coordinate system, whose eye is at the same place.
-    render::LaidPhoto laid_over(const Grid& ground, const std::optional<Georeference>& georeference) const;
+    /// The ground is a part of this one, in the same coordinate system.
+    void stand_within(const Grid& whole, const std::optional<Georeference>& georeference);
+    /// How it lies over that; before stand_within() there is nothing to be laid.
+    const render::LaidPhoto& laid_around() const { return laid_around_; }
     const render::PhotoSurface& surface() const { return surface_; }
 
     /// Once a frame, before it is drawn with this camera over the ground, without waiting for a file.
@@ -59,6 +61,7 @@ class PagedPhoto {
     Grid ground_;
     render::PhotoSurface surface_;
     render::LaidPhoto laid_;
+    render::LaidPhoto laid_around_;
     std::vector<render::TileNode> nodes_;
     std::vector<TileId> drawn_;
     double tolerance_px_ = 0;

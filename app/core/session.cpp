@@ -8,8 +8,10 @@
 
 #include "app/core/calibration.h"
 #include "app/core/opening.h"
+#include "app/core/outlook.h"
 #include "app/core/outputs.h"
 #include "app/core/part.h"
+#include "app/core/suggestions.h"
 #include "app/core/wall_clock.h"
 #include "app/core/wave_note.h"
 #include "render/overview.h"
@@ -136,7 +138,7 @@ void Session::follow_photo() {
         photo_ = photo_over(scene_.draping, grid(), georeference(), heights_under_photo(), scene_.view);
         if (photo_ && surroundings_) {
             const TiledTerrain& whole = surroundings_->tiles().terrain();
-            around_ = photo_->laid_over(whole.tree.grid(), whole.file.georeference());
+            photo_->stand_within(whole.tree.grid(), whole.file.georeference());
         }
     } catch (const std::exception& error) {
         message_ = fmt::format("{}{}the photo is not shown: {}", message_.value_or(""), message_ ? "; " : "",
@@ -149,9 +151,7 @@ void Session::lay_photo() {
     const render::LaidPhoto laid = photo_ ? photo_->laid() : render::LaidPhoto();
     if (overflight_) overflight_->lay(laid);
     renderer_->lay(laid);
-    if (!surroundings_) return;
-    around_.changes = laid.changes;
-    surroundings_->backdrop().lay(photo_ ? around_ : laid);
+    if (surroundings_) surroundings_->backdrop().lay(photo_ ? photo_->laid_around() : laid);
 }
 
 // Sizes and edges that were set for another terrain do not hold for this one.
@@ -161,31 +161,7 @@ void Session::forget_rectangle() {
 }
 
 void Session::suggest_for_terrain() {
-    const Grid& g = grid();
-    const double extent = std::max(g.width_m(), g.height_m());
-    scene_.view.suggest("brush.radius_m", extent / 40);
-    scene_.view.suggest("brush.rate_m_per_s", extent / 160);
-    scene_.view.suggest("camera.speed_m_per_s", extent / 12);
-    scene_.view.suggest("erode.speed", 6 * std::min(g.dx, g.dy));
-    scene_.view.suggest("noise.wavelength_m", extent / 12);
-    if (!overflight_) {
-        scene_.view.suggest("map.nx", g.nx);
-        scene_.view.suggest("map.ny", g.ny);
-        scene_.view.suggest("map.east_m", g.width_m());
-        scene_.view.suggest("map.north_m", g.height_m());
-    } else {
-        // A part in the middle, of a size to work in.
-        constexpr double samples = 1024;
-        const glm::dvec2 all(g.width_m(), g.height_m());
-        const glm::dvec2 size = glm::min(all, samples * glm::dvec2(g.dx, g.dy));
-        scene_.view.suggest("map.west_m", (all.x - size.x) / 2);
-        scene_.view.suggest("map.south_m", (all.y - size.y) / 2);
-        scene_.view.suggest("map.east_m", (all.x + size.x) / 2);
-        scene_.view.suggest("map.north_m", (all.y + size.y) / 2);
-    }
-    scene_.view.suggest("terrace.step_m", std::max(0.01, (bounds_.y - bounds_.x) / 20));
-    scene_.view.suggest("brush.height_m", bounds_.x);
-    scene_.view.suggest("map.base_m", bounds_.x);
+    suggest_sizes(scene_.view, grid(), bounds_, overflight_ != nullptr);
     scene_.view.suggest("render.level_m", simulation_->parameters().number("water.sea_level_m"));
     if (const Stamp* stamp = simulation_->stamp().get())
         scene_.view.suggest("stamp.relief_m", stamp->relief_m);
@@ -313,50 +289,13 @@ SceneRequest Session::request_for(const SceneRequest& wish) const {
 }
 
 void Session::open(const SceneRequest& request, Scene scene) {
-    const std::optional<Outlook> before = outlook();
+    const std::optional<Outlook> before = outlook_of(*this);
     start(std::move(scene));
     request_ = request;
     path_ = document_path();
     // Who cuts a part out, or goes back to the whole, sees what he saw; so does who opens a mosaic over it.
-    if (before && tiles() && (request.in_place || is_over(*before))) look_as(*before);
-}
-
-std::optional<Session::Outlook> Session::outlook() const {
-    if (!tiles()) return std::nullopt;
-    const TiledTerrain& whole = tiles()->terrain();
-    return Outlook{whole.file.path().string(), whole.tree.grid(),
-                   surroundings_ ? surroundings_->backdrop().camera_over_tiles(camera_) : camera_,
-                   scene_.view, overflight_ ? part_of(scene_.view) : part_of_whole()};
-}
-
-// The scene's edges in metres of the whole around it.
-Rectangle Session::part_of_whole() const {
-    const glm::dvec3 corner = surroundings_->backdrop().camera_over_tiles({}).eye;
-    return {corner.x, corner.y, corner.x + grid().width_m(), corner.y + grid().height_m()};
-}
-
-bool Session::is_over(const Outlook& before) const {
-    if (!overflight_ || !(overflight_->terrain().tree.grid() == before.grid)) return false;
-    const io::TiledFile& file = overflight_->terrain().file;
-    std::error_code ignored;
-    return !std::filesystem::equivalent(file.path(), before.whole, ignored) &&
-           io::is_made_of(file.path(), before.whole);
-}
-
-// Sun, view and way of flying stay, and the camera is where it was over the whole. What hangs on the
-// terrain's own rectangle does not.
-void Session::look_as(const Outlook& before) {
-    in_place_ = true;
-    for (const Parameter& one : before.view.declared()) {
-        const bool not_of_tiles = overflight_ && one.name == "render.view" &&
-                                  !render::is_of_tiles(render::view_named(before.view.choice(one.name)));
-        const bool stays = one.name.starts_with("render.") || one.name.starts_with("camera.");
-        if (stays && before.view.is_given(one.name) && !not_of_tiles)
-            scene_.view.set(one.name, before.view.value(one.name));
-    }
-    if (overflight_) set_part(scene_.view, before.part);
-    camera_ =
-        surroundings_ ? surroundings_->backdrop().camera_from_tiles(before.over_whole) : before.over_whole;
+    in_place_ = before && tiles() && (request.in_place || is_over(*this, *before));
+    if (in_place_) look_as(*this, *before);
 }
 
 void Session::outline_part(bool shown, glm::ivec2 size) {

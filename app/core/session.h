@@ -203,18 +203,6 @@ class Session {
     bool shows_photo() const;
     void lay_photo();
     void make_surroundings();
-    // What somebody sees of a terrain in tiles, or around a part of it.
-    struct Outlook {
-        std::string whole;  // the file
-        Grid grid;          // its
-        render::Camera over_whole;
-        Parameters view;
-        Rectangle part;
-    };
-    std::optional<Outlook> outlook() const;
-    bool is_over(const Outlook& before) const;
-    void look_as(const Outlook& before);
-    Rectangle part_of_whole() const;
     void suggest_for_terrain();
     void forget_rectangle();
     void follow_undo_memory();
@@ -230,7 +218,6 @@ class Session {
     std::unique_ptr<Overflight> overflight_;
     std::unique_ptr<Surroundings> surroundings_;
     std::unique_ptr<PagedPhoto> photo_;
-    render::LaidPhoto around_;  // the photo, over what stands around
     render::Camera camera_;
     int terrain_number_ = 0;
     glm::dvec2 bounds_{0};

@@ -55,9 +55,10 @@ Sitter whole_sitter(const SceneRequest& request, const gpu::Device& device) {
                    held->around ? held->around->heights() : heights_between(sitter.grid, ground), scene.view);
     if (held->photo) {
         held->renderer.lay(held->photo->laid());
-        if (held->around)
-            held->around->backdrop().lay(
-                held->photo->laid_over(scene.whole->tree.grid(), scene.whole->file.georeference()));
+        if (held->around) {
+            held->photo->stand_within(scene.whole->tree.grid(), scene.whole->file.georeference());
+            held->around->backdrop().lay(held->photo->laid_around());
+        }
         sitter.painter = with_photo(sitter.painter, *held->photo, settings.view, Missing::refused);
         sitter.photo_px = [photo = held->photo.get()] { return photo->largest_px(); };
     }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/core/long_work.h"
+#include "app/core/tile_room.h"
 #include "render/tiled/tiled_surface.h"
 #include "sim/error.h"
 #include "sim/io/tile_sidecar.h"
@@ -134,16 +135,8 @@ void keep_bounds_of_mosaic(const io::CutOut& whole, const std::string& mosaic, c
 }
 
 int slots_within(const TiledTerrain& terrain, int gpu_mib) {
-    const std::size_t room = static_cast<std::size_t>(gpu_mib) << 20;
-    const std::size_t beside = std::min(room, render::TileNodes::bytes_of(terrain.tree));
-    const std::size_t slots =
-        std::min((room - beside) / render::TilePool::bytes_of_slot(terrain.tree), terrain.tree.count() + 1);
-    const std::size_t coarsest = terrain.tree.coarsest_tiles().size();
-    if (slots <= coarsest)
-        throw Error(fmt::format(
-            "tiles.gpu_mib = {} holds {} tiles, '{}' needs more than the {} of its coarsest level", gpu_mib,
-            slots, terrain.file.path().string(), coarsest));
-    return static_cast<int>(slots);
+    return slots_within({"tiles.gpu_mib", gpu_mib, terrain.file.path()}, terrain.tree,
+                        render::TilePool::bytes_of_slot(terrain.tree));
 }
 
 }  // namespace talus::app

@@ -72,7 +72,7 @@ std::optional<TiledTerrain> ready_of(const io::TiledFile& file);
 /// opened.
 void keep_bounds_of_mosaic(const io::CutOut& whole, const std::string& mosaic, const TileSamples& patch);
 
-/// Slots that fit into so much memory of the device. Throws talus::Error where they are too few.
+/// Slots that fit into `tiles.gpu_mib`. Throws talus::Error naming it where they are too few.
 int slots_within(const TiledTerrain& terrain, int gpu_mib);
 
 }  // namespace talus::app

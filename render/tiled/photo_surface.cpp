@@ -14,12 +14,6 @@ int texels_across(const TileTree& tree) {
     return tree.room_patches() + 2 * border;
 }
 
-int side_level_of(int side) {
-    int level = 0;
-    while (1 << level < side) ++level;
-    return level;
-}
-
 // Slots in a row: as few as can be.
 int slots_in_row(const TileTree& tree, int slots) {
     const int most = gpu::widest_texture / texels_across(tree);
@@ -122,7 +116,7 @@ void PhotoSurface::bind(gpu::Program& program, glm::dvec2 texels_per_sample) con
     program.set("photo_eye", glm::vec2(eye_));
     program.set("photo_scale", glm::vec2(texels_per_sample));
     program.set("photo_patches", glm::ivec2(grid.nx - 1, grid.ny - 1));
-    program.set("photo_side_level", side_level_of(tree().side()));
+    program.set("photo_side_level", tree().side_level());
     program.set("photo_top_level", tree().top_level());
     program.set("photo_rows", tree().level(0).tiles.y);
     program.set("photo_widest", static_cast<float>(1 << halvings));

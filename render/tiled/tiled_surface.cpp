@@ -6,12 +6,6 @@
 namespace talus::render {
 namespace {
 
-int side_level(int side) {
-    int level = 0;
-    while (1 << level < side) ++level;
-    return level;
-}
-
 // Whole numbers that a float holds.
 constexpr double exact_float = 1 << 24;
 
@@ -108,9 +102,9 @@ void TiledSurface::bind(gpu::Program& program, const Camera& camera, glm::ivec2 
     pool_.bind(program);
     program.bind_sampled("tile_nodes", nodes_.texture());
     program.bind_sampled("tile_places", places_);
-    program.set("tile_side_level", side_level(tree().side()));
+    program.set("tile_side_level", tree().side_level());
     program.set("tile_top_level", tree().top_level());
-    program.set("top_level", tree().top_level() + side_level(tree().side()));
+    program.set("top_level", tree().top_level() + tree().side_level());
     program.set("tile_rows", tree().level(0).tiles.y);
     program.set("tile_highest_m", highest_m_);
     program.set("tile_lowest_m", lowest_m_);

@@ -1,4 +1,5 @@
 #pragma once
+#include <bit>
 #include <cstddef>
 #include <glm/glm.hpp>
 #include <vector>
@@ -52,6 +53,8 @@ class TileTree {
 
     const Grid& grid() const { return grid_; }
     int side() const { return side_; }
+    /// side() is two to this power.
+    int side_level() const { return std::countr_zero(static_cast<unsigned>(side_)); }
     const std::vector<TileLevel>& levels() const { return levels_; }
     const TileLevel& level(int number) const { return levels_[static_cast<std::size_t>(number)]; }
     int top_level() const { return static_cast<int>(levels_.size()) - 1; }

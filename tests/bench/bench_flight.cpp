@@ -6,15 +6,21 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
+#include <memory>
+#include <optional>
 #include <random>
 #include <string>
+#include <vector>
 
+#include "app/core/draping.h"
 #include "app/core/paged_photo.h"
 #include "app/core/tiled_terrain.h"
 #include "render/tiled/tile_loading.h"
 #include "render/tiled/tile_paging.h"
 #include "render/tiled/tiled_renderer.h"
 #include "sim/error.h"
+#include "sim/io/tiled_file.h"
 #include "tests/bench/finest_surface.h"
 #include "tests/bench/measure.h"
 
@@ -50,18 +56,14 @@ double held_mib() {
     return mib(resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)));
 }
 
-// The largest of all frames.
-struct Memory {
-    double reading_mib = 0;
-    double tiles_mib = 0;
-    double photo_mib = 0;
-    double process_mib = 0;
+// What is held, MiB.
+struct Held {
+    double reading = 0;
+    double process = 0;
 
-    void take(const Memory& now) {
-        reading_mib = std::max(reading_mib, now.reading_mib);
-        tiles_mib = std::max(tiles_mib, now.tiles_mib);
-        photo_mib = std::max(photo_mib, now.photo_mib);
-        process_mib = std::max(process_mib, now.process_mib);
+    void grow_to(const Held& now) {
+        reading = std::max(reading, now.reading);
+        process = std::max(process, now.process);
     }
 };
 
@@ -85,6 +87,10 @@ class Flight {
                 draping.photo, terrain.tree.grid(), terrain.file.georeference(),
                 heights_between(terrain.tree, terrain.bounds), run.photo_mib);
     }
+
+    // Of the device, for what comes while it is flown.
+    std::size_t tile_bytes() const { return paged_.bytes(); }
+    std::size_t photo_bytes() const { return paged_photo_ ? paged_photo_->surface().bytes() : 0; }
 
     // Cameras so high over the ground along a line, with as much looked down.
     std::vector<render::Camera> way(glm::dvec2 middle, double height_m, double length_m, double down) {
@@ -116,12 +122,12 @@ class Flight {
         int waiting = 0;
         std::size_t awaited = 0;
         Seen seen;
-        Memory most;
+        Held most;
         double reached_px = 0;
         double most_more = 0;
         render::ViewSettings settings;
         settings.sun = glm::normalize(glm::dvec3(-0.6, 0.5, 0.45));
-        const auto follow = [&](const render::Camera& camera) {
+        const auto follow = [&](const render::Camera& camera) -> const render::TileChoice& {
             if (paged_photo_) paged_photo_->follow(camera, flown_size);
             return paging_.follow(paged_, camera, flown_size, flight_px);
         };
@@ -129,19 +135,17 @@ class Flight {
         for (int warm = 0; warm < 2; ++warm)
             draw(paged_, paged_photo_.get(), way.front(), settings, [&] { follow(way.front()); });
         for (const render::Camera& camera : way) {
-            const double read_before = read_cpu_s();
             const auto look = [&] {
                 const double begin = thread_s();
-                const render::TileChoice choice = follow(camera);
+                const render::TileChoice& choice = follow(camera);
                 follow_s.push_back(thread_s() - begin);
                 const std::size_t of_photo = paged_photo_ ? paged_photo_->awaited_tiles() : 0;
                 reached_px = std::max(reached_px, choice.tolerance_px);
                 waiting += choice.wanted.size() + of_photo == 0 ? 0 : 1;
                 awaited += choice.wanted.size() + of_photo;
             };
-            const double with_reading = draw(paged_, paged_photo_.get(), camera, settings, look);
-            took_s.push_back(with_reading - (read_cpu_s() - read_before));
-            take_memory(most);
+            took_s.push_back(draw(paged_, paged_photo_.get(), camera, settings, look));
+            most.grow_to({mib(io::read_memory_bytes()), held_mib()});
         }
         for (std::size_t frame = 0; frame < way.size(); ++frame) {
             const render::Camera& camera = way[frame];
@@ -149,6 +153,7 @@ class Flight {
             if (loaded_photo_) {
                 loaded_photo_->begin_still(camera, flown_size);
                 loaded_photo_->wait_for_still(camera, flown_size);
+                if (const auto failure = loaded_photo_->failure()) throw Error(*failure);
             }
             const double loaded = draw(loaded_, loaded_photo_.get(), camera, settings, [&] {
                 if (loaded_photo_) loaded_photo_->follow(camera, flown_size);
@@ -181,22 +186,23 @@ class Flight {
             at(times, 0.9), at(times, 1), 1e3 * most_more, late, waiting, took_s.size(),
             static_cast<double>(awaited) / flight_frames, reached_px, seen.off, seen.hits, seen.passed,
             seen.rays);
-        fmt::print(
-            "          most of all frames, MiB: tiles {:.1f} of {}, photo {:.1f} of {}, reading {:.1f} "
-            "of {}, the process {:.0f}\n",
-            most.tiles_mib, run_.gpu_mib, most.photo_mib, run_.photo_mib, most.reading_mib, run_.host_mib,
-            most.process_mib);
+        fmt::print("          at most held: by reading {:.1f} of {} MiB, by the process {:.0f} MiB{}\n",
+                   most.reading, run_.host_mib, most.process,
+                   loaded_photo_
+                       ? fmt::format("; the photo's texels at most {:.2f} px", loaded_photo_->largest_px())
+                       : "");
         late_ += late;
-        off_ += seen.off + seen.passed;
-        if (most.tiles_mib > run_.gpu_mib || most.photo_mib > run_.photo_mib ||
-            most.reading_mib > run_.host_mib)
-            over_ = true;
+        off_ += seen.off;
+        passed_ += seen.passed;
+        if (most.reading > run_.host_mib) over_ = true;
+        finest_.forget();
     }
 
     void check() const {
         if (late_ > 0) throw Error(fmt::format("{} frames took longer than they may", late_));
         if (off_ > 0) throw Error(fmt::format("{} pixels are farther off than the tolerance", off_));
-        if (over_) throw Error("memory is over what it may be");
+        if (passed_ > 0) throw Error(fmt::format("{} rays pass through the finest surface", passed_));
+        if (over_) throw Error("reading holds more memory than it may");
     }
 
   private:
@@ -211,24 +217,22 @@ class Flight {
     template <typename Look>
     double draw(const render::TiledSurface& surface, app::PagedPhoto* photo, const render::Camera& camera,
                 const render::ViewSettings& settings, const Look& look) {
-        const double begin = run_time_s();
+        const double begin = run_time_s() - read_cpu_s();
         look();
         renderer_.lay(photo ? photo->laid() : render::LaidPhoto{});
         renderer_.draw(surface, camera, settings, flown_size.x, flown_size.y);
         const std::vector<std::uint8_t> wait = renderer_.read_rgb(1, 1);
-        return run_time_s() - begin;
+        return run_time_s() - read_cpu_s() - begin;
     }
 
     // Of the threads that read. Where a GPU draws, frames are measured by wall time, and it counts for
     // nothing.
     double read_cpu_s() {
         if (busy_cores() == 1) return 0;
-        return paging_.read_cpu_s() + (paged_photo_ ? paged_photo_->read_cpu_s() : 0);
-    }
-
-    void take_memory(Memory& most) const {
-        most.take({mib(io::read_memory_bytes()), mib(paged_.bytes()),
-                   paged_photo_ ? mib(paged_photo_->surface().bytes()) : 0, held_mib()});
+        double seconds = paging_.read_cpu_s();
+        for (app::PagedPhoto* photo : {paged_photo_.get(), loaded_photo_.get()})
+            if (photo) seconds += photo->read_cpu_s();
+        return seconds;
     }
 
     // distance_m: of the hit; infinite where the sky is seen.
@@ -240,7 +244,9 @@ class Flight {
         // How far from the pixel the surface is seen above or below a place of its ray.
         const auto off_px = [&](glm::dvec3 place, double ground_m) {
             const auto seen_at = render::place_in_picture(camera, rays, {place.x, place.y, ground_m});
-            return seen_at ? glm::length(0.5 * (*seen_at - at) * glm::dvec2(flown_size)) : 0;
+            // Beside the eye it is as far off as can be.
+            return seen_at ? glm::length(0.5 * (*seen_at - at) * glm::dvec2(flown_size))
+                           : std::numeric_limits<double>::infinity();
         };
         bool passed = false;
         finest_.along(camera.eye, way, distance_m, [&](glm::dvec3 place, double ground_m) {
@@ -267,6 +273,7 @@ class Flight {
     std::unique_ptr<app::PagedPhoto> loaded_photo_;
     int late_ = 0;
     int off_ = 0;
+    int passed_ = 0;
     bool over_ = false;
     render::TilePaging paging_;
 };
@@ -280,8 +287,14 @@ void bench_flight(const FlightRun& run) {
     Flight flight(terrain, run);
     const double extent_m = run.extent_m.value_or(std::min(grid.width_m(), grid.height_m()));
     const glm::dvec2 middle = run.middle_m.value_or(0.5 * glm::dvec2(grid.width_m(), grid.height_m()));
-    fmt::print("{} x {} samples{}\n", grid.nx, grid.ny,
-               run.photo.empty() ? "" : fmt::format(" under '{}'", run.photo));
+    fmt::print("{} x {} samples, {:.1f} of {} MiB of the device for tiles", grid.nx, grid.ny,
+               mib(flight.tile_bytes()), run.gpu_mib);
+    if (!run.photo.empty())
+        fmt::print(", {:.1f} of {} MiB for those of '{}'", mib(flight.photo_bytes()), run.photo_mib,
+                   run.photo);
+    fmt::print("\n");
+    if (mib(flight.tile_bytes()) > run.gpu_mib || mib(flight.photo_bytes()) > run.photo_mib)
+        throw Error("tiles take more memory of the device than they may");
     flight.fly("ground", flight.way(middle, 0.004 * extent_m, 0.5 * extent_m, 0.25));
     flight.fly("high", flight.way(middle, 0.1 * extent_m, 0.6 * extent_m, 0.7));
     flight.check();

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "app/core/tile_room.h"
 #include "render/tiled/photo_surface.h"
 #include "render/tiled/tiled_renderer.h"
 #include "sim/terrain/generate.h"
@@ -15,7 +16,7 @@ namespace {
 constexpr Grid under_photo{2049, 2049, 15, 15};
 constexpr glm::ivec2 photo_picture(width, height);
 constexpr int whole_side = 4096;  // of the picture that is held as a whole
-constexpr std::size_t photo_mib = 128;
+constexpr int photo_mib = 128;
 
 // Colours of a place, of any level: nothing of it is held.
 PhotoTexel colour_of(int level, int x, int y) {
@@ -42,9 +43,8 @@ class LoadedPhoto {
         : place_{glm::dvec2(-0.5), glm::dvec2(side) / 2048.0},
           tree_(photo_tree(glm::ivec2(side), under_photo, place_)),
           surface_(tree_, photo_bounds(tree_, place_, heights),
-                   static_cast<int>(std::min(((photo_mib << 20) - render::TileNodes::bytes_of(tree_)) /
-                                                 render::PhotoSurface::bytes_of_slot(tree_),
-                                             tree_.count() + 1))),
+                   app::slots_within({"tiles.photo_mib", photo_mib, "the photo"}, tree_,
+                                     render::PhotoSurface::bytes_of_slot(tree_))),
           read_(with_smaller_pictures(read_colours, render::PhotoSurface::halvings)) {
         put(tree_.coarsest_tiles());
     }

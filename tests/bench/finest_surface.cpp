@@ -7,7 +7,7 @@
 namespace talus::bench {
 namespace {
 
-constexpr std::size_t most_held = 256;  // tiles, 66 MiB
+constexpr std::size_t most_held = 256;  // tiles, 65 MiB
 
 // Where a ray is in a rectangle: from and to, in its lengths; from > to where it nowhere is.
 glm::dvec2 stretch_within(glm::dvec2 eye, glm::dvec2 way, glm::dvec2 low, glm::dvec2 high) {
@@ -22,6 +22,20 @@ glm::dvec2 stretch_within(glm::dvec2 eye, glm::dvec2 way, glm::dvec2 low, glm::d
         stretch = {std::max(stretch.x, std::min(a, b)), std::min(stretch.y, std::max(a, b))};
     }
     return stretch;
+}
+
+// Where a ray has a whole column or row, from and to included: there a bilinear surface can be highest under
+// it.
+std::vector<double> crossings(glm::dvec2 begin, glm::dvec2 step, double from, double to) {
+    std::vector<double> all = {from, to};
+    for (int axis = 0; axis < 2; ++axis) {
+        if (step[axis] == 0) continue;
+        const double a = begin[axis] + from * step[axis];
+        const double b = begin[axis] + to * step[axis];
+        for (double whole = std::ceil(std::min(a, b)); whole <= std::max(a, b); ++whole)
+            all.push_back(std::clamp((whole - begin[axis]) / step[axis], from, to));
+    }
+    return all;
 }
 
 }  // namespace
@@ -66,25 +80,24 @@ void FinestSurface::along(glm::dvec3 eye, glm::dvec3 way, double length_m,
     // In columns and rows.
     const glm::dvec2 begin(grid_.column_of(eye.x), grid_.row_of(eye.y));
     const glm::dvec2 step(way.x / grid_.dx, -way.y / grid_.dy);
-    const double fastest = std::max(std::abs(step.x), std::abs(step.y));
-    if (fastest == 0) return;  // straight down: it passes nothing
+    if (step == glm::dvec2(0)) return;  // straight down: it passes nothing
     const glm::dvec2 over =
         stretch_within(begin, step, glm::dvec2(0), glm::dvec2(grid_.nx - 1, grid_.ny - 1));
     const double end = std::min(length_m, over.y);
+    // A thousandth of a patch on, it is in the tile that it enters.
+    const double little = 1e-3 / std::max(std::abs(step.x), std::abs(step.y));
     double at = std::max(0.0, over.x);
     while (at < end) {
-        // A thousandth of a patch on, it is in the tile that it enters.
-        const TileId tile = tile_under(begin + (at + 1e-3 / fastest) * step);
+        const TileId tile = tile_under(begin + (at + little) * step);
         const glm::dvec2 inside =
             stretch_within(begin, step, terrain_.tree.first_patch(tile), terrain_.tree.last_patch(tile));
-        const double out = std::min(end, std::max(inside.y, at + 1e-3 / fastest));
+        const double out = std::min(end, std::max(inside.y, at + little));
         const double lowest_m = eye.z + std::min(at * way.z, out * way.z);
-        if (lowest_m <= static_cast<double>(terrain_.bounds[terrain_.tree.index_of(tile)].highest_m)) {
-            for (; at < out; at += 1 / fastest) {
-                const glm::dvec3 place = eye + at * way;
+        if (lowest_m <= static_cast<double>(terrain_.bounds[terrain_.tree.index_of(tile)].highest_m))
+            for (const double crossing : crossings(begin, step, at, out)) {
+                const glm::dvec3 place = eye + crossing * way;
                 if (const auto ground_m = height_m(place)) visit(place, *ground_m);
             }
-        }
         at = out;
     }
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <functional>
 #include <glm/glm.hpp>
 #include <map>
@@ -17,10 +18,13 @@ class FinestSurface {
 
     /// None beside the terrain.
     std::optional<double> height_m(glm::dvec2 place_m);
-    /// Visits places of a ray, a patch or less apart, with the surface's height there. Left out are those
-    /// that lie in tiles that the ray stays above. length_m: may be infinite.
+    /// Visits a ray where it crosses columns and rows of samples, with the surface's height there. Left out
+    /// are tiles that the ray stays above. length_m: may be infinite.
     void along(glm::dvec3 eye, glm::dvec3 way, double length_m,
                const std::function<void(glm::dvec3 place, double height_m)>& visit);
+
+    /// Lets go of what was read.
+    void forget() { held_.clear(); }
 
   private:
     const std::vector<float>& heights_of(const TileId& tile);

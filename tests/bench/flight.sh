@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Flights over terrain in tiles: BENCH TALUS FOLDER. Over a billion samples, generated, 1 m apart; over a mosaic of 39 tiles that are cut
-# from the real files of TALUS_DATA, 30 m and 10 m apart, that overlap and leave a hole; and the same way over 4096, 16384 and 65536
-# samples a side. What is in the folder already is used again: it takes 16 GB and half an hour to make. Needs GDAL's programs.
+# Flights over terrain in tiles: BENCH TALUS FOLDER. Over a billion samples, generated, 1 m apart, without a photo and under one of as many
+# texels; over a mosaic of 39 tiles that are cut from the real files of TALUS_DATA, 30 m and 10 m apart, that overlap and leave a hole;
+# and the same way over 4096, 16384 and 65536 samples a side, with so little memory for reading that the smallest fills it. What is
+# in the folder already is used again: it takes 19 GB and forty minutes to make. Needs GDAL's programs.
 set -euo pipefail
 bench=$(realpath "$1")
 talus=$(realpath "$2")
@@ -12,6 +13,12 @@ export LIBGL_ALWAYS_SOFTWARE=${LIBGL_ALWAYS_SOFTWARE:-1}
 
 [ -e made.tif ] || "$talus" tile --generate mountains,32768x32768 --spacing 1 made.tif 2>/dev/null
 "$bench" flight made.tif
+if [ ! -e photo.tif ]; then
+    printf '%s\n' "0 40 90 160" "200 70 110 50" "700 150 140 90" "1300 120 100 90" "2000 240 240 245" >colours.txt
+    gdaldem color-relief -q -of VRT made.tif colours.txt photo.vrt
+    "$talus" tile --texture photo.vrt photo.tif 2>/dev/null
+fi
+"$bench" flight made.tif --photo photo.tif
 
 if [ -n "${TALUS_DATA:-}" ]; then
     mkdir -p parts
@@ -72,6 +79,6 @@ if [ ! -e m65536.tif ]; then
     "$talus" tile copies.vrt m65536.tif 2>/dev/null
 fi
 # Column and row 10048 of the second: east and north of the south-west sample, m.
-"$bench" flight m4096.tif 128 2000 2048 2047
-"$bench" flight m16384.tif 128 2000 10048 6335
-"$bench" flight m65536.tif 128 2000 42816 22719
+"$bench" flight m4096.tif --host-mib 64 --extent 2000 --middle 2048,2047
+"$bench" flight m16384.tif --host-mib 64 --extent 2000 --middle 10048,6335
+"$bench" flight m65536.tif --host-mib 64 --extent 2000 --middle 42816,22719

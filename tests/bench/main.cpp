@@ -1,6 +1,6 @@
 // Benchmarks: talus_bench NAME [SHADER_DIR] of the table below, or papers [TABLE [TERRAIN [METHOD]]], or
-// flight FILE [--photo FILE] [--host-mib N] [--extent M] [--middle X,Y]. Figures are process CPU time, or
-// wall time where a GPU draws; interleaved, medians (docs/benchmarks.md).
+// flight FILE [OPTIONS], which flight --help tells. Figures are process CPU time, or wall time where a GPU
+// draws; interleaved, medians (docs/benchmarks.md).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +10,7 @@
 #include <exception>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/core/calibration.h"
 #include "sim/gpu/context.h"
@@ -18,22 +19,19 @@
 
 namespace {
 
-talus::bench::FlightRun flight_run(int argc, char** argv) {
-    talus::bench::FlightRun run;
-    std::vector<double> middle_m;
-    CLI::App options("flies over a raster in tiles", "talus_bench flight");
-    options.add_option("FILE", run.file)->required();
-    options.add_option("--photo", run.photo, "over it");
-    options.add_option("--gpu-mib", run.gpu_mib, "memory of the device for tiles");
-    options.add_option("--photo-mib", run.photo_mib, "and for the photo's");
+void add_options(CLI::App& options, talus::bench::FlightRun& run) {
+    options.add_option("FILE", run.file, "a raster, flown over in tiles")->required();
+    options.add_option("--photo", run.photo, "a photo that lies over it");
+    options.add_option("--gpu-mib", run.gpu_mib, "memory of the device for tiles of the terrain");
+    options.add_option("--photo-mib", run.photo_mib, "memory of the device for tiles of the photo");
     options.add_option("--host-mib", run.host_mib, "memory that reading may keep");
-    options.add_option("--extent", run.extent_m, "heights and lengths are shares of it, m");
-    options.add_option("--middle", middle_m, "of the way: X,Y from the south-west sample, m")
+    options.add_option("--extent", run.extent_m, "heights and lengths of the way are shares of it, m");
+    options
+        .add_option_function<std::vector<double>>(
+            "--middle", [&run](const std::vector<double>& m) { run.middle_m = glm::dvec2(m[0], m[1]); },
+            "X,Y of the way's middle, from the south-west sample, m")
         ->delimiter(',')
         ->expected(2);
-    options.parse(argc - 1, argv + 1);
-    if (!middle_m.empty()) run.middle_m = glm::dvec2(middle_m[0], middle_m[1]);
-    return run;
 }
 
 struct Benchmark {
@@ -67,9 +65,15 @@ int main(int argc, char** argv) {
             names += fmt::format("{}{}", names.empty() ? "" : "|", one.name);
         fmt::print(stderr,
                    "usage: talus_bench {} [SHADER_DIR], or talus_bench papers [TABLE [TERRAIN [METHOD]]], or "
-                   "talus_bench flight FILE [--photo FILE] [--host-mib N] [--extent M] [--middle X,Y]\n",
+                   "talus_bench flight FILE [OPTIONS]\n",
                    names);
         return 2;
+    }
+    talus::bench::FlightRun flight;
+    if (which == "flight") {
+        CLI::App options("Flies over a raster in tiles, and measures it.", "talus_bench flight");
+        add_options(options, flight);
+        CLI11_PARSE(options, argc - 1, argv + 1);
     }
     try {
         if (argc > 2 && is_simple) talus::gpu::use_shader_folder(argv[2]);
@@ -83,7 +87,7 @@ int main(int argc, char** argv) {
             talus::bench::bench_papers(talus::app::patch_pixels(context.device()), argc > 2 ? argv[2] : "",
                                        argc > 3 ? argv[3] : "", argc > 4 ? argv[4] : "");
         else
-            talus::bench::bench_flight(flight_run(argc, argv));
+            talus::bench::bench_flight(flight);
     } catch (const std::exception& error) {
         fmt::print(stderr, "talus_bench: {}\n", error.what());
         return 1;

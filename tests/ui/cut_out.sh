@@ -6,9 +6,12 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/window.sh"
 
-# Where the valley lies in the picture that the window opens with, and turns of the wheel there; a drag over it, and about which edges it
-# draws, m; where the dam begins, ends and is breached in the picture that the window frames of these edges, and how many pixels a
-# kilometre to the east and to the north goes there.
+# Of each terrain:
+# valley: where it lies in the picture that the window opens with
+# wheel: the button that turns it there, and how often
+# drawn: the drag over it from above; edges: about which ones that draws, m
+# dam, breach: where they are in the picture that the window frames of these edges
+# km_east, km_north: how many pixels a kilometre goes there
 if [ -f "${TALUS_DATA:-}/santa_ynez_coast_30m_1537.tif" ]; then
     for part in santa_ynez_coast_30m_1537:0:46110:46110:0 bigtujunga_30m_1197x643:44010:40020:79920:20730; do
         IFS=: read -r name west north east south <<<"$part"
@@ -17,7 +20,7 @@ if [ -f "${TALUS_DATA:-}/santa_ynez_coast_30m_1537.tif" ]; then
     gdalbuildvrt -q parts.vrt bigtujunga_30m_1197x643.tif santa_ynez_coast_30m_1537.tif
     "$talus" tile parts.vrt whole.tif >/dev/null 2>&1
     valley=(418 254)
-    turns=(4 13)
+    wheel=(4 13)
     drawn=(360 415 444 72)
     edges=(33300 19500 36000 22800)
     first=15 # coordinates of the south-west sample
@@ -31,7 +34,7 @@ else
         --out valley.tif 2>/dev/null
     "$talus" tile valley.tif whole.tif >/dev/null 2>&1
     valley=(350 300)
-    turns=(5 4)
+    wheel=(5 4)
     drawn=(84 70 585 301)
     edges=(20 20 3180 3820)
     first=0
@@ -71,8 +74,8 @@ await_widget "Draw it"
 shot 02_drawn
 # There, as somebody would fly who has seen it, and drawn anew from near.
 xdotool mousemove "${valley[@]}"
-for _ in $(seq "${turns[1]}"); do
-    xdotool click "${turns[0]}"
+for _ in $(seq "${wheel[1]}"); do
+    xdotool click "${wheel[0]}"
     frames 4
 done
 # From straight above a rectangle ends where it seems to.
@@ -99,7 +102,7 @@ import json, sys
 info = json.load(sys.stdin)
 west, dx, _, north, _, dy = info['geotransform']
 edges = west + dx / 2, north + (info['ny'] - 0.5) * dy, west + (info['nx'] - 0.5) * dx, north + dy / 2
-print(*(round(edge) - $first for edge in edges))")
+print(*(round(edge) - $first for edge in edges))") || fail "the part does not say where it lies"
 # The wheel goes to the ground that was seen a frame ago, so nobody gets anywhere twice to the sample.
 for edge in 0 1 2 3; do
     at=($west $south $east $north)
@@ -113,12 +116,12 @@ answer "$PWD/nothing.vrt"
 await_word "nothing is to be put back"
 [ ! -e nothing.vrt ] && [ ! -e nothing.parts ] || fail "something was put back"
 
-# Places of the picture where the same ground is seen in the part that was drawn.
+# Where the same ground is in the picture of the part that was drawn: it is framed about its middle.
 in_part() {
-    local east=$((west - ${edges[0]})) north=$((south - ${edges[1]}))
+    local right=$(((west + east - ${edges[0]} - ${edges[2]}) / 2)) up=$(((south + north - ${edges[1]} - ${edges[3]}) / 2))
     while [ $# -gt 0 ]; do
-        echo $(($1 - (east * ${km_east[0]} + north * ${km_north[0]}) / 1000))
-        echo $(($2 - (east * ${km_east[1]} + north * ${km_north[1]}) / 1000))
+        echo $(($1 - (right * ${km_east[0]} + up * ${km_north[0]}) / 1000))
+        echo $(($2 - (right * ${km_east[1]} + up * ${km_north[1]}) / 1000))
         shift 2
     done
 }
