@@ -136,7 +136,7 @@ void keep_bounds_of_mosaic(const io::CutOut& whole, const std::string& mosaic, c
 
 int slots_within(const TiledTerrain& terrain, int gpu_mib) {
     return slots_within({"tiles.gpu_mib", gpu_mib, terrain.file.path()}, terrain.tree,
-                        render::TilePool::bytes_of_slot(terrain.tree));
+                        render::TiledSurface::bytes_of_slot(terrain.tree));
 }
 
 }  // namespace talus::app

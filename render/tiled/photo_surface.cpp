@@ -10,6 +10,9 @@ namespace {
 // Texels around those that a tile covers. The longest footprint, 16 taps of up to two texels, ends within.
 constexpr int border = 16;
 
+// Of what shaders are told of a slot.
+constexpr int place_texels_of_photo = 2;
+
 int texels_across(const TileTree& tree) {
     return tree.room_patches() + 2 * border;
 }
@@ -40,7 +43,8 @@ std::size_t PhotoSurface::bytes_of_slot(const TileTree& tree) {
     const auto across = static_cast<std::size_t>(texels_across(tree));
     std::size_t texels = 0;
     for (int i = 0; i <= halvings; ++i) texels += (across >> i) * (across >> i);
-    return texels * gpu::texel_bytes(gpu::Format::srgb8);
+    return texels * gpu::texel_bytes(gpu::Format::srgb8) +
+           place_texels_of_photo * gpu::texel_bytes(gpu::Format::rgba32f);
 }
 
 PhotoSurface::PhotoSurface(const TileTree& tree, std::vector<TileBounds> bounds, int slots)
@@ -53,12 +57,12 @@ PhotoSurface::PhotoSurface(const TileTree& tree, std::vector<TileBounds> bounds,
                            1 + halvings);
     texels_.fill(0);
     texels_.filter(gpu::Wrap::edge, gpu::SmallerLevels::written);
-    places_ = gpu::Texture("places in the photo's tiles", gpu::Format::rgba32f, 2, slots_.count());
+    places_ = gpu::Texture("places in the photo's tiles", gpu::Format::rgba32f, place_texels_of_photo,
+                           slots_.count());
 }
 
 std::size_t PhotoSurface::bytes() const {
-    return static_cast<std::size_t>(slots()) * bytes_of_slot(tree()) + TileNodes::bytes_of(tree()) +
-           2 * gpu::texel_bytes(gpu::Format::rgba32f) * static_cast<std::size_t>(slots());
+    return static_cast<std::size_t>(slots()) * bytes_of_slot(tree()) + TileNodes::bytes_of(tree());
 }
 
 glm::ivec2 PhotoSurface::corner_of(int slot) const {

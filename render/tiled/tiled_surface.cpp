@@ -9,11 +9,14 @@ namespace {
 // Whole numbers that a float holds.
 constexpr double exact_float = 1 << 24;
 
+// Of what shaders are told of a slot.
+constexpr int place_texels = 3;
+
 }  // namespace
 
 TiledSurface::TiledSurface(TileTree tree, std::vector<TileBounds> bounds, int slots)
     : pool_(tree, slots), slots_(std::move(tree), std::move(bounds), pool_.slots()), nodes_(slots_.tree()) {
-    places_ = gpu::Texture("places in tiles", gpu::Format::rgba32f, 3, pool_.slots());
+    places_ = gpu::Texture("places in tiles", gpu::Format::rgba32f, place_texels, pool_.slots());
     highest_m_ = slots_.bounds().front().highest_m;
     lowest_m_ = slots_.bounds().front().lowest_m;
     for (const TileBounds& one : slots_.bounds()) {
@@ -26,6 +29,10 @@ std::size_t TiledSurface::bytes() const {
     return pool_.bytes() + TileNodes::bytes_of(tree()) +
            gpu::texel_bytes(gpu::Format::rgba32f) * static_cast<std::size_t>(places_.width()) *
                places_.height();
+}
+
+std::size_t TiledSurface::bytes_of_slot(const TileTree& tree) {
+    return TilePool::bytes_of_slot(tree) + place_texels * gpu::texel_bytes(gpu::Format::rgba32f);
 }
 
 std::optional<TiledSurface::HeldTile> TiledSurface::finest_at(glm::dvec2 finest) const {

@@ -24,6 +24,8 @@ class TiledSurface {
     const std::vector<TileBounds>& bounds() const { return slots_.bounds(); }
     int slots() const { return pool_.slots(); }
     std::size_t bytes() const;
+    /// Device bytes of one slot of a tree's tiles.
+    static std::size_t bytes_of_slot(const TileTree& tree);
     float lowest_m() const { return lowest_m_; }    ///< of all samples
     float highest_m() const { return highest_m_; }  ///< likewise
     /// The slot that a tile is in, or -1.

@@ -20,7 +20,7 @@ constexpr glm::ivec2 whole_picture(1280, 720);
 
 // The room of tiles.gpu_mib unless set; without tolerance, for all tiles.
 int slots_for(const TileTree& tree, double tolerance_px) {
-    const std::size_t usual = (std::size_t{128} << 20) / render::TilePool::bytes_of_slot(tree);
+    const std::size_t usual = (std::size_t{128} << 20) / render::TiledSurface::bytes_of_slot(tree);
     return static_cast<int>(tolerance_px > 0 ? std::min(usual, tree.count()) : tree.count());
 }
 
