@@ -1,6 +1,7 @@
 #include "sim/io/tiled_file.h"
 
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <cmath>
@@ -471,6 +472,12 @@ ReadSamples TiledFile::make_reader() const {
 
 void limit_read_memory(std::size_t bytes) {
     GDALSetCacheMax64(static_cast<GIntBig>(bytes));
+#ifdef M_MMAP_THRESHOLD
+    // Blocks of rasters come and go on several threads. From the heap they leave holes, together as large as
+    // all that is kept; so each has pages of its own, which go back to the system.
+    constexpr int smallest_block_bytes = 128 << 10;
+    mallopt(M_MMAP_THRESHOLD, smallest_block_bytes);
+#endif
 }
 
 std::size_t read_memory_bytes() {
