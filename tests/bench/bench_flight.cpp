@@ -36,6 +36,10 @@ constexpr double flight_px = 2.0 / 3;
 constexpr double most_times = 1.5;
 constexpr double most_more_s = 0.010;
 
+// What the process may hold beside both flights' tiles and what reading keeps: Talus, OpenGL and its
+// compiler.
+constexpr double most_beside_mib = 512;
+
 // CPU seconds of the calling thread.
 double thread_s() {
     timespec now{};
@@ -194,7 +198,8 @@ class Flight {
         late_ += late;
         off_ += seen.off;
         passed_ += seen.passed;
-        if (most.reading > run_.host_mib) over_ = true;
+        const double all_mib = run_.host_mib + 2 * (mib(tile_bytes()) + mib(photo_bytes())) + most_beside_mib;
+        if (most.reading > run_.host_mib || most.process > all_mib) over_ = true;
         finest_.forget();
     }
 
@@ -202,7 +207,7 @@ class Flight {
         if (late_ > 0) throw Error(fmt::format("{} frames took longer than they may", late_));
         if (off_ > 0) throw Error(fmt::format("{} pixels are farther off than the tolerance", off_));
         if (passed_ > 0) throw Error(fmt::format("{} rays pass through the finest surface", passed_));
-        if (over_) throw Error("reading holds more memory than it may");
+        if (over_) throw Error("reading or the process holds more memory than it may");
     }
 
   private:

@@ -69,13 +69,13 @@ int main(int argc, char** argv) {
                    names);
         return 2;
     }
-    talus::bench::FlightRun flight;
-    if (which == "flight") {
-        CLI::App options("Flies over a raster in tiles, and measures it.", "talus_bench flight");
-        add_options(options, flight);
-        CLI11_PARSE(options, argc - 1, argv + 1);
-    }
     try {
+        talus::bench::FlightRun flight;
+        if (which == "flight") {
+            CLI::App options("Flies over a raster in tiles, and measures it.", "talus_bench flight");
+            add_options(options, flight);
+            CLI11_PARSE(options, argc - 1, argv + 1);
+        }
         if (argc > 2 && is_simple) talus::gpu::use_shader_folder(argv[2]);
         const talus::gpu::Context context;
         fmt::print("{}\n", talus::gpu::describe(context.device()));
