@@ -174,7 +174,8 @@ TEST(TileBounds, EndWhereTheyAreTold) {
 class Tiled : public ::testing::TestWithParam<std::string> {};
 
 // Law 2: where all tiles are of the finest level, rays over tiles are rays over the whole, bit for bit.
-void expect_bits_of_exact(const scenes::Scene& scene, const scenes::MemoryTiles& tiles) {
+// seeing_ground: so many of the cameras do, at least.
+void expect_bits_of_exact(const scenes::Scene& scene, const scenes::MemoryTiles& tiles, int seeing_ground) {
     scenes::TiledEasel easel(tiles, size, static_cast<int>(tiles.tree().count()));
     scenes::Easel whole(scene, size.x, size.y);
     const render::Method method = render::method_named("exact").make(render::Detail::none);
@@ -190,24 +191,24 @@ void expect_bits_of_exact(const scenes::Scene& scene, const scenes::MemoryTiles&
             hits += std::isinf(exact[i]) ? 0 : 1;
         });
         EXPECT_EQ(different, 0) << view.name;
-        // Who looks up from low ground may see sky alone.
-        EXPECT_TRUE(hits > 1000 || view.name == "valley looking up") << view.name << ": " << hits;
         with_ground += hits > 1000 ? 1 : 0;
     }
-    EXPECT_GE(with_ground, 11);
+    EXPECT_GE(with_ground, seeing_ground);
 }
 
 TEST_P(Tiled, WithoutToleranceIsExact) {
     const gpu::Context context;
     const scenes::Scene scene = scenes::make(GetParam());
-    expect_bits_of_exact(scene, scenes::MemoryTiles(scene.grid, scene.heights, 64));
+    // The generated terrain that stands for real files has no valley: who looks up there sees sky alone.
+    expect_bits_of_exact(scene, scenes::MemoryTiles(scene.grid, scene.heights, 64),
+                         GetParam() == "rough" ? 11 : 12);
 }
 
 TEST(TiledSurface, WithoutToleranceIsExactOver4096) {
     const gpu::Context context;
     const Grid grid{4096, 4096, 5, 5};
     const scenes::Scene scene = {grid, generate_heights(grid, {"mountains", 4, 2500})};
-    expect_bits_of_exact(scene, scenes::MemoryTiles(scene.grid, scene.heights, 256));
+    expect_bits_of_exact(scene, scenes::MemoryTiles(scene.grid, scene.heights, 256), 12);
 }
 
 // No pixel is farther off than the tolerance, whatever levels meet.
