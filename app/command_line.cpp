@@ -42,6 +42,11 @@ Command run_command(CLI::App& app, Texts& t) {
         ->type_name("FILE.csv");
     command->add_option("--spring", t.springs, "X,Y,RATE: a spring, metres and m³/s; may be repeated")
         ->allow_extra_args(false);
+    command
+        ->add_option(
+            "--drive", t.drives,
+            "section.name=FILE.csv: the number follows the table, rows of time_s,value; may be repeated")
+        ->allow_extra_args(false);
     add_texture(*command, t);
     add_import(*command, t);
     add_outputs(*command, t, options->outputs);
@@ -64,6 +69,7 @@ Command run_command(CLI::App& app, Texts& t) {
                     const std::vector<double> v = numbers("--spring", text, ',', 3);
                     options->springs.push_back({v[0], v[1], v[2]});
                 }
+                for (const std::string& text : t.drives) options->drives.push_back(drive_from(text));
                 options->outputs.json = t.json;
                 run(*options);
             }};

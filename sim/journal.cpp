@@ -119,6 +119,11 @@ struct Writer {
                 {"y_m", spring.y_m},
                 {"rate_m3_per_s", spring.rate_m3_per_s}};
     }
+    json operator()(const DriveParameter& drive) const {
+        json rows = json::array();
+        for (const TimeSeries::Row& row : drive.series.rows()) rows.push_back({row.time_s, row.value});
+        return {{"op", "drive"}, {"name", drive.parameter}, {"rows", rows}};
+    }
     json operator()(const Resample& to) const { return {{"op", "resample"}, {"nx", to.nx}, {"ny", to.ny}}; }
     json operator()(const Crop& crop) const {
         return {{"op", "crop"}, {"rectangle", to_json(crop.rectangle)}};
@@ -164,6 +169,12 @@ Operation to_operation(const json& line) {
         return SetParameter{name, value.get<std::string>()};
     }
     if (op == "spring") return PlaceSpring{line.at("x_m"), line.at("y_m"), line.at("rate_m3_per_s")};
+    if (op == "drive") {
+        std::vector<TimeSeries::Row> rows;
+        rows.reserve(line.at("rows").size());
+        for (const json& row : line.at("rows")) rows.push_back({row.at(0), row.at(1)});
+        return DriveParameter{line.at("name"), rows.empty() ? TimeSeries() : TimeSeries(std::move(rows))};
+    }
     if (op == "resample") return Resample{line.at("nx"), line.at("ny")};
     if (op == "crop") return Crop{to_rectangle(line.at("rectangle"))};
     if (op == "turn") return Turn{line.at("quarters")};

@@ -16,6 +16,7 @@ struct Moment {
     Clock clock;
     Parameters parameters;
     std::vector<Spring> springs;
+    std::vector<Drive> drives;
     double edges_since_s = 0;
     double sea_m3 = 0;     ///< water that sea levels brought so far
     double booked_m3 = 0;  ///< solid that changes of porosity and acceleration, and blurs, brought so far

@@ -25,6 +25,9 @@ struct Namer {
     // Without the value: a slider that is dragged goes on under one name.
     std::string operator()(const SetParameter& set) const { return set.name; }
     std::string operator()(const PlaceSpring&) const { return "spring"; }
+    std::string operator()(const DriveParameter& drive) const {
+        return (drive.series.empty() ? "end table of " : "table of ") + drive.parameter;
+    }
     std::string operator()(const Resample& to) const {
         return fmt::format("resample to {} × {}", to.nx, to.ny);
     }

@@ -30,6 +30,10 @@ struct SetParameter {
 /// A spring is placed; at the sample of another one it takes its place, and with rate 0 there is none.
 using PlaceSpring = Spring;
 
+/// A parameter follows a table against simulated time from now on (sim/drives.h); with an empty table it
+/// follows none any more, and stays as it is.
+using DriveParameter = Drive;
+
 /// Another number of samples over the same extent.
 struct Resample {
     int nx = 0;
@@ -94,8 +98,8 @@ struct Blur {
 };
 
 /// One recorded act. Replaying a list of them gives the same terrain.
-using Operation = std::variant<Ticks, Dab, SetParameter, PlaceSpring, Resample, Crop, Turn, Import,
-                               ChooseStamp, MakeMask, Blur>;
+using Operation = std::variant<Ticks, Dab, SetParameter, PlaceSpring, DriveParameter, Resample, Crop, Turn,
+                               Import, ChooseStamp, MakeMask, Blur>;
 
 /// What acts on the whole map make of a terrain, on the CPU alone. Throw talus::Error where that cannot be.
 TerrainState made_of(const Resample& to, const TerrainState& state);

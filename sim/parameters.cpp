@@ -39,6 +39,11 @@ Parameter Parameter::setting_off(SetsOff what) && {
     return std::move(*this);
 }
 
+Parameter Parameter::driven_within_tick() && {
+    drives_within_tick = true;
+    return std::move(*this);
+}
+
 std::string unit_in_name(const std::string& unit) {
     static const std::map<std::string, std::string> names = {
         {"m", "_m"},           {"mm", "_mm"},         {"s", "_s"},       {"m/s", "_m_per_s"},

@@ -33,10 +33,14 @@ struct Parameter {
     std::string old_name = "";         ///< as files of earlier versions have it; it is still read
     std::string follows = "";          ///< unless set, its value is that of the number parameter of this name
     SetsOff sets_off = SetsOff::nothing;
+    /// Where it follows a table (sim/drives.h), its pass reads that within the tick; others have its mean
+    /// over the tick.
+    bool drives_within_tick = false;
 
     Parameter once(std::string name) &&;
     Parameter following(std::string name) &&;
     Parameter setting_off(SetsOff what) &&;
+    Parameter driven_within_tick() &&;
 };
 
 Parameter number(std::string name, double preset, double low, double high, std::string unit,

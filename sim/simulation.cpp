@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "sim/drives.h"
 #include "sim/error.h"
 #include "sim/passes/dab_region.h"
 #include "sim/passes/passes.h"
@@ -33,6 +34,7 @@ Simulation::Simulation(const TerrainState& state, const Parameters& parameters, 
       moment_{.clock = state.clock,
               .parameters = parameters,
               .springs = state.springs,
+              .drives = state.drives,
               .edges_since_s = state.edges_since_s,
               .georeference = state.georeference},
       undo_(undo_bytes),
@@ -114,6 +116,8 @@ void Simulation::act(const SetParameter& wanted) {
         if (keeps_undo_ && fills) undo_.keep_all(terrain_);
         if (sets_off == SetsOff::solid_weights) reweigh(changed);
         moment_.parameters = changed;
+        // Who sets it by hand takes over from its table.
+        place_drive(moment_.drives, {set.name, {}});
         if (sets_off == SetsOff::edge_clock) moment_.edges_since_s = moment_.clock.simulated_s;
         if (fills) fill_sea_now();
     };
@@ -131,6 +135,32 @@ void Simulation::act(const SetParameter& wanted) {
 void Simulation::act(const PlaceSpring& spring) {
     check_spring(terrain_.grid(), spring);
     record(spring, [&] { place_spring(terrain_.grid(), moment_.springs, spring); });
+}
+
+void Simulation::act(const DriveParameter& wanted) {
+    DriveParameter drive = wanted;
+    const Parameter& declared = moment_.parameters.declaration(wanted.parameter);
+    drive.parameter = declared.name;
+    check_drive(moment_.parameters, drive);
+    Parameters changed = moment_.parameters;
+    if (!drive.series.empty()) {
+        for (const double value :
+             {drive.series.lowest(), drive.series.highest(), drive.series.at(moment_.clock.simulated_s)}) {
+            changed.set(drive.parameter, value);
+            fit(terrain_.grid(), changed);
+        }
+    }
+    // A sea that begins to follow a table fills as one whose level is set.
+    const bool fills = declared.sets_off == SetsOff::sea && !drive.series.empty() &&
+                       !(moment_.parameters.is_given(drive.parameter) &&
+                         moment_.parameters.value(drive.parameter) == changed.value(drive.parameter));
+    record(drive, [&] {
+        if (keeps_undo_ && fills) undo_.keep_all(terrain_);
+        moment_.parameters = changed;
+        place_drive(moment_.drives, drive);
+        if (fills) fill_sea_now();
+    });
+    terrain_.tiles.mark_all();
 }
 
 void Simulation::act(const Dab& wanted) {
@@ -245,10 +275,31 @@ void Simulation::withdraw_sea(const std::string& level) {
     if (last && last->name == level && last->value) exchange(false);
 }
 
+void Simulation::follow_tables() {
+    const double from_s = moment_.clock.simulated_s;
+    const double to_s = from_s + moment_.parameters.number("time.tick_s");
+    bool wakes = false;
+    for (const Drive& drive : moment_.drives) {
+        const double value = drive.series.mean(from_s, to_s);
+        if (moment_.parameters.number(drive.parameter) == value) continue;
+        moment_.parameters.set(drive.parameter, value);
+        wakes = wakes || !moment_.parameters.declaration(drive.parameter).drives_within_tick;
+    }
+    // Rest was decided under the old values. A pass that reads tables within the tick wakes what they move.
+    if (wakes) terrain_.tiles.mark_all();
+}
+
 void Simulation::begin_tick() {
+    std::optional<Moment> before;
+    if (keeps_undo_ && !undo_.is_open()) before = moment_;
+    follow_tables();
     for (const auto& pass : passes_) pass->prepare_tick(terrain_, moment_);
     if (keeps_undo_) {
-        if (!undo_.is_open()) undo_.open("run", terrain_, journal_, snapshot());
+        if (before) {
+            Snapshot at_start = snapshot();
+            at_start.moment = std::move(*before);
+            undo_.open("run", terrain_, journal_, std::move(at_start));
+        }
         undo_.keep_all(terrain_);
     }
     pass_ = 0;
@@ -376,6 +427,7 @@ PassWork Simulation::work(const std::string& name) const {
 TerrainState Simulation::with_moment(TerrainState layers) const {
     layers.clock = moment_.clock;
     layers.springs = moment_.springs;
+    layers.drives = moment_.drives;
     layers.edges_since_s = moment_.edges_since_s;
     layers.georeference = moment_.georeference;
     return layers;

@@ -38,8 +38,8 @@ class Simulation {
     const Journal& journal() const { return journal_; }
 
     /// Does it and records it. Throws talus::Error, with nothing changed, for a parameter that cannot be set
-    /// so, for a spring off the map, for a terrain that cannot be, and while a tick is half done for anything
-    /// but ticks.
+    /// so, for a spring off the map, for a table that no parameter can follow, for a terrain that cannot be,
+    /// and while a tick is half done for anything but ticks.
     void apply(const Operation& operation);
 
     /// A tick in parts: runs up to `substeps` sub-steps of the present tick, or of the next one, and says
@@ -73,6 +73,7 @@ class Simulation {
     std::optional<LedgerReading> poll_ledger();
     bool awaits_ledger() const { return asked_.sums.pending(); }
     const std::vector<Spring>& springs() const { return moment_.springs; }
+    const std::vector<Drive>& drives() const { return moment_.drives; }
     /// What dabs of a stamp press; none: nothing was chosen.
     const std::shared_ptr<const Stamp>& stamp() const { return moment_.stamp; }
     /// What the pass of this name did so far. Waits for the device. Throws talus::Error where there is none.
@@ -85,6 +86,7 @@ class Simulation {
   private:
     void act(const SetParameter& set);
     void act(const PlaceSpring& spring);
+    void act(const DriveParameter& drive);
     void act(const Dab& dab);
     void act(const Resample& to);
     void act(const Crop& crop);
@@ -120,6 +122,8 @@ class Simulation {
     /// Undoes the last act if it set this sea level too, so that its water does not stay under the new level.
     void withdraw_sea(const std::string& level);
     void begin_tick();
+    /// Driven parameters take what their tables say of the tick that begins.
+    void follow_tables();
 
     Terrain terrain_;
     std::vector<std::unique_ptr<Pass>> passes_;

@@ -137,6 +137,13 @@ WaterScene sloshing(const WaterCase& c) {
     scene.settings.wave_height_m = 0.7;
     scene.settings.wave_period_s = 4;
     scene.settings.inflow_m3_per_s = 900;
+    if (c.driven) {
+        scene.settings.wave_form = WaveForm::series;
+        scene.settings.driven = {TimeSeries({{0, 400}, {3.3, 0}, {4.1, 0}, {9, 900}}),
+                                 TimeSeries({{0, 0}, {2.5, 1400}, {2.5, 300}, {7, 0}, {8, 700}}),
+                                 TimeSeries({{0, 3}, {4, 4.5}, {9.7, 2}}),
+                                 TimeSeries({{0, 0}, {1, 0.6}, {2.2, -0.5}, {3, 0.2}, {8, 0}}), 0};
+    }
     return scene;
 }
 

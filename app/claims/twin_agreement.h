@@ -27,6 +27,7 @@ struct WaterCase {
     EdgeKind west = EdgeKind::wall;
     EdgeKind east = EdgeKind::wall;
     bool knows_bed_beyond = false;  ///< edges see the basin's bed go on
+    bool driven = false;            ///< rain, inflow, level and waves follow tables
 };
 TwinAgreement water_against_twin(const WaterCase& c);
 /// The same water, eroding; the worst of water, ground and load. Its Manning's n is 0.03.

@@ -17,6 +17,7 @@ struct RunOptions {
     std::optional<std::int64_t> ticks;
     std::optional<double> time_s;
     std::vector<Spring> springs;     ///< placed before the first tick
+    std::vector<Drive> drives;       ///< begin before the first tick
     std::vector<glm::dvec2> gauges;  ///< places (m) whose water is written every tick
     std::string gauge_table = "gauges.csv";
     Outputs outputs;

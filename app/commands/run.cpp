@@ -75,6 +75,7 @@ void run(const RunOptions& options) {
     for (const glm::dvec2 place : options.gauges) gauges.place(place);
     Simulation simulation(scene.document.state, scene.simulation);
     for (const Spring& spring : options.springs) simulation.apply(spring);
+    for (const Drive& drive : options.drives) simulation.apply(drive);
     if (!gauges.all().empty()) gauges.record(simulation.terrain(), simulation.clock().simulated_s);
     RunProgress progress(ticks);
     for (std::int64_t done = 0; done < ticks; ++done) {

@@ -29,6 +29,7 @@ struct PanelRequests {
     std::optional<ImportWish> look_at;        ///< a file, shown by the same dialog, whatever kind it is of
     std::optional<ImportWish> import_here;    ///< a file in place of the terrain
     std::optional<std::string> stamp;         ///< a file, as the stamp
+    std::optional<std::string> table;         ///< a file, as the table of the number that is chosen
     std::optional<io::ExportSettings> write;  ///< files for other programs
     std::optional<Operation> map;             ///< an act on the whole map, which may take long
     bool reset = false;
@@ -47,7 +48,7 @@ struct PanelRequests {
 
 /// A dialog that picks a path; the window keeps one.
 struct FileDialog {
-    enum class Purpose { none, open, save, import, stamp, put_back };
+    enum class Purpose { none, open, save, import, stamp, table, put_back };
     Purpose purpose = Purpose::none;
     std::string folder;
     std::string name;
@@ -121,6 +122,8 @@ struct PanelState {
     bool panels_shown = true;
     bool start_page = false;
     bool placing_gauge = false;
+    std::string table_of = "water.rain_mm_per_h";  ///< the number that is to follow a table
+    bool table_begins_now = true;
     bool choosing_part = false;  ///< the next drag over tiles chooses the part that is cut out
     bool only_looks = false;     ///< the terrain is in tiles: what changes it is not there
     FileDialog dialog;

@@ -13,6 +13,7 @@
 #include "app/core/sources.h"
 #include "app/core/tiled_terrain.h"
 #include "sim/io/put_back.h"
+#include "sim/io/time_series_file.h"
 
 namespace talus::app {
 
@@ -80,6 +81,13 @@ void Project::serve(const PanelRequests& asked) {
     if (asked.stamp)
         act_when_ready(fmt::format("Reading {}", *asked.stamp),
                        [path = *asked.stamp] { return read_stamp(path, {}); });
+    if (asked.table) {
+        const double begins_s = state_.table_begins_now ? session_.simulation().clock().simulated_s : 0;
+        act_when_ready(fmt::format("Reading {}", *asked.table),
+                       [path = *asked.table, name = state_.table_of, begins_s] {
+                           return DriveParameter{name, io::read_time_series(path).later_by(begins_s)};
+                       });
+    }
     if (asked.write)
         when_replaceable(asked.write->path.string(),
                          [this, settings = *asked.write] { export_files(settings); });

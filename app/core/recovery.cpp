@@ -101,6 +101,7 @@ void Recovery::follow(const Simulation& simulation, const Scene& scene, const st
     if (auto state = readback_.poll()) {
         state->clock = document_.state.clock;
         state->springs = document_.state.springs;
+        state->drives = document_.state.drives;
         state->edges_since_s = document_.state.edges_since_s;
         state->georeference = document_.state.georeference;
         document_.state = std::move(*state);

@@ -6,6 +6,7 @@
 
 #include "app/core/app_parameters.h"
 #include "render/view.h"
+#include "sim/drives.h"
 #include "sim/error.h"
 #include "sim/preset.h"
 #include "sim/simulation_parameters.h"
@@ -55,6 +56,23 @@ Scene assemble(const Parameters& all, io::Document document) {
     return scene;
 }
 
+// The document's tables stay where the request leaves their parameters as the document has them.
+void keep_drives(const SceneRequest& request, const Parameters& before, Scene& scene) {
+    const Parameters& now = scene.simulation;
+    Parameters assigned(all_parameters());
+    for (const std::string& assignment : request.assignments) assigned.set_assignment(assignment);
+    std::vector<Drive>& drives = scene.document.state.drives;
+    for (const Drive& drive : drives) try {
+            check_drive(now, drive);
+        } catch (const Error& error) {
+            throw Error(fmt::format("'{}': {}", request.input, error.what()));
+        }
+    std::erase_if(drives, [&](const Drive& drive) {
+        return assigned.is_given(drive.parameter) ||
+               now.value(drive.parameter) != before.value(drive.parameter);
+    });
+}
+
 }  // namespace
 
 SceneParameters make_scene_parameters(const SceneRequest& request) {
@@ -97,6 +115,7 @@ Scene make_scene(const SceneRequest& request) {
         for (const Parameter& p : scene.simulation.declared())
             if (p.sets_off == SetsOff::edge_clock && scene.simulation.value(p.name) != before.value(p.name))
                 scene.document.state.edges_since_s = scene.document.state.clock.simulated_s;
+        keep_drives(request, before, scene);
     }
     scene.draping = open_draping(request.texture, scene.document.state.georeference);
     scene.start.input = request.input.empty() ? "" : std::filesystem::absolute(request.input).string();

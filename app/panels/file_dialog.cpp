@@ -23,6 +23,8 @@ const char* title_of(FileDialog::Purpose purpose) {
             return "Import";
         case FileDialog::Purpose::stamp:
             return "Choose a stamp";
+        case FileDialog::Purpose::table:
+            return "Choose a table";
         default:
             return "Open";
     }
@@ -69,6 +71,8 @@ void accept(FileDialog& dialog, PanelRequests& requests) {
         requests.put_back = path;
     } else if (dialog.purpose == FileDialog::Purpose::stamp) {
         requests.stamp = path;
+    } else if (dialog.purpose == FileDialog::Purpose::table) {
+        requests.table = path;
     } else if (dialog.purpose == FileDialog::Purpose::import) {
         requests.look_at = {path};
     } else {

@@ -17,10 +17,11 @@ struct SidePanel {
     bool only_looks = false;  ///< it is there too where the terrain can be looked at and not changed
     bool (*is_there)(const Session&) = nullptr;  ///< null: always
 };
-constexpr std::array<SidePanel, 13> side_panels = {{
+constexpr std::array<SidePanel, 14> side_panels = {{
     {"Simulation", "time, and slopes that slide", draw_simulation_panel},
     {"Water", "rain, sea, edges, waves", draw_water_panel},
     {"Erosion", "what water takes, carries and lays down", draw_erosion_panel},
+    {"Tables", "numbers that follow tables against time", draw_tables_panel},
     {"View", "what the colours show, sun, camera", draw_view_panel, true},
     {"Mask", "where brushes and simulations act", draw_mask_panel},
     {"Map", "size, place, heights and noise of the whole map", draw_map_panel},

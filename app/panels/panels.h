@@ -61,6 +61,8 @@ void draw_history_panel(PanelContext& context);
 void draw_ledger_panel(PanelContext& context);
 /// Gauges: a button to place one by the next click, and for each its level and speed against time.
 void draw_gauges_panel(PanelContext& context);
+/// Tables against time: which number follows one, from which file, and where in it time is.
+void draw_tables_panel(PanelContext& context);
 void draw_profiler_panel(PanelContext& context);
 void draw_presets_panel(PanelContext& context);
 void draw_log_panel(PanelContext& context);

@@ -9,16 +9,6 @@
 namespace talus::app {
 namespace {
 
-std::string label_of(const Parameter& p) {
-    std::string label = p.name.substr(p.name.find('.') + 1);
-    // The unit stands behind the value, so it need not stand in the label too.
-    const std::string unit = unit_in_name(p.unit);
-    if (!unit.empty() && label.ends_with(unit)) label.resize(label.size() - unit.size());
-    for (char& c : label)
-        if (c == '_' || c == '.') c = ' ';
-    return label;
-}
-
 bool edit_number(const Parameter& p, const char* id, double& real) {
     const double low = p.low;
     const double high = p.high;
@@ -77,6 +67,16 @@ void explain(const Parameter& p) {
 }
 
 }  // namespace
+
+std::string label_of(const Parameter& p) {
+    std::string label = p.name.substr(p.name.find('.') + 1);
+    // The unit stands behind the value, so it need not stand in the label too.
+    const std::string unit = unit_in_name(p.unit);
+    if (!unit.empty() && label.ends_with(unit)) label.resize(label.size() - unit.size());
+    for (char& c : label)
+        if (c == '_' || c == '.') c = ' ';
+    return label;
+}
 
 Edit draw_parameter(const Parameter& p, Value& value) {
     ImGui::PushID(p.name.c_str());

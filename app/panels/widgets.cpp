@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/panels/panels.h"
+#include "sim/drives.h"
 
 namespace talus::app {
 namespace {
@@ -133,6 +134,8 @@ void draw_parameters(const Session& session, PanelRequests& requests, const std:
             case Edit::none:
                 break;
         }
+        if (series_of(session.simulation().drives(), name))
+            ImGui::TextDisabled("  follows a table until it is set here");
     }
 }
 

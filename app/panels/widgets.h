@@ -51,6 +51,8 @@ void heading(const char* text);
 
 /// What a person did to a parameter: nothing, gave it a value, or took back that one was ever given.
 enum class Edit { none, set, unset };
+/// What a parameter is called beside its value: without section and unit.
+std::string label_of(const Parameter& parameter);
 /// A declared parameter: name, value with unit, a tooltip with help and range. A right click unsets it, Ctrl
 /// and a click take an exact number. The value is changed where it was set.
 Edit draw_parameter(const Parameter& parameter, Value& value);

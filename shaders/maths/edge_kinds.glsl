@@ -5,3 +5,4 @@ const int edge_level = 2;
 const int edge_inflow_kind = 3;
 const int edge_wave = 4;
 const int edge_periodic = 5;
+const float no_sea = -1e30f;  // m, far below all ground: no sea stands beyond open edges

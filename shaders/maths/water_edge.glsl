@@ -2,20 +2,10 @@
 //   the numbers of maths/water_numbers.glsl
 //   edge_inflow      real, m²/s into the map at inflow edges
 //   edge_wave_m      real, the wave's height above the still level at wave edges
-//   real load_edge_series(int): two tables over the tick, of one point more than edge_series_steps each
+//   edge_level_m     real, m: held at level edges, still level at wave edges
+//   edge_sea_m       real, m: level of the sea that stands beyond open edges; far below all ground: none does
 
 #include "maths/edge_kinds.glsl"
-#include "maths/edge_series.glsl"
-
-// A table's value at a share of the tick: 0 inflow, 1 wave.
-real edge_series_at(int table, real share) {
-    precise real place = share * real(edge_series_steps);
-    int step = min(max(int(place), 0), edge_series_steps - 1);
-    precise real part = place - real(step);
-    int base = table * (edge_series_steps + 1) + step;
-    precise real value = load_edge_series(base) + part * (load_edge_series(base + 1) - load_edge_series(base));
-    return value;
-}
 
 // A sample as an edge sees it: depth, discharge out of the map, discharge along the edge, bed.
 struct EdgeSample {

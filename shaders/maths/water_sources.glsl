@@ -8,7 +8,7 @@ real water_loss(real4 water, real dt) {
 }
 
 // Rain at a sample, m/s: what falls everywhere, or where the mask is, and what was painted there, mm/h.
-real water_rain(real mask, real painted_mm_per_h) {
+real water_rain(real rain_m_per_s, real mask, real painted_mm_per_h) {
     real everywhere = rain_masked == 1 ? mask : real(1);
     precise real rain = rain_m_per_s * everywhere + painted_mm_per_h * real(2.7777777777777776e-7);
     return rain;

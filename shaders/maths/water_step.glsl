@@ -1,4 +1,7 @@
-// The length of the next sub-step. Needs the numbers of maths/water_numbers.glsl.
+// The length of the next sub-step, and what its tables say of it. Needs maths/two_sum.glsl, the numbers of
+// maths/water_numbers.glsl, and
+//   real load_tick_series(int), as maths/tick_series_values.glsl says
+#include "maths/tick_series_values.glsl"
 
 // Courant number by the sum over both axes, dt (s/dx + s/dy); on squares 0.25 of each.
 #include "maths/courant.glsl"
@@ -33,6 +36,8 @@ struct WaterSubstep {
     real friction;  // dt * gravity * Manning's n²
     real at;        // share of the tick that is past, before the sub-step
     real part;      // share of the tick that an Euler step takes
+    real rain;      // mean over the sub-step, m/s
+    real inflow;    // mean over the sub-step, m²/s into the map at inflow edges
 };
 
 // `speed`: the fastest wave, m/s.
@@ -44,6 +49,11 @@ WaterSubstep water_next_substep(real time_left_s, real speed) {
     precise real dt_friction = dt * water_roughness;
     precise real at = real(1) - time_left_s / tick_s;
     precise real part = dt / tick_s;
+    // As the next sub-step finds its `at`.
+    precise real end = real(1) - span.y / tick_s;
+    precise real rate = tick_s / span.x;
+    precise real rain = tick_series_integral(series_rain, at, end) * rate;
+    precise real inflow = tick_series_integral(series_inflow, at, end) * rate;
     WaterSubstep next;
     next.dt = dt;
     next.left = span.y;
@@ -52,5 +62,7 @@ WaterSubstep water_next_substep(real time_left_s, real speed) {
     next.friction = dt_friction;
     next.at = at;
     next.part = part;
+    next.rain = rain;
+    next.inflow = inflow;
     return next;
 }

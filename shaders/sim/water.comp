@@ -46,6 +46,10 @@ const real water_friction = real(0);
 #include "maths/water.glsl"
 #include "maths/water_stage.glsl"
 #include "maths/water_sources.glsl"
+#ifdef INFLOW
+#include "maths/edge_kinds.glsl"
+#include "maths/given_discharge.glsl"
+#endif
 #ifdef SEDIMENT
 #include "maths/sediment_transport.glsl"
 
@@ -94,6 +98,9 @@ March march_from(int2 first) {
     m.south = load_cell(first + int2(0, 1), m.below);
     m.slope = water_slope(m.south, m.cell, m.north);
     m.face_north = face_between(m.south, m.cell, m.slope, m.north, water_slope(m.cell, m.north, north_2), north_2);
+#ifdef INFLOW
+    m.face_north.mass = water_given_discharge(m.face_north.mass, first.y == 0, edge_kind_north, -clock_inflow);
+#endif
 #ifdef SEDIMENT
     m.solid_here = load_concentration(first, m.cell.depth);
     m.solid_south = load_concentration(first + int2(0, 1), m.south.depth);
@@ -120,6 +127,10 @@ Across across(int2 at, WaterCell cell) {
     WaterSlope slope = water_slope(a.west, turned, a.east);
     a.face_west = face_between(west_2, a.west, water_slope(west_2, a.west, turned), turned, slope, a.east);
     a.face_east = face_between(a.west, turned, slope, a.east, water_slope(turned, a.east, east_2), east_2);
+#ifdef INFLOW
+    a.face_west.mass = water_given_discharge(a.face_west.mass, at.x == 0, edge_kind_west, clock_inflow);
+    a.face_east.mass = water_given_discharge(a.face_east.mass, at.x == samples.x - 1, edge_kind_east, -clock_inflow);
+#endif
     return a;
 }
 
@@ -129,10 +140,10 @@ bool add_sources(int2 at, real dt, inout real4 water, inout dvec2 sources) {
     real loss = water_loss(water, dt);
 #ifdef RAIN_MAP
     real4 paint = imageLoad(painted, at);
-    precise real rain = water_rain(paint.y, paint.z) * dt;
+    precise real rain = water_rain(clock_rain, paint.y, paint.z) * dt;
     sources += dvec2(double(loss), double(rain));
 #else
-    precise real rain = rain_m_per_s * dt;
+    precise real rain = clock_rain * dt;
     sources.x += double(loss);
 #endif
     water = water_with_sources(water, rain, loss);
@@ -191,6 +202,9 @@ void main() {
             WaterCell south_2 = load_cell(at + int2(0, 2), next);
             WaterSlope slope_south = water_slope(south_2, m.south, m.cell);
             WaterFace face_south = face_between(south_2, m.south, slope_south, m.cell, m.slope, m.north);
+#ifdef INFLOW
+            face_south.mass = water_given_discharge(face_south.mass, at.y == samples.y - 1, edge_kind_south, clock_inflow);
+#endif
             Across a = across(at, m.cell);
             WaterChange change = water_change(m.here.x, a.face_west, a.face_east, face_south, m.face_north);
 #if ORDER == 2 && STAGE == 2

@@ -9,7 +9,8 @@
     float clock_share;        // this sub-step's share of the tick
     float clock_fastest;      // m/s, over all tiles
     uint clock_edge_fastest;  // bits of the fastest wave beyond the edges in this tick's last sub-step, m/s
-    float clock_pad[2];
+    float clock_rain;         // over this sub-step, m/s
+    float clock_inflow;       // over this sub-step, m²/s into the map at inflow edges
     double book_rain_m;       // metres of rain on one sample, since the start
     double book_springs_m;    // metres from all springs
     double total_substeps;

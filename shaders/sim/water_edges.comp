@@ -8,7 +8,7 @@ layout(rgba32f) coherent uniform image2D water_state;
 layout(r32f) uniform image2D bed;
 #include "sim/tile_stamps.glsl"
 layout(std430) readonly buffer Springs { vec4 springs[]; };          // column, row, m/s
-layout(std430) readonly buffer EdgeSeries { float edge_series[]; };  // inflow, m²/s; then wave, m
+layout(std430) readonly buffer TickSeries { float tick_series[]; };  // of maths/tick_series.glsl
 layout(std430) readonly buffer BedBeyond { float bed_beyond[]; };    // m; of each place the nearer and the further ghost's
 #ifdef SEDIMENT
 layout(rg32f) coherent uniform image2D load_state;
@@ -25,13 +25,17 @@ const int water_order = ORDER;
 const real2 water_share = real2(0.0);
 real water_drain = clock_drain;
 const real water_friction = real(0);
-real edge_inflow = real(0);
+real edge_inflow = clock_inflow;
 real edge_wave_m = real(0);
+real edge_level_m = real(0);
+real edge_sea_m = real(0);
 #include "sim/cube_root_seed.glsl"
 #include "maths/water.glsl"
-real load_edge_series(int at) { return edge_series[at]; }
+real load_tick_series(int at) { return tick_series[at]; }
+#include "maths/tick_series_values.glsl"
 #include "maths/water_edge.glsl"
 #include "maths/water_spring.glsl"
+#include "maths/given_discharge.glsl"
 
 real4 load_water(int2 at) { return imageLoad(water_state, at + water_ghosts); }
 real load_bed_beyond(int at) { return bed_beyond[at]; }
@@ -56,8 +60,9 @@ void main() {
     if (clock_dt_s <= real(0)) return;
     int me = int(gl_LocalInvocationIndex);
     precise real share = stage == 1 ? clock_at : clock_at + clock_share;
-    edge_inflow = edge_series_at(0, share);
-    edge_wave_m = edge_series_at(1, share);
+    edge_wave_m = tick_series_at(series_wave, share);
+    edge_level_m = tick_series_at(series_level, share);
+    edge_sea_m = has_sea == 1 ? edge_level_m : no_sea;
     double weight = ORDER == 2 ? 0.5lf : 1.0lf;
 
     // Springs first: what they give takes part at once. One after the other, for two may share a sample.
@@ -94,6 +99,7 @@ void main() {
         WaterCell b_2 = outward_cell(made.ghost_2);
         bool rests = water_face_rests(a_2, a, b, b_2);
         WaterFace face = water_face(a, water_slope(a_2, a, b), b, water_slope(a, b, b_2), rests);
+        face.mass = water_given_discharge(face.mass, true, made.kind, -edge_inflow);
         real share_across = place.outward.x != 0 ? clock_share_x : clock_share_y;
         precise real metres = share_across * face.mass;
 #ifdef SEDIMENT

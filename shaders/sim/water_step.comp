@@ -8,9 +8,12 @@ layout(std430) coherent buffer WaterActivity { uint water_activity[]; };
 #include "sim/water_activity.glsl"
 layout(std430) buffer TileList { uint list_arguments[4]; uint listed_tiles[]; };
 layout(std430) buffer TileSpeeds { uint tile_speeds[]; };
-layout(std430) readonly buffer Springs { vec4 springs[]; };  // column, row, m/s
+layout(std430) readonly buffer Springs { vec4 springs[]; };        // column, row, m/s
+layout(std430) readonly buffer TickSeries { float tick_series[]; };  // of maths/tick_series.glsl
 
 #include "maths/edge_kinds.glsl"
+#include "maths/two_sum.glsl"
+real load_tick_series(int at) { return tick_series[at]; }
 #include "maths/water_step.glsl"
 
 shared uint fastest;
@@ -31,7 +34,9 @@ bool has_work(int2 tile) {
 }
 
 // Edges of these kinds wake their tiles.
-bool drives(int kind) { return kind == edge_inflow_kind || kind == edge_wave; }
+bool drives(int kind) {
+    return kind == edge_inflow_kind || kind == edge_wave || (level_moves == 1 && (kind == edge_level || kind == edge_open));
+}
 
 bool is_driven(int2 tile) {
     return (drives(edge_kind_north) && tile.y == 0) || (drives(edge_kind_south) && tile.y == tiles.y - 1) ||
@@ -89,13 +94,15 @@ void main() {
             clock_friction = next.friction;
             clock_at = next.at;
             clock_share = next.part;
+            clock_rain = next.rain;
+            clock_inflow = next.inflow;
             clock_fastest = speed;
             clock_edge_fastest = 0u;
             total_substeps += 1.0lf;
             total_listed += double(listed);
             // A single product needs no `precise`. Here it would make the reference compiler hang (glslang 12.0).
-            real rain = even_rain_m_per_s * next.dt;
-            book_rain_m += double(water_eulers) * double(rain);
+            real rain = next.rain * next.dt;
+            if (rain_is_mapped == 0) book_rain_m += double(water_eulers) * double(rain);
         }
     }
 }

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "sim/drives.h"
 #include "sim/error.h"
 #include "sim/io/endings.h"
 #include "sim/io/picture.h"
@@ -20,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* bed_beyond_attribute = "talus:bed_beyond";
+constexpr const char* drives_attribute = "talus:drives";
 
 // x, y and rate of each, as save_document writes them.
 std::vector<Spring> springs_from(const fs::path& path, const std::string& text) {
@@ -33,6 +35,23 @@ std::vector<Spring> springs_from(const fs::path& path, const std::string& text) 
     for (std::size_t i = 0; i < numbers.size(); i += 3)
         springs.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
     return springs;
+}
+
+// A line each: the parameter, then its table, as save_document writes them.
+std::vector<Drive> drives_from(const fs::path& path, const std::string& text) {
+    std::vector<Drive> drives;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        const auto space = line.find(' ');
+        try {
+            if (space == std::string::npos) throw Error(fmt::format("'{}' has no table", line));
+            drives.push_back({line.substr(0, space), series_from_text(line.substr(space + 1))});
+        } catch (const Error& error) {
+            throw Error(
+                fmt::format("'{}': its attribute {}: {}", path.string(), drives_attribute, error.what()));
+        }
+    }
+    return drives;
 }
 
 // Channels of a number: its word, or its two. No dots in their names: Blender takes a file with one for
@@ -149,6 +168,7 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
     read_bed_beyond(path, spec, state);
     state.springs = springs_from(path, spec.get_string_attribute("talus:springs"));
     for (const Spring& spring : state.springs) check_spring(state.grid, spring);
+    state.drives = drives_from(path, spec.get_string_attribute(drives_attribute));
     return document;
 }
 
@@ -213,6 +233,10 @@ void save_document(const fs::path& path, const Document& document) {
     if (state.edges_since_s != 0)
         spec.attribute("talus:edges_since_s", fmt::format("{}", state.edges_since_s));
     if (!springs.empty()) spec.attribute("talus:springs", springs);
+    std::string drives;
+    for (const Drive& drive : state.drives)
+        drives += fmt::format("{} {}\n", drive.parameter, to_text(drive.series));
+    if (!drives.empty()) spec.attribute(drives_attribute, drives);
     if (!document.parameters.empty()) spec.attribute("talus:parameters", document.parameters);
     if (document.state.georeference) {
         const auto& t = document.state.georeference->transform;

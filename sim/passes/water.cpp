@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/passes/tick_series.h"
 #include "sim/passes/water_schedule.h"
 #include "sim/terrain/bed_beyond.h"
 #include "sim/terrain/springs.h"
@@ -35,7 +36,7 @@ Water::Water(const Terrain& terrain)
       sources_("water sources",
                static_cast<std::size_t>(terrain.tiles.count()) * glsl::tile_strips * sizeof(glm::dvec2)),
       springs_("water springs", sizeof(glm::vec4)),
-      series_("water edge series", 2 * (glsl::edge_series_steps + 1) * sizeof(float)),
+      series_("water tick series", glsl::tick_series_tables * glsl::tick_series_points * sizeof(float)),
       bed_beyond_("water bed beyond", words_of_bed_beyond(terrain.grid()) * sizeof(float)),
       edge_books_("water edge books",
                   2 * static_cast<std::size_t>(terrain.grid().nx + terrain.grid().ny) * sizeof(glm::dvec2)),
@@ -54,8 +55,9 @@ gpu::Program& Water::stage_program(int stage) {
     const bool friction = settings_.manning_s_per_m13 > 0;
     const bool sources = has_sources(settings_, stage);
     const bool rain_map = has_rain_map(settings_);
+    const bool inflow = has_inflow(settings_);
     const int key = settings_.order + 4 * stage + (friction ? 16 : 0) + (sources ? 32 : 0) +
-                    (rain_map ? 64 : 0) + (settings_.sediment.carried ? 128 : 0);
+                    (rain_map ? 64 : 0) + (settings_.sediment.carried ? 128 : 0) + (inflow ? 256 : 0);
     auto found = stage_programs_.find(key);
     if (found == stage_programs_.end()) {
         std::vector<std::string> defines = {"ORDER " + std::to_string(settings_.order),
@@ -63,6 +65,7 @@ gpu::Program& Water::stage_program(int stage) {
         if (friction) defines.emplace_back("FRICTION 1");
         if (sources) defines.emplace_back("SOURCES 1");
         if (rain_map) defines.emplace_back("RAIN_MAP 1");
+        if (inflow) defines.emplace_back("INFLOW 1");
         if (settings_.sediment.carried) defines.emplace_back("SEDIMENT 1");
         found = stage_programs_.emplace(key, gpu::Program({"sim/water.comp"}, defines)).first;
     }
@@ -77,7 +80,7 @@ void Water::bind_buffers(gpu::Program& program) const {
     program.bind_storage("TileSpeeds", speeds_);
     program.bind_storage("TileSources", sources_);
     program.bind_storage("Springs", springs_);
-    program.bind_storage("EdgeSeries", series_);
+    program.bind_storage("TickSeries", series_);
     program.bind_storage("BedBeyond", bed_beyond_);
     program.bind_storage("EdgeBooks", edge_books_);
     program.bind_uniforms("WaterNumbers", numbers_);
@@ -106,8 +109,7 @@ void Water::begin_tick(Terrain& terrain, const WaterSettings& settings, const st
     const std::uint32_t none = 0;
     clock_.write(offsetof(WaterClock, clock_edge_fastest), std::as_bytes(std::span(&none, 1)));
 
-    const std::vector<float> series = edge_series(settings, grid, tick_s, start_s);
-    series_.write_all(series);
+    series_.write_all(tick_series(settings, grid, tick_s, start_s));
 
     std::vector<glm::vec4> placed;
     placed.reserve(springs.size());

@@ -59,7 +59,7 @@ class Water {
     gpu::Program bed_program_;
     gpu::Program loaded_bed_program_;
     std::map<int, gpu::Program> edge_programs_;   // by order and load
-    std::map<int, gpu::Program> stage_programs_;  // by order, stage, friction, sources, load
+    std::map<int, gpu::Program> stage_programs_;  // by order, stage, friction, sources, inflow, load
     TileList active_;
     gpu::UniformBlock<WaterNumbers> numbers_;
     gpu::Buffer clock_;

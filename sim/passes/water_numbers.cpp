@@ -10,7 +10,9 @@ WaterNumbers water_numbers(const Grid& grid, glm::ivec2 tiles, const WaterSettin
                            std::size_t springs) {
     const bool periodic = std::any_of(settings.edges.begin(), settings.edges.end(),
                                       [](EdgeKind kind) { return kind == EdgeKind::periodic; });
-    const bool rains_everywhere = settings.rain_m_per_s > 0 && !settings.rain_masked;
+    // Rain by a table may begin within the tick, where all rests.
+    const bool rains_everywhere =
+        settings.rain_m_per_s > 0 && (!settings.rain_masked || !settings.driven.rain_mm_per_h.empty());
     const auto kind_of = [&](Edge edge) {
         return static_cast<int>(settings.edges[static_cast<std::size_t>(edge)]);
     };
@@ -23,8 +25,7 @@ WaterNumbers water_numbers(const Grid& grid, glm::ivec2 tiles, const WaterSettin
     numbers.water_roughness = static_cast<float>(settings.gravity_m_per_s2 * settings.manning_s_per_m13 *
                                                  settings.manning_s_per_m13);
     numbers.water_eulers = settings.order == 1 ? 2 : 1;
-    numbers.rain_m_per_s = static_cast<float>(settings.rain_m_per_s);
-    numbers.even_rain_m_per_s = has_rain_map(settings) ? 0 : numbers.rain_m_per_s;
+    numbers.rain_is_mapped = has_rain_map(settings) ? 1 : 0;
     numbers.rain_masked = settings.rain_masked ? 1 : 0;
     numbers.loss_m_per_s = static_cast<float>(settings.infiltration_m_per_s + settings.evaporation_m_per_s);
     numbers.every_tile = !settings.skips_rest || periodic || rains_everywhere ? 1 : 0;
@@ -33,8 +34,8 @@ WaterNumbers water_numbers(const Grid& grid, glm::ivec2 tiles, const WaterSettin
     numbers.edge_kind_south = kind_of(Edge::south);
     numbers.edge_kind_west = kind_of(Edge::west);
     numbers.edge_kind_east = kind_of(Edge::east);
-    numbers.edge_level_m = static_cast<float>(settings.level_m);
-    numbers.edge_sea_m = settings.has_sea ? numbers.edge_level_m : -1e30F;
+    numbers.has_sea = settings.has_sea ? 1 : 0;
+    numbers.level_moves = settings.driven.sea_level_m.empty() ? 0 : 1;
     return numbers;
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "sim/drives.h"
 #include "sim/passes/dab_region.h"
 #include "sim/passes/inundation.h"
 #include "sim/passes/passes.h"
@@ -33,7 +34,7 @@ class WaterPass : public Pass {
         if (!flows_) return true;
         const double tick_s = at.parameters.number("time.tick_s");
         if (!begun_)
-            made_->water.begin_tick(terrain, settings_for(terrain, at.parameters), at.springs, tick_s,
+            made_->water.begin_tick(terrain, settings_for(terrain, at), at.springs, tick_s,
                                     at.clock.simulated_s - at.edges_since_s);
         begun_ = true;
         if (!made_->water.advance(terrain, substeps)) return false;
@@ -84,9 +85,19 @@ class WaterPass : public Pass {
         });
     }
 
+    static WaterDrives drives_of(const Moment& at) {
+        const auto table = [&](const char* parameter) {
+            const TimeSeries* series = series_of(at.drives, parameter);
+            return series ? *series : TimeSeries();
+        };
+        return {table("water.rain_mm_per_h"), table("water.inflow_m3_per_s"), table("water.sea_level_m"),
+                table("water.wave_height_m"), at.edges_since_s};
+    }
+
     // What the parameters say, as far as the layers that are there let it be.
-    static WaterSettings settings_for(const Terrain& terrain, const Parameters& parameters) {
-        WaterSettings settings = water_settings_of(parameters);
+    static WaterSettings settings_for(const Terrain& terrain, const Moment& at) {
+        WaterSettings settings = water_settings_of(at.parameters);
+        settings.driven = drives_of(at);
         settings.rain_masked = settings.rain_masked && settings.rain_m_per_s > 0;
         // Where nothing was painted the mask is 0, and no rain falls by it.
         if (settings.rain_masked && !terrain.painted) settings.rain_m_per_s = 0;

@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+
 #include "sim/passes/water_settings.h"
 
 namespace talus {
@@ -6,6 +8,11 @@ namespace talus {
 /// Whether rain differs from place to place.
 inline bool has_rain_map(const WaterSettings& settings) {
     return settings.rain_painted || (settings.rain_masked && settings.rain_m_per_s > 0);
+}
+
+/// Whether an edge is of kind inflow: what passes it is given.
+inline bool has_inflow(const WaterSettings& settings) {
+    return std::find(settings.edges.begin(), settings.edges.end(), EdgeKind::inflow) != settings.edges.end();
 }
 
 /// Whether rain, infiltration and evaporation act in this stage: after every Euler step.

@@ -7,16 +7,6 @@
 namespace talus {
 namespace {
 
-// Samples along the inflow edges, as metres.
-double inflow_length_m(const WaterSettings& settings, const Grid& grid) {
-    const std::array<double, 4> lengths = {grid.nx * grid.dx, grid.nx * grid.dx, grid.ny * grid.dy,
-                                           grid.ny * grid.dy};
-    double length_m = 0;
-    for (std::size_t edge = 0; edge < 4; ++edge)
-        if (settings.edges[edge] == EdgeKind::inflow) length_m += lengths[edge];
-    return length_m;
-}
-
 BoundParameter<WaterSettings> boundary(Edge edge, const char* help) {
     const std::string& name = boundary_parameter(edge);
     Parameter declared =
@@ -66,7 +56,8 @@ const std::vector<BoundParameter<WaterSettings>>& water_parameters() {
               &WaterSettings::manning_s_per_m13),
         bound(number("water.rain_mm_per_h", preset.rain_m_per_s / mm_per_h, 0, 1e4, "mm/h",
                      "Rain: everywhere, or by the mask; what a brush of rain painted falls besides.")
-                  .once("water.rain"),
+                  .once("water.rain")
+                  .driven_within_tick(),
               &WaterSettings::rain_m_per_s, mm_per_h),
         bound(choice("water.rain_over", preset.rain_masked, {"everywhere", "mask"},
                      "Where water.rain falls; by the mask: as much of it as the mask says."),
@@ -86,7 +77,8 @@ const std::vector<BoundParameter<WaterSettings>>& water_parameters() {
                   "stands beyond open edges; edges of kind level hold it, and it is the still level of edges "
                   "of kind wave.")
                   .once("water.sea_level")
-                  .setting_off(SetsOff::sea),
+                  .setting_off(SetsOff::sea)
+                  .driven_within_tick(),
               &WaterSettings::level_m),
         boundary(Edge::north,
                  "Northern edge: a wall, open (waves leave), a held level, an inflow, a wave maker, or "
@@ -99,7 +91,8 @@ const std::vector<BoundParameter<WaterSettings>>& water_parameters() {
                 "water.inflow_m3_per_s", preset.inflow_m3_per_s, 0, 1e9, "m³/s",
                 "Discharge through all edges of kind inflow together, at its peak; spread evenly along them.")
                 .once("water.inflow")
-                .setting_off(SetsOff::edge_clock),
+                .setting_off(SetsOff::edge_clock)
+                .driven_within_tick(),
             &WaterSettings::inflow_m3_per_s),
         bound(number("water.inflow_rise_s", preset.inflow_rise_s, 0, 1e9, "s",
                      "Time that the inflow takes from nothing to its peak.")
@@ -111,13 +104,16 @@ const std::vector<BoundParameter<WaterSettings>>& water_parameters() {
                   .once("water.inflow_fall")
                   .setting_off(SetsOff::edge_clock),
               &WaterSettings::inflow_fall_s),
-        bound(choice("water.wave", preset.wave_form, {"sine", "solitary"}, "What the wave maker sends.")
+        bound(choice("water.wave", preset.wave_form, {"sine", "solitary", "series"},
+                     "What the wave maker sends; series: water.wave_height_m, which follows a table.")
                   .setting_off(SetsOff::edge_clock),
               &WaterSettings::wave_form),
-        bound(number("water.wave_height_m", preset.wave_height_m, 0, 1e4, "m",
-                     "Sine: amplitude about the still level. Solitary: crest above it.")
+        bound(number(
+                  "water.wave_height_m", preset.wave_height_m, -1e4, 1e4, "m",
+                  "Sine: amplitude about the still level. Solitary: crest above it. Series: height above it.")
                   .once("water.wave_height")
-                  .setting_off(SetsOff::edge_clock),
+                  .setting_off(SetsOff::edge_clock)
+                  .driven_within_tick(),
               &WaterSettings::wave_height_m),
         bound(number("water.wave_period_s", preset.wave_period_s, 1e-3, 1e6, "s", "Period of the sine.")
                   .once("water.wave_period")
@@ -147,33 +143,6 @@ const std::vector<std::string>& edge_kinds() {
     return kinds;
 }
 
-double inflow_at(const WaterSettings& settings, double time_s) {
-    double share = 1;
-    if (time_s < settings.inflow_rise_s)
-        share = time_s / settings.inflow_rise_s;
-    else if (settings.inflow_fall_s > 0)
-        share = std::max(0.0, 1 - (time_s - settings.inflow_rise_s) / settings.inflow_fall_s);
-    return settings.inflow_m3_per_s * share;
-}
-
-double wave_at(const WaterSettings& settings, double time_s) {
-    if (settings.wave_form == WaveForm::sine) {
-        // Grows over the first period: a wave that begins at once sends a step ahead.
-        const double grown = std::min(1.0, time_s / settings.wave_period_s);
-        return settings.wave_height_m * grown *
-               std::sin(2 * std::numbers::pi * time_s / settings.wave_period_s);
-    }
-    // Begins where the wave is a thousandth of its height, Synolakis 1987 (2.4).
-    const double d = settings.wave_depth_m;
-    const double height = settings.wave_height_m;
-    if (height <= 0) return 0;
-    const double gamma = std::sqrt(3 * height / (4 * d)) / d;
-    const double celerity = std::sqrt(settings.gravity_m_per_s2 * (d + height));
-    const double start = std::acosh(std::sqrt(1000.0)) / gamma;
-    const double crest = std::cosh(gamma * (start - celerity * time_s));
-    return height / (crest * crest);
-}
-
 double shallow_speed_excess(double depth_m, double period_s, double gravity_m_per_s2) {
     const double omega = 2 * std::numbers::pi / period_s;
     const double target = omega * omega * depth_m / gravity_m_per_s2;
@@ -186,21 +155,6 @@ double shallow_speed_excess(double depth_m, double period_s, double gravity_m_pe
     }
     const double kd = (low + high) / 2;
     return std::sqrt(kd / std::tanh(kd)) - 1;
-}
-
-std::vector<float> edge_series(const WaterSettings& settings, const Grid& grid, double tick_s,
-                               double start_s) {
-    std::vector<float> series;
-    series.reserve(2 * (glsl::edge_series_steps + 1));
-    const double length_m = inflow_length_m(settings, grid);
-    for (int i = 0; i <= glsl::edge_series_steps; ++i) {
-        const double at_s = start_s + tick_s * i / glsl::edge_series_steps;
-        series.push_back(length_m > 0 ? static_cast<float>(inflow_at(settings, at_s) / length_m) : 0.0F);
-    }
-    for (int i = 0; i <= glsl::edge_series_steps; ++i)
-        series.push_back(
-            static_cast<float>(wave_at(settings, start_s + tick_s * i / glsl::edge_series_steps)));
-    return series;
 }
 
 }  // namespace talus

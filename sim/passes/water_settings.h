@@ -6,12 +6,12 @@
 #include "sim/parameter_binding.h"
 #include "sim/passes/sediment_settings.h"
 #include "sim/terrain/terrain_state.h"
+#include "sim/terrain/time_series.h"
 
 namespace talus {
 
 namespace glsl {
 #include "maths/edge_kinds.glsl"
-#include "maths/edge_series.glsl"
 }  // namespace glsl
 
 /// What is beyond an edge of the map.
@@ -30,7 +30,18 @@ const std::vector<std::string>& edge_kinds();
 /// The edges in the order of settings and books.
 enum class Edge { north = 0, south = 1, west = 2, east = 3 };
 
-enum class WaveForm { sine, solitary };
+enum class WaveForm { sine, solitary, series };
+
+/// What follows tables within the tick (sim/drives.h), in the units of the parameters; without rows: it
+/// follows none.
+struct WaterDrives {
+    TimeSeries rain_mm_per_h;
+    TimeSeries inflow_m3_per_s;  ///< over all inflow edges together, in place of rise, peak and fall
+    TimeSeries sea_level_m;
+    TimeSeries wave_height_m;  ///< above the still level, of WaveForm::series
+    double since_s = 0;        ///< simulated time from which a tick's start is counted
+    bool operator==(const WaterDrives&) const = default;
+};
 
 /// Settings of the water with units. Its values are the defaults of the parameters that set them.
 struct WaterSettings {
@@ -49,28 +60,19 @@ struct WaterSettings {
     double inflow_rise_s = 0;    ///< from nothing to the peak; 0: at once
     double inflow_fall_s = 0;    ///< from the peak back to nothing; 0: it stays
     WaveForm wave_form = WaveForm::sine;
-    double wave_height_m = 1;   ///< sine: amplitude; solitary: crest above the still level
+    double wave_height_m =
+        1;  ///< sine: amplitude; solitary: crest above the still level; series: height above it
     double wave_period_s = 10;  ///< sine
     double wave_depth_m = 10;   ///< solitary: still depth that gives the wave its length
+    WaterDrives driven;
     SedimentSettings sediment;
     bool skips_rest = true;  ///< false: every tile every sub-step, to compare with (law 2)
     bool operator==(const WaterSettings&) const = default;
 };
 
-/// Inflow over all inflow edges at a time since the start, m³/s.
-double inflow_at(const WaterSettings& settings, double time_s);
-
-/// The wave maker's height above the still level at a time since the start, m.
-double wave_at(const WaterSettings& settings, double time_s);
-
 /// How much faster √(gd) is than a wave of this period (s) is in nature over this depth (m), as a share: the
 /// true relation is ω² = g k tanh kd.
 double shallow_speed_excess(double depth_m, double period_s, double gravity_m_per_s2);
-
-/// The tables that edges read in a tick: inflow, m²/s along the inflow edges, then the wave, m; a point more
-/// than glsl::edge_series_steps each.
-std::vector<float> edge_series(const WaterSettings& settings, const Grid& grid, double tick_s,
-                               double start_s);
 
 const std::vector<BoundParameter<WaterSettings>>& water_parameters();
 /// With the sediment's settings in it; what hangs on the layers that are there is the simulation's.

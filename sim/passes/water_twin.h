@@ -4,6 +4,7 @@
 
 #include "shaders/maths/twin.h"
 #include "sim/passes/sediment_step.h"
+#include "sim/passes/tick_series.h"
 #include "sim/passes/water_numbers.h"
 #include "sim/passes/water_schedule.h"
 #include "sim/terrain/grid.h"
@@ -59,7 +60,7 @@ class WaterTwin {
 
     /// One tick that begins at a time since the start.
     void tick(double whole_s, double start_s) {
-        series_ = edge_series(settings_, grid_, whole_s, start_s);
+        series_ = tick_series(settings_, grid_, whole_s, start_s);
         edge_speed_ = 0;
         take(water_numbers(grid_, {0, 0}, settings_, whole_s, springs_.size()));
         real left = tick_s;
@@ -77,6 +78,8 @@ class WaterTwin {
     real water_friction = 0;
     real edge_inflow = 0;
     real edge_wave_m = 0;
+    real edge_level_m = 0;
+    real edge_sea_m = 0;
     real sediment_dt = 0;
 #define NUMBER TALUS_MEMBER
 #include "maths/sediment_numbers.glsl"
@@ -93,7 +96,7 @@ class WaterTwin {
     real load_bed_beyond(int at) const {
         return bed_beyond_.empty() ? unknown_bed : bed_beyond_[static_cast<std::size_t>(at)];
     }
-    real load_edge_series(int at) const {
+    real load_tick_series(int at) const {
         return series_[static_cast<std::size_t>(at)];
     }
     static real inverse_cube_root_seed(real x) {
@@ -102,6 +105,7 @@ class WaterTwin {
         return static_cast<real>(std::bit_cast<float>(static_cast<std::int32_t>(seed)));
     }
 
+#include "maths/given_discharge.glsl"
 #include "maths/ground_height.glsl"
 #include "maths/sediment_exchange.glsl"
 #include "maths/sediment_transport.glsl"
@@ -201,9 +205,9 @@ class WaterTwin {
     }
 
     real rain_at(int2 at) {
-        if (painted_.empty()) return rain_m_per_s;
+        if (painted_.empty()) return step_.rain;
         const glm::vec4 painted = painted_[static_cast<std::size_t>(at.y) * nx + at.x];
-        return water_rain(real(painted.y), real(painted.z));
+        return water_rain(step_.rain, real(painted.y), real(painted.z));
     }
 
     WaterCell cell_at(const std::vector<real4>& from, int2 at, bool turned) {
@@ -221,7 +225,19 @@ class WaterTwin {
         const WaterCell b = cell_at(from, at + step, turned);
         const WaterCell behind = cell_at(from, at + 2 * step, turned);
         const WaterSlope slope_a = water_slope(before, a, b);
-        return water_face(a, slope_a, b, water_slope(a, b, behind), water_face_rests(before, a, b, behind));
+        WaterFace face =
+            water_face(a, slope_a, b, water_slope(a, b, behind), water_face_rests(before, a, b, behind));
+        // At the map's edges what comes in is given: by columns from west to east, by rows from south to
+        // north.
+        const int2 next = at + step;
+        const auto give = [&](bool at_edge, int kind, real given) {
+            face.mass = water_given_discharge(face.mass, at_edge, kind, given);
+        };
+        give(!turned && at.x < 0, edge_kind_west, edge_inflow);
+        give(!turned && next.x >= nx, edge_kind_east, -edge_inflow);
+        give(turned && at.y >= ny, edge_kind_south, edge_inflow);
+        give(turned && next.y < 0, edge_kind_north, -edge_inflow);
+        return face;
     }
 
     void run_springs() {
@@ -238,8 +254,10 @@ class WaterTwin {
         std::vector<real2>& loads = number == 1 ? load_front_ : load_back_;
         shown_ = &state;
         const real share = number == 1 ? step_.at : step_.at + step_.part;
-        edge_inflow = edge_series_at(0, share);
-        edge_wave_m = edge_series_at(1, share);
+        edge_inflow = step_.inflow;
+        edge_wave_m = tick_series_at(series_wave, share);
+        edge_level_m = tick_series_at(series_level, share);
+        edge_sea_m = has_sea == 1 ? edge_level_m : real(no_sea);
         const auto store = [&](int2 at, int2 outward, const EdgeSample& ghost) {
             state[texel(at)] = edge_water(ghost, outward);
             bed_[texel(at)] = ghost.bed;

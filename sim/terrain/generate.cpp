@@ -253,7 +253,7 @@ std::vector<glm::vec4> generate_water(const Grid& grid, const std::vector<float>
                 const double hump = std::max(0.0, 1 - s * s);
                 depth = still + (still > 0 ? water.wave_height_m * hump * hump : 0);
                 if (still > 0)
-                    speed = 2 * (std::sqrt(water.gravity_m_per_s2 * depth) -
+                    speed = 2 * (std::sqrt(water.gravity_m_per_s2 * std::max(0.0, depth)) -
                                  std::sqrt(water.gravity_m_per_s2 * still));
             } else {
                 const double x = column * grid.dx - grid.width_m() / 2;

@@ -119,6 +119,7 @@ void move_bed_beyond(const TerrainState& from, TerrainState& to, At at) {
 TerrainState same_moment(const TerrainState& state) {
     TerrainState next;
     next.springs = state.springs;
+    next.drives = state.drives;
     next.edges_since_s = state.edges_since_s;
     next.clock = state.clock;
     next.georeference = state.georeference;

@@ -21,6 +21,11 @@ std::uint64_t state_hash(const TerrainState& state) {
     }
     XXH3_64bits_update(hash, state.bed_beyond.data(), state.bed_beyond.size() * sizeof(float));
     XXH3_64bits_update(hash, state.springs.data(), state.springs.size() * sizeof(Spring));
+    for (const Drive& drive : state.drives) {
+        XXH3_64bits_update(hash, drive.parameter.data(), drive.parameter.size());
+        const std::vector<TimeSeries::Row>& rows = drive.series.rows();
+        XXH3_64bits_update(hash, rows.data(), rows.size() * sizeof(TimeSeries::Row));
+    }
     if (state.edges_since_s != 0) XXH3_64bits_update(hash, &state.edges_since_s, sizeof(state.edges_since_s));
     const std::uint64_t value = XXH3_64bits_digest(hash);
     XXH3_freeState(hash);

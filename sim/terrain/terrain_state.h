@@ -2,10 +2,12 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "sim/terrain/georeference.h"
 #include "sim/terrain/grid.h"
+#include "sim/terrain/time_series.h"
 
 namespace talus {
 
@@ -22,6 +24,13 @@ struct Spring {
     double y_m = 0;
     double rate_m3_per_s = 0;
     bool operator==(const Spring&) const = default;
+};
+
+/// A parameter that follows a table against simulated time (sim/drives.h).
+struct Drive {
+    std::string parameter;
+    TimeSeries series;
+    bool operator==(const Drive&) const = default;
 };
 
 namespace glsl {
@@ -51,6 +60,7 @@ struct TerrainState {
     /// The ground beyond the map's edges (sim/terrain/bed_beyond.h), m; empty: it is not known.
     std::vector<float> bed_beyond;
     std::vector<Spring> springs;
+    std::vector<Drive> drives;
     /// The simulated time from which inflow and wave maker count: when they were last set.
     double edges_since_s = 0;
     Clock clock;

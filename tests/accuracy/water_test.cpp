@@ -359,7 +359,9 @@ TEST(Water, AgreesWithItsFloatTwinToTheBit) {
         {2, 0.03, 2e-4, EdgeKind::open, EdgeKind::level, EdgeKind::wall, EdgeKind::open},
         {2, 0, 0, EdgeKind::periodic, EdgeKind::periodic, EdgeKind::periodic, EdgeKind::periodic},
         {2, 0.02, 1e-4, EdgeKind::wave, EdgeKind::inflow, EdgeKind::level, EdgeKind::wave},
-        {1, 0, 0, EdgeKind::inflow, EdgeKind::wave, EdgeKind::open, EdgeKind::inflow}};
+        {1, 0, 0, EdgeKind::inflow, EdgeKind::wave, EdgeKind::open, EdgeKind::inflow},
+        {2, 0.02, 1e-4, EdgeKind::wave, EdgeKind::inflow, EdgeKind::level, EdgeKind::open, false, true},
+        {1, 0.02, 1e-4, EdgeKind::inflow, EdgeKind::level, EdgeKind::wave, EdgeKind::inflow, true, true}};
     for (const claims::WaterCase& c : cases) {
         const claims::TwinAgreement agreement = water_against_twin(c);
         if (rounds_as_ieee) {

@@ -403,6 +403,42 @@ TEST_F(Program, ErodesByWaterAndReportsIt) {
     refusal("run --preset rain-erosion --ticks 1 --set erosion.porosity=1");
 }
 
+TEST_F(Program, RunsWithNumbersThatFollowTables) {
+    std::ofstream(path("rain.csv")) << "time_s,rain_mm_per_h\n0,0\n7.5,360\n7.5,36\n20,36\n";
+    std::ofstream(path("inflow.csv")) << "0 0\n10 50\n30 0\n";
+    const std::string run =
+        "run --preset still --size 65x49 --set terrain.spacing_m=10 --set time.tick_s=2 --set "
+        "water.boundary.west=inflow ";
+    const std::string drives = "--drive water.rain=rain.csv --drive water.inflow_m3_per_s=inflow.csv ";
+    const std::string whole = hash(run + drives + "--time 30 --journal run.journal");
+    const json water = report("hash.json")["water"];
+    // It rises to 360 mm/h in 7.5 s; then 36 mm/h fall to the end.
+    const double area_m2 = 65 * 49 * 100;
+    const double rain_m3 = (0.5 * 7.5 * 360 + 22.5 * 36) * 1e-3 / 3600 * area_m2;
+    EXPECT_NEAR(water["in_m3"].get<double>() / (rain_m3 + 0.5 * 30 * 50), 1, 1e-6);
+    EXPECT_EQ(hash("replay run.journal"), whole) << "the journal holds the tables";
+    fs::remove(path("rain.csv"));
+    EXPECT_NE(refusal(run + drives + "--time 30").find("rain.csv"), std::string::npos);
+    EXPECT_EQ(hash("replay run.journal"), whole);
+
+    const std::string inflow = "--drive water.inflow=inflow.csv ";
+    const std::string alone = hash(run + inflow + "--time 30");
+    hash(run + inflow + "--time 12 --out mid.exr");
+    EXPECT_EQ(hash("run --in mid.exr --time 18"), alone) << "the document goes on with its tables";
+    EXPECT_NE(hash("run --in mid.exr --time 18 --set water.inflow=50"), alone);
+
+    std::ofstream(path("late.csv")) << "0,1\nsoon,2\n";
+    EXPECT_NE(refusal(run + "--ticks 1 --drive water.rain=late.csv").find("line 2 is 'soon,2'"),
+              std::string::npos);
+    EXPECT_NE(refusal(run + "--ticks 1 --drive water.rain").find("--drive"), std::string::npos);
+    EXPECT_NE(refusal(run + "--ticks 1 --drive water.order=inflow.csv").find("water.order"),
+              std::string::npos);
+    EXPECT_NE(refusal(run + "--ticks 1 --drive erosion.strata_hardness=inflow.csv").find("0 to 1"),
+              std::string::npos);
+    EXPECT_NE(refusal(run + "--ticks 1 --drive nothing.at_all=inflow.csv").find("nothing.at_all"),
+              std::string::npos);
+}
+
 TEST_F(Program, RunsWaterWithGaugesSpringsAndItsReport) {
     const std::string dam = "run --preset dam-break --size 129x97 ";
     const std::string whole = hash(dam +

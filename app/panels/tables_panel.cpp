@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "app/panels/panels.h"
+#include "sim/drives.h"
+
+namespace talus::app {
+namespace {
+
+constexpr int plotted_places = 256;
+
+// With its section: numbers of several are listed together.
+std::string shown_name(const Parameter& p) {
+    return p.name.substr(0, p.name.find('.')) + ": " + label_of(p);
+}
+
+void choose_number(PanelContext& context) {
+    const Session& session = context.session;
+    std::string& chosen = context.state.table_of;
+    ImGui::SetNextItemWidth(-1);
+    const bool open = ImGui::BeginCombo("##number", shown_name(session.declaration(chosen)).c_str());
+    note_widget("number that follows");
+    if (!open) return;
+    close_on_escape();
+    for (const Parameter& p : session.simulation().parameters().declared()) {
+        if (!can_be_driven(p)) continue;
+        if (ImGui::Selectable(shown_name(p).c_str(), p.name == chosen)) chosen = p.name;
+        note_widget("follow " + p.name);
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", p.help.c_str());
+    }
+    ImGui::EndCombo();
+}
+
+void draw_table(PanelContext& context, const Drive& drive) {
+    const Session& session = context.session;
+    const Parameter& p = session.declaration(drive.parameter);
+    const std::vector<TimeSeries::Row>& rows = drive.series.rows();
+    const double now_s = session.simulation().clock().simulated_s;
+    ImGui::PushID(drive.parameter.c_str());
+    heading(shown_name(p).c_str());
+    figure_line("now", fmt::format("{} {}", figure(drive.series.at(now_s), 4), p.unit));
+    figure_line("table", fmt::format("{} rows, {} to {} s", rows.size(), figure(rows.front().time_s, 6),
+                                     figure(rows.back().time_s, 6)));
+    const double first_s = rows.front().time_s;
+    const double span_s = rows.back().time_s - first_s;
+    std::vector<float> values;
+    values.reserve(plotted_places);
+    for (int i = 0; i < plotted_places; ++i)
+        values.push_back(static_cast<float>(drive.series.at(first_s + span_s * i / (plotted_places - 1))));
+    plot_line("last row", values, p.unit.c_str());
+    if (span_s > 0 && now_s >= first_s && now_s <= first_s + span_s) {
+        const ImVec2 low = ImGui::GetItemRectMin();
+        const ImVec2 high = ImGui::GetItemRectMax();
+        const float x = low.x + static_cast<float>((now_s - first_s) / span_s) * (high.x - low.x);
+        ImGui::GetWindowDrawList()->AddLine({x, low.y}, {x, high.y}, ImGui::GetColorU32(ImGuiCol_Text));
+    }
+    if (button("End it", "the number stays as it is now"))
+        context.requests.acts.emplace_back([name = drive.parameter](Session& s) {
+            s.apply(DriveParameter{name, {}});
+        });
+    note_widget("end table of " + drive.parameter);
+    ImGui::PopID();
+}
+
+}  // namespace
+
+void draw_tables_panel(PanelContext& context) {
+    ImGui::TextWrapped(
+        "A number of the simulation can follow a table against simulated time: a text file (CSV) with rows "
+        "of "
+        "time in seconds and value, linear between them.");
+    heading("Number");
+    choose_number(context);
+    ImGui::Checkbox("the table's 0 s is now", &context.state.table_begins_now);
+    note_widget("table begins now");
+    if (button("Choose a table…", "a file of rows such as 600,12.5"))
+        context.state.dialog.begin(FileDialog::Purpose::table, context.session.path());
+    for (const Drive& drive : context.session.simulation().drives()) draw_table(context, drive);
+}
+
+}  // namespace talus::app
