@@ -14,6 +14,7 @@
 #include "app/window/window.h"
 #include "sim/error.h"
 #include "sim/gpu/shader_text.h"
+#include "sim/io/time_series_file.h"
 
 namespace talus::app {
 namespace {
@@ -40,6 +41,14 @@ Command run_command(CLI::App& app, Texts& t) {
         ->allow_extra_args(false);
     command->add_option("--gauges", options->gauge_table, "the table for them, gauges.csv unless given")
         ->type_name("FILE.csv");
+    command
+        ->add_option(
+            "--section", t.sections,
+            "X1,Y1,X2,Y2 in metres: write every tick what water passes this line, to the right of one who "
+            "looks from 1 to 2; may be repeated")
+        ->allow_extra_args(false);
+    command->add_option("--sections", options->section_table, "the table for them, sections.csv unless given")
+        ->type_name("FILE.csv");
     command->add_option("--spring", t.springs, "X,Y,RATE: a spring, metres and m³/s; may be repeated")
         ->allow_extra_args(false);
     command
@@ -65,11 +74,22 @@ Command run_command(CLI::App& app, Texts& t) {
                     const std::vector<double> v = numbers("--gauge", text, ',', 2);
                     options->gauges.emplace_back(v[0], v[1]);
                 }
+                for (const std::string& text : t.sections) {
+                    const std::vector<double> v = numbers("--section", text, ',', 4);
+                    options->sections.push_back({{v[0], v[1]}, {v[2], v[3]}});
+                }
                 for (const std::string& text : t.springs) {
                     const std::vector<double> v = numbers("--spring", text, ',', 3);
                     options->springs.push_back({v[0], v[1], v[2]});
                 }
-                for (const std::string& text : t.drives) options->drives.push_back(drive_from(text));
+                for (const std::string& text : t.drives) {
+                    const auto [name, file] = drive_from(text);
+                    for (const TableOption& other : options->tables)
+                        if (other.drive.parameter == name)
+                            throw Error(
+                                fmt::format("--drive {} is given twice, a number follows one table", name));
+                    options->tables.push_back({file, {name, io::read_time_series(file)}});
+                }
                 options->outputs.json = t.json;
                 run(*options);
             }};

@@ -9,7 +9,6 @@
 
 #include "sim/error.h"
 #include "sim/io/heightmap_formats.h"
-#include "sim/io/time_series_file.h"
 #include "sim/terrain/layers.h"
 
 namespace talus::app {
@@ -79,14 +78,14 @@ std::optional<glm::dvec3> point_from(const char* option, const std::string& text
     return glm::dvec3(v[0], v[1], v[2]);
 }
 
-Drive drive_from(const std::string& text) {
+std::pair<std::string, std::string> drive_from(const std::string& text) {
     const auto equals = text.find('=');
     if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
         throw Error(
             fmt::format("--drive '{}' cannot be read, write it as section.name=FILE.csv, e.g. "
                         "water.rain_mm_per_h=rain.csv",
                         text));
-    return {text.substr(0, equals), io::read_time_series(text.substr(equals + 1))};
+    return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
 SceneRequest Texts::scene(const std::string& file_given) const {

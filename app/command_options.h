@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/core/outputs.h"
@@ -15,7 +16,7 @@ namespace talus::app {
 struct Texts {
     std::string file, preset, input, size, spacing, range, raw, eye, target, fov, method, view, shader_dir,
         layer, samples, tolerances, texture, window_size, tiles, window, feather;
-    std::vector<std::string> assignments, gauges, springs, drives;
+    std::vector<std::string> assignments, gauges, springs, drives, sections;
     std::optional<int> gpu;
     bool require_hardware = false;
     bool json = false;
@@ -36,9 +37,8 @@ glm::ivec2 size_from(const std::string& text, const char* option = "--size");
 /// "x,y,z"; none where the text is empty. Throws talus::Error that names the option.
 std::optional<glm::dvec3> point_from(const char* option, const std::string& text);
 
-/// "section.name=FILE.csv", with the table in that file. Throws talus::Error that names the option or the
-/// file.
-Drive drive_from(const std::string& text);
+/// The parameter and the file of "section.name=FILE.csv". Throws talus::Error that names the option.
+std::pair<std::string, std::string> drive_from(const std::string& text);
 
 // Declare options that several commands have.
 void add_gpu(CLI::App& app, Texts& t);

@@ -29,9 +29,7 @@ void place_drive(std::vector<Drive>& drives, const Drive& drive) {
 }
 
 bool can_be_driven(const Parameter& p) {
-    const bool holds_for_a_run = p.name.starts_with("terrain.") || p.name == "time.tick_s";
-    return std::holds_alternative<double>(p.preset) && !holds_for_a_run &&
-           p.sets_off != SetsOff::solid_weights;
+    return std::holds_alternative<double>(p.preset) && p.driven != Driven::never;
 }
 
 void check_drive(const Parameters& parameters, const Drive& drive) {
@@ -39,7 +37,7 @@ void check_drive(const Parameters& parameters, const Drive& drive) {
     if (!std::holds_alternative<double>(p.preset))
         throw Error(fmt::format("{} is not a number and cannot follow a table", p.name));
     if (!can_be_driven(p))
-        throw Error(fmt::format("{} holds for a whole run and cannot follow a table", p.name));
+        throw Error(fmt::format("{} cannot change from tick to tick, so it cannot follow a table", p.name));
     for (const TimeSeries::Row& row : drive.series.rows())
         if (row.value < p.low || row.value > p.high)
             throw Error(fmt::format("{} cannot follow a table with {} at {} s, it must be {} to {}{}{}",
@@ -57,8 +55,14 @@ std::string to_text(const TimeSeries& series) {
 TimeSeries series_from_text(const std::string& text) {
     std::istringstream words(text);
     std::vector<TimeSeries::Row> rows;
-    for (TimeSeries::Row row; words >> row.time_s >> row.value;) rows.push_back(row);
-    if (!words.eof()) throw Error(fmt::format("'{}' is not times and values", text));
+    TimeSeries::Row row;
+    while (words >> row.time_s) {
+        if (!(words >> row.value))
+            throw Error(fmt::format("row {} of a table is not a time and a value", rows.size() + 1));
+        rows.push_back(row);
+    }
+    if (!words.eof())
+        throw Error(fmt::format("row {} of a table is not a time and a value", rows.size() + 1));
     return TimeSeries(std::move(rows));
 }
 

@@ -9,8 +9,8 @@
 namespace talus {
 
 /// Parameters that follow a table against simulated time, one drive each. In a tick a driven parameter has
-/// its table's mean over that tick. Passes read some tables within the tick
-/// (`Parameter::drives_within_tick`): there every sub-step has what the table says of it.
+/// its table's mean over that tick. Passes read some tables within the tick (`Driven::within_tick`): there
+/// every sub-step has what the table says of it.
 
 /// The table that the parameter follows; null: it follows none.
 const TimeSeries* series_of(const std::vector<Drive>& drives, std::string_view parameter);

@@ -236,13 +236,13 @@ void Journal::restore(const Mark& mark, const std::vector<Operation>& tail) {
 }
 
 std::string write_journal(const JournalStart& start, const Journal& journal) {
-    std::string text = json{{"talus_journal", 1},
-                            {"input", start.input},
-                            {"import", start.import_guess},
-                            {"parameters", start.parameters},
-                            {"hash", fmt::format("{:016x}", start.hash)}}
-                           .dump(-1, ' ', false, json::error_handler_t::replace) +
-                       '\n';
+    json first = {{"talus_journal", 1},
+                  {"input", start.input},
+                  {"import", start.import_guess},
+                  {"parameters", start.parameters},
+                  {"hash", fmt::format("{:016x}", start.hash)}};
+    if (!start.ended_tables.empty()) first["ended_tables"] = start.ended_tables;
+    std::string text = first.dump(-1, ' ', false, json::error_handler_t::replace) + '\n';
     for (const Operation& operation : journal.operations())
         text += std::visit(Writer(), operation).dump() + '\n';
     return text;
@@ -263,6 +263,7 @@ JournalFile read_journal(const std::string& text, const std::string& source) {
             file.start.input = parsed.at("input");
             file.start.import_guess = parsed.at("import");
             file.start.parameters = parsed.at("parameters");
+            file.start.ended_tables = parsed.value("ended_tables", std::vector<std::string>());
             file.start.hash = std::stoull(parsed.at("hash").get<std::string>(), nullptr, 16);
         } catch (const std::exception& error) {
             throw Error(

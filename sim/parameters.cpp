@@ -39,8 +39,8 @@ Parameter Parameter::setting_off(SetsOff what) && {
     return std::move(*this);
 }
 
-Parameter Parameter::driven_within_tick() && {
-    drives_within_tick = true;
+Parameter Parameter::following_tables(Driven how) && {
+    driven = how;
     return std::move(*this);
 }
 

@@ -21,6 +21,13 @@ enum class SetsOff {
     edge_clock  ///< inflow and wave maker begin anew
 };
 
+/// How a number follows a table against time (sim/drives.h).
+enum class Driven {
+    by_tick,      ///< in each tick it is the table's mean over that tick
+    within_tick,  ///< its pass reads the table within the tick, and wakes what that moves
+    never         ///< it holds for a whole run, or a change of it is an act of its own
+};
+
 /// One declared parameter (law 8): panels, preset keys, --set, help and the docs come from it.
 struct Parameter {
     std::string name;  ///< section.name
@@ -33,14 +40,12 @@ struct Parameter {
     std::string old_name = "";         ///< as files of earlier versions have it; it is still read
     std::string follows = "";          ///< unless set, its value is that of the number parameter of this name
     SetsOff sets_off = SetsOff::nothing;
-    /// Where it follows a table (sim/drives.h), its pass reads that within the tick; others have its mean
-    /// over the tick.
-    bool drives_within_tick = false;
+    Driven driven = Driven::by_tick;
 
     Parameter once(std::string name) &&;
     Parameter following(std::string name) &&;
     Parameter setting_off(SetsOff what) &&;
-    Parameter driven_within_tick() &&;
+    Parameter following_tables(Driven how) &&;
 };
 
 Parameter number(std::string name, double preset, double low, double high, std::string unit,

@@ -39,7 +39,11 @@ Simulation::Simulation(const TerrainState& state, const Parameters& parameters, 
               .georeference = state.georeference},
       undo_(undo_bytes),
       keeps_undo_(undo_bytes > 0) {
-    fit(state.grid, moment_.parameters);
+    for (Drive& drive : moment_.drives) {
+        check_drive(moment_.parameters, drive);
+        drive.parameter = moment_.parameters.declaration(drive.parameter).name;
+    }
+    fit(state.grid, moment_.parameters, moment_.drives);
     observe();
     // What was saved midway holds what is left of its sea.
     if (state.clock.ticks == 0 && moment_.parameters.is_given("water.sea_level_m")) fill_sea_now();
@@ -55,8 +59,14 @@ std::vector<Book> Simulation::books() {
     return books;
 }
 
-void Simulation::fit(const Grid& grid, Parameters& parameters) const {
+void Simulation::fit(const Grid& grid, Parameters& parameters, const std::vector<Drive>& drives) const {
     for (const auto& pass : passes_) pass->fit(grid, parameters);
+    for (const Drive& drive : drives)
+        for (const double value : {drive.series.lowest(), drive.series.highest()}) {
+            Parameters then = parameters;
+            then.set(drive.parameter, value);
+            for (const auto& pass : passes_) pass->fit(grid, then);
+        }
 }
 
 void Simulation::observe() {
@@ -109,15 +119,17 @@ void Simulation::act(const SetParameter& wanted) {
     else
         changed.reset(set.name);
     const SetsOff sets_off = changed.declaration(set.name).sets_off;
-    fit(terrain_.grid(), changed);
+    // Who sets it by hand takes over from its table.
+    std::vector<Drive> drives = moment_.drives;
+    place_drive(drives, {set.name, {}});
+    fit(terrain_.grid(), changed, drives);
     const bool fills = sets_off == SetsOff::sea && set.value;
     if (sets_off == SetsOff::sea) withdraw_sea(set.name);
     const auto change = [&] {
         if (keeps_undo_ && fills) undo_.keep_all(terrain_);
         if (sets_off == SetsOff::solid_weights) reweigh(changed);
         moment_.parameters = changed;
-        // Who sets it by hand takes over from its table.
-        place_drive(moment_.drives, {set.name, {}});
+        moment_.drives = drives;
         if (sets_off == SetsOff::edge_clock) moment_.edges_since_s = moment_.clock.simulated_s;
         if (fills) fill_sea_now();
     };
@@ -142,22 +154,25 @@ void Simulation::act(const DriveParameter& wanted) {
     const Parameter& declared = moment_.parameters.declaration(wanted.parameter);
     drive.parameter = declared.name;
     check_drive(moment_.parameters, drive);
+    const bool ends = drive.series.empty();
+    const bool is_sea = declared.sets_off == SetsOff::sea && !ends;
     Parameters changed = moment_.parameters;
-    if (!drive.series.empty()) {
-        for (const double value :
-             {drive.series.lowest(), drive.series.highest(), drive.series.at(moment_.clock.simulated_s)}) {
-            changed.set(drive.parameter, value);
-            fit(terrain_.grid(), changed);
-        }
-    }
+    std::vector<Drive> drives = moment_.drives;
+    place_drive(drives, drive);
+    if (!ends) changed.set(drive.parameter, drive.series.at(moment_.clock.simulated_s));
+    fit(terrain_.grid(), changed, drives);
     // A sea that begins to follow a table fills as one whose level is set.
-    const bool fills = declared.sets_off == SetsOff::sea && !drive.series.empty() &&
-                       !(moment_.parameters.is_given(drive.parameter) &&
-                         moment_.parameters.value(drive.parameter) == changed.value(drive.parameter));
+    const bool withdrawn = is_sea && withdraw_sea(drive.parameter);
+    const bool fills =
+        is_sea && (withdrawn || !moment_.parameters.is_given(drive.parameter) ||
+                   moment_.parameters.value(drive.parameter) != changed.value(drive.parameter));
     record(drive, [&] {
         if (keeps_undo_ && fills) undo_.keep_all(terrain_);
         moment_.parameters = changed;
-        place_drive(moment_.drives, drive);
+        moment_.drives = drives;
+        // What the parameter says without a table begins now.
+        if (ends && declared.sets_off == SetsOff::edge_clock)
+            moment_.edges_since_s = moment_.clock.simulated_s;
         if (fills) fill_sea_now();
     });
     terrain_.tiles.mark_all();
@@ -240,7 +255,7 @@ void Simulation::replace_terrain(const Operation& operation, const TerrainState&
                                  Parameters parameters) {
     if (undo_.is_open())
         throw Error(fmt::format("a stroke or run is not ended: {} needs that", name_of(operation)));
-    fit(next.grid, parameters);
+    fit(next.grid, parameters, moment_.drives);
     Site site{Terrain(next)};
     // Water that came with it has arrived.
     for (const auto& pass : site.passes) pass->observe(site.terrain, moment_);
@@ -268,11 +283,16 @@ void Simulation::stand_on(Site site) {
     ++terrain_number_;
 }
 
-void Simulation::withdraw_sea(const std::string& level) {
+bool Simulation::withdraw_sea(const std::string& level) {
     const std::vector<Operation>& done = journal_.operations();
-    const auto* last = done.empty() ? nullptr : std::get_if<SetParameter>(&done.back());
-    if (undo_.is_open() || !can_undo() || undo_.undo_name() != level) return;
-    if (last && last->name == level && last->value) exchange(false);
+    if (undo_.is_open() || !can_undo() || done.empty()) return false;
+    const auto* set = std::get_if<SetParameter>(&done.back());
+    const auto* drive = std::get_if<DriveParameter>(&done.back());
+    const bool filled = (set && set->name == level && set->value) ||
+                        (drive && drive->parameter == level && !drive->series.empty());
+    if (!filled || undo_.undo_name() != name_of(done.back())) return false;
+    exchange(false);
+    return true;
 }
 
 void Simulation::follow_tables() {
@@ -283,7 +303,7 @@ void Simulation::follow_tables() {
         const double value = drive.series.mean(from_s, to_s);
         if (moment_.parameters.number(drive.parameter) == value) continue;
         moment_.parameters.set(drive.parameter, value);
-        wakes = wakes || !moment_.parameters.declaration(drive.parameter).drives_within_tick;
+        wakes = wakes || moment_.parameters.declaration(drive.parameter).driven != Driven::within_tick;
     }
     // Rest was decided under the old values. A pass that reads tables within the tick wakes what they move.
     if (wakes) terrain_.tiles.mark_all();
@@ -291,11 +311,16 @@ void Simulation::follow_tables() {
 
 void Simulation::begin_tick() {
     std::optional<Moment> before;
-    if (keeps_undo_ && !undo_.is_open()) before = moment_;
+    if ((keeps_undo_ && !undo_.is_open()) || !moment_.drives.empty()) before = moment_;
     follow_tables();
-    for (const auto& pass : passes_) pass->prepare_tick(terrain_, moment_);
+    try {
+        for (const auto& pass : passes_) pass->prepare_tick(terrain_, moment_);
+    } catch (...) {
+        if (before) moment_ = std::move(*before);
+        throw;
+    }
     if (keeps_undo_) {
-        if (before) {
+        if (!undo_.is_open()) {
             Snapshot at_start = snapshot();
             at_start.moment = std::move(*before);
             undo_.open("run", terrain_, journal_, std::move(at_start));
@@ -416,6 +441,18 @@ void Simulation::book(Change&& change) {
     const double before = ledger().closing_error_m3();
     change();
     moment_.booked_m3 += ledger().closing_error_m3() - before;
+}
+
+void Simulation::follow_sections(const std::vector<Section>& sections) {
+    for (const auto& pass : passes_) pass->follow_sections(terrain_, sections);
+}
+
+std::vector<double> Simulation::section_volumes_m3() const {
+    for (const auto& pass : passes_) {
+        std::vector<double> volumes = pass->section_volumes_m3(terrain_.grid());
+        if (!volumes.empty()) return volumes;
+    }
+    return {};
 }
 
 PassWork Simulation::work(const std::string& name) const {

@@ -76,6 +76,13 @@ class Simulation {
     const std::vector<Drive>& drives() const { return moment_.drives; }
     /// What dabs of a stamp press; none: nothing was chosen.
     const std::shared_ptr<const Stamp>& stamp() const { return moment_.stamp; }
+    /// From now on the water that passes these sections is counted; it changes nothing. One that was there
+    /// goes on counting. Another terrain has none. Throws talus::Error where one lies off the map, and
+    /// follows those before then.
+    void follow_sections(const std::vector<Section>& sections);
+    /// What passed each so far, m³, to the right of its line as positive; undo takes it back. Waits for the
+    /// device.
+    std::vector<double> section_volumes_m3() const;
     /// What the pass of this name did so far. Waits for the device. Throws talus::Error where there is none.
     PassWork work(const std::string& pass) const;
     /// The whole state. Waits for the device.
@@ -106,7 +113,7 @@ class Simulation {
     void stand_on(Site site);
     /// Gives parameters that hang on the terrain their values. Throws talus::Error when a tick with them
     /// cannot be run.
-    void fit(const Grid& grid, Parameters& parameters) const;
+    void fit(const Grid& grid, Parameters& parameters, const std::vector<Drive>& drives) const;
     /// The passes take note of layers that none of them wrote.
     void observe();
     void exchange(bool forth);
@@ -119,8 +126,9 @@ class Simulation {
     /// Books the apparent gain or loss of solid when parameters change the solid weights.
     void reweigh(const Parameters& changed);
     void fill_sea_now();
-    /// Undoes the last act if it set this sea level too, so that its water does not stay under the new level.
-    void withdraw_sea(const std::string& level);
+    /// Undoes the last act, and says so, if it set this sea level too, so that its water does not stay under
+    /// the new level.
+    bool withdraw_sea(const std::string& level);
     void begin_tick();
     /// Driven parameters take what their tables say of the tick that begins.
     void follow_tables();

@@ -123,6 +123,10 @@ const std::vector<Claim>& claims() {
          [] {
              return Finding{ledger_errors().solid, 1e-6, "of what moved"};
          }},
+        {"tables", "rain and inflow that follow tables bring the tables' integrals",
+         [] {
+             return Finding{table_error(), 1e-6, "of the integral"};
+         }},
         {"ledger of water", "no water is lost to rain, springs, brushes and edges",
          [] {
              return Finding{ledger_errors().water, 1e-6, "of all water"};

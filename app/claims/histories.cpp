@@ -173,4 +173,31 @@ LedgerErrors ledger_errors() {
     return {std::abs(ledger.closing_error_of_moved()), std::abs(ledger.water_drift_relative())};
 }
 
+double table_error() {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> unit(0, 1);
+    const auto table = [&](double highest) {
+        std::vector<TimeSeries::Row> rows = {{0, 0}};
+        while (rows.back().time_s < 25) {
+            const double after_s = 0.05 * unit(random) * unit(random);
+            rows.push_back({rows.back().time_s + after_s, highest * unit(random)});
+        }
+        return TimeSeries(std::move(rows));
+    };
+    const TimeSeries rain = table(900);
+    const TimeSeries inflow = table(4000);
+    Parameters parameters((simulation_parameters()));
+    for (const char* assignment :
+         {"time.tick_s=2", "water.boundary.north=wall", "water.boundary.south=inflow",
+          "water.boundary.west=wall", "water.boundary.east=wall"})
+        parameters.set_assignment(assignment);
+    Simulation simulation(mountains(), parameters);
+    simulation.apply(DriveParameter{"water.rain_mm_per_h", rain});
+    simulation.apply(DriveParameter{"water.inflow_m3_per_s", inflow});
+    simulation.apply(Ticks{10});
+    const double area_m2 = worked_grid.dx * worked_grid.dy * static_cast<double>(worked_grid.count());
+    const double wanted = rain.integral(0, 20) * 1e-3 / 3600 * area_m2 + inflow.integral(0, 20);
+    return std::abs(simulation.ledger().water_in / wanted - 1);
+}
+
 }  // namespace talus::claims

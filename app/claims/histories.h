@@ -31,4 +31,8 @@ struct LedgerErrors {
 };
 LedgerErrors ledger_errors();
 
+/// Rain and inflow that follow tables, whose rows fall anywhere within ticks: what the ledger misses of the
+/// tables' integrals, relative.
+double table_error();
+
 }  // namespace talus::claims

@@ -8,18 +8,27 @@
 #include "app/core/scene.h"
 #include "sim/gpu/context.h"
 #include "sim/io/put_back.h"
+#include "sim/terrain/section.h"
 
 namespace talus::app {
+
+/// A number that follows a table.
+struct TableOption {
+    std::string file;
+    Drive drive;
+};
 
 struct RunOptions {
     gpu::ContextChoice gpu;
     SceneRequest scene;
     std::optional<std::int64_t> ticks;
     std::optional<double> time_s;
-    std::vector<Spring> springs;     ///< placed before the first tick
-    std::vector<Drive> drives;       ///< begin before the first tick
-    std::vector<glm::dvec2> gauges;  ///< places (m) whose water is written every tick
+    std::vector<Spring> springs;      ///< placed before the first tick
+    std::vector<TableOption> tables;  ///< followed from before the first tick
+    std::vector<glm::dvec2> gauges;   ///< places (m) whose water is written every tick
     std::string gauge_table = "gauges.csv";
+    std::vector<Section> sections;  ///< lines (m) whose discharge is written every tick
+    std::string section_table = "sections.csv";
     Outputs outputs;
 };
 void run(const RunOptions& options);

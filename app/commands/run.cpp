@@ -8,6 +8,7 @@
 #include "app/commands/commands.h"
 #include "app/core/gauges.h"
 #include "app/core/outputs.h"
+#include "app/core/section_table.h"
 #include "app/core/sources.h"
 #include "app/core/wave_note.h"
 #include "sim/error.h"
@@ -45,6 +46,14 @@ class RunProgress {
     Clock_::time_point last_{};
 };
 
+void follow(Simulation& simulation, const TableOption& table) {
+    try {
+        simulation.apply(table.drive);
+    } catch (const Error& error) {
+        throw Error(fmt::format("'{}': {}", table.file, error.what()));
+    }
+}
+
 void say_notes(const Scene& scene) {
     for (const std::string& note : scene.document.notes) say("note: " + note);
 }
@@ -54,6 +63,7 @@ void say_notes(const Scene& scene) {
 void run(const RunOptions& options) {
     check_outputs(options.outputs);
     if (!options.gauges.empty()) check_folder(options.gauge_table);
+    if (!options.sections.empty()) check_folder(options.section_table);
     const gpu::Context context(options.gpu);
     say(gpu::describe(context.device()));
     Scene scene = make_scene(options.scene);
@@ -75,17 +85,24 @@ void run(const RunOptions& options) {
     for (const glm::dvec2 place : options.gauges) gauges.place(place);
     Simulation simulation(scene.document.state, scene.simulation);
     for (const Spring& spring : options.springs) simulation.apply(spring);
-    for (const Drive& drive : options.drives) simulation.apply(drive);
+    for (const TableOption& table : options.tables) follow(simulation, table);
     if (!gauges.all().empty()) gauges.record(simulation.terrain(), simulation.clock().simulated_s);
+    std::optional<SectionTable> sections;
+    if (!options.sections.empty()) sections.emplace(simulation, options.sections);
     RunProgress progress(ticks);
     for (std::int64_t done = 0; done < ticks; ++done) {
         simulation.apply(Ticks{1});
+        if (sections) sections->record(simulation);
         if (!gauges.all().empty()) gauges.record(simulation.terrain(), simulation.clock().simulated_s);
         progress.show(done + 1);
     }
     if (!gauges.all().empty()) {
         io::write_atomically(options.gauge_table, gauges.to_csv());
         say(fmt::format("what the gauges showed is in {}", options.gauge_table));
+    }
+    if (sections) {
+        io::write_atomically(options.section_table, sections->to_csv());
+        say(fmt::format("what passed the sections is in {}", options.section_table));
     }
     const RunFigures figures{context.device(), ticks, seconds_since(start), process_cpu_s() - cpu_start};
     write_outputs(options.outputs, scene, simulation, figures);

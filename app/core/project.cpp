@@ -82,6 +82,8 @@ void Project::serve(const PanelRequests& asked) {
         act_when_ready(fmt::format("Reading {}", *asked.stamp),
                        [path = *asked.stamp] { return read_stamp(path, {}); });
     if (asked.table) {
+        // A tick that is half done ends first.
+        session_.pause();
         const double begins_s = state_.table_begins_now ? session_.simulation().clock().simulated_s : 0;
         act_when_ready(fmt::format("Reading {}", *asked.table),
                        [path = *asked.table, name = state_.table_of, begins_s] {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/core/app_parameters.h"
@@ -56,21 +57,46 @@ Scene assemble(const Parameters& all, io::Document document) {
     return scene;
 }
 
-// The document's tables stay where the request leaves their parameters as the document has them.
-void keep_drives(const SceneRequest& request, const Parameters& before, Scene& scene) {
-    const Parameters& now = scene.simulation;
-    Parameters assigned(all_parameters());
-    for (const std::string& assignment : request.assignments) assigned.set_assignment(assignment);
-    std::vector<Drive>& drives = scene.document.state.drives;
-    for (const Drive& drive : drives) try {
-            check_drive(now, drive);
+// The document's tables, but for those that ended. Throws talus::Error where one cannot be followed.
+void follow_tables(io::Document& document, const Parameters& parameters, const std::string& file,
+                   const std::vector<std::string>& ended) {
+    std::vector<Drive>& drives = document.state.drives;
+    for (Drive& drive : drives) try {
+            check_drive(parameters, drive);
+            drive.parameter = parameters.declaration(drive.parameter).name;
         } catch (const Error& error) {
-            throw Error(fmt::format("'{}': {}", request.input, error.what()));
+            throw Error(fmt::format("'{}': {}", file, error.what()));
         }
     std::erase_if(drives, [&](const Drive& drive) {
-        return assigned.is_given(drive.parameter) ||
-               now.value(drive.parameter) != before.value(drive.parameter);
+        return std::find(ended.begin(), ended.end(), drive.parameter) != ended.end();
     });
+}
+
+// Tables of the document in whose place the request sets something.
+std::vector<std::string> ended_tables(const io::Document& document, const SceneRequest& request,
+                                      const Parameters& before, const Parameters& now) {
+    Parameters assigned(all_parameters());
+    for (const std::string& assignment : request.assignments) assigned.set_assignment(assignment);
+    std::vector<std::string> ended;
+    for (const Drive& drive : document.state.drives) {
+        const std::string& name = now.declaration(drive.parameter).name;
+        if (assigned.is_given(name) || now.value(name) != before.value(name)) ended.push_back(name);
+    }
+    return ended;
+}
+
+// Other inflow or waves than the document's begin now.
+void begin_edges(TerrainState& state, const Parameters& before, const Parameters& now) {
+    for (const Parameter& p : now.declared())
+        if (p.sets_off == SetsOff::edge_clock && now.value(p.name) != before.value(p.name))
+            state.edges_since_s = state.clock.simulated_s;
+}
+
+// What a document was made with.
+Parameters parameters_of(const io::Document& document, const std::string& file) {
+    Parameters all(all_parameters());
+    from_toml(document.parameters, file, all);
+    return all;
 }
 
 }  // namespace
@@ -108,15 +134,12 @@ Scene make_scene(const SceneRequest& request) {
         document.kind = "generated";
     }
     Scene scene = assemble(all, std::move(document));
-    // Other inflow or waves than the document's begin now.
     if (!scene.document.parameters.empty()) {
-        Parameters before(all_parameters());
-        from_toml(scene.document.parameters, request.input, before);
-        for (const Parameter& p : scene.simulation.declared())
-            if (p.sets_off == SetsOff::edge_clock && scene.simulation.value(p.name) != before.value(p.name))
-                scene.document.state.edges_since_s = scene.document.state.clock.simulated_s;
-        keep_drives(request, before, scene);
+        const Parameters before = parameters_of(scene.document, request.input);
+        begin_edges(scene.document.state, before, scene.simulation);
+        scene.start.ended_tables = ended_tables(scene.document, request, before, scene.simulation);
     }
+    follow_tables(scene.document, scene.simulation, request.input, scene.start.ended_tables);
     scene.draping = open_draping(request.texture, scene.document.state.georeference);
     scene.start.input = request.input.empty() ? "" : std::filesystem::absolute(request.input).string();
     scene.start.import_guess = to_text(request.import);
@@ -137,6 +160,9 @@ Scene make_scene(const JournalFile& journal, const std::string& journal_path,
     } else {
         document =
             io::open_document(journal.start.input, io::import_settings_from(journal.start.import_guess));
+        if (!document.parameters.empty())
+            begin_edges(document.state, parameters_of(document, journal.start.input), all);
+        follow_tables(document, all, journal.start.input, journal.start.ended_tables);
     }
     const std::uint64_t hash = state_hash(document.state);
     if (hash != journal.start.hash)

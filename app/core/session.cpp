@@ -471,6 +471,8 @@ void Session::apply(const Operation& operation) {
     pause();
     simulation_->apply(operation);
     simulation_->end_entry();
+    if (std::holds_alternative<DriveParameter>(operation))
+        wave_note_ = app::wave_note(scene_.document.state, simulation_->parameters());
     suggest_for_terrain();
     follow_terrain();
 }

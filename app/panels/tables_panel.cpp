@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <cmath>
+
 #include "app/panels/panels.h"
 #include "sim/drives.h"
 
@@ -31,6 +33,27 @@ void choose_number(PanelContext& context) {
     ImGui::EndCombo();
 }
 
+// The table at even times from its first row to its last, and between two of them the row that lies farthest
+// off, so that no peak is missed.
+std::vector<float> plotted(const TimeSeries& series) {
+    const std::vector<TimeSeries::Row>& rows = series.rows();
+    const double first_s = rows.front().time_s;
+    const double step_s = (rows.back().time_s - first_s) / plotted_places;
+    std::vector<float> values;
+    values.reserve(2 * plotted_places + 1);
+    std::size_t row = 0;
+    for (int i = 0; i < plotted_places; ++i) {
+        const double here = series.at(first_s + step_s * i);
+        double farthest = here;
+        for (; row < rows.size() && rows[row].time_s < first_s + step_s * (i + 1); ++row)
+            if (std::abs(rows[row].value - here) > std::abs(farthest - here)) farthest = rows[row].value;
+        values.push_back(static_cast<float>(here));
+        values.push_back(static_cast<float>(farthest));
+    }
+    values.push_back(static_cast<float>(rows.back().value));
+    return values;
+}
+
 void draw_table(PanelContext& context, const Drive& drive) {
     const Session& session = context.session;
     const Parameter& p = session.declaration(drive.parameter);
@@ -43,18 +66,16 @@ void draw_table(PanelContext& context, const Drive& drive) {
                                      figure(rows.back().time_s, 6)));
     const double first_s = rows.front().time_s;
     const double span_s = rows.back().time_s - first_s;
-    std::vector<float> values;
-    values.reserve(plotted_places);
-    for (int i = 0; i < plotted_places; ++i)
-        values.push_back(static_cast<float>(drive.series.at(first_s + span_s * i / (plotted_places - 1))));
-    plot_line("last row", values, p.unit.c_str());
+    plot_line("last row", plotted(drive.series), p.unit.c_str());
     if (span_s > 0 && now_s >= first_s && now_s <= first_s + span_s) {
-        const ImVec2 low = ImGui::GetItemRectMin();
-        const ImVec2 high = ImGui::GetItemRectMax();
-        const float x = low.x + static_cast<float>((now_s - first_s) / span_s) * (high.x - low.x);
-        ImGui::GetWindowDrawList()->AddLine({x, low.y}, {x, high.y}, ImGui::GetColorU32(ImGuiCol_Text));
+        // Plots lie within the frame's padding.
+        const float low = ImGui::GetItemRectMin().x + ImGui::GetStyle().FramePadding.x;
+        const float high = ImGui::GetItemRectMax().x - ImGui::GetStyle().FramePadding.x;
+        const float x = low + static_cast<float>((now_s - first_s) / span_s) * (high - low);
+        ImGui::GetWindowDrawList()->AddLine({x, ImGui::GetItemRectMin().y}, {x, ImGui::GetItemRectMax().y},
+                                            ImGui::GetColorU32(ImGuiCol_Text));
     }
-    if (button("End it", "the number stays as it is now"))
+    if (button("End it", "the number goes on as if it were set now"))
         context.requests.acts.emplace_back([name = drive.parameter](Session& s) {
             s.apply(DriveParameter{name, {}});
         });

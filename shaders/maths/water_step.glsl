@@ -51,9 +51,8 @@ WaterSubstep water_next_substep(real time_left_s, real speed) {
     precise real part = dt / tick_s;
     // As the next sub-step finds its `at`.
     precise real end = real(1) - span.y / tick_s;
-    precise real rate = tick_s / span.x;
-    precise real rain = tick_series_integral(series_rain, at, end) * rate;
-    precise real inflow = tick_series_integral(series_inflow, at, end) * rate;
+    real rain = tick_series_mean(series_rain, at, end);
+    real inflow = tick_series_mean(series_inflow, at, end);
     WaterSubstep next;
     next.dt = dt;
     next.left = span.y;

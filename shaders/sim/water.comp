@@ -57,21 +57,7 @@ const real water_friction = real(0);
 real load_concentration(int2 at, real depth) { return sediment_concentration(depth, imageLoad(load_in, at + water_ghosts).x); }
 #endif
 
-// A sample seen along y: `along` is north.
-WaterCell load_cell(int2 at, out real4 water) {
-    water = imageLoad(water_in, at + water_ghosts);
-    real bed = imageLoad(bed_in, at + water_ghosts).x;
-    return water_cell(water, bed, water_velocity(water.x, real2(water.w, water.z)));
-}
-
-WaterCell load_turned(int2 at) {
-    real4 water;
-    return water_turned(load_cell(at, water));
-}
-
-WaterFace face_between(WaterCell before, WaterCell a, WaterSlope slope_a, WaterCell b, WaterSlope slope_b, WaterCell behind) {
-    return water_face(a, slope_a, b, slope_b, water_face_rests(before, a, b, behind));
-}
+#include "sim/water_faces.glsl"
 
 // What an invocation keeps while it marches: of its column the sample of a row and those around it, and the face behind.
 struct March {
@@ -99,7 +85,7 @@ March march_from(int2 first) {
     m.slope = water_slope(m.south, m.cell, m.north);
     m.face_north = face_between(m.south, m.cell, m.slope, m.north, water_slope(m.cell, m.north, north_2), north_2);
 #ifdef INFLOW
-    m.face_north.mass = water_given_discharge(m.face_north.mass, first.y == 0, edge_kind_north, -clock_inflow);
+    m.face_north = water_given_face(m.face_north, first.y == 0, edge_kind_north, -clock_inflow);
 #endif
 #ifdef SEDIMENT
     m.solid_here = load_concentration(first, m.cell.depth);
@@ -128,8 +114,8 @@ Across across(int2 at, WaterCell cell) {
     a.face_west = face_between(west_2, a.west, water_slope(west_2, a.west, turned), turned, slope, a.east);
     a.face_east = face_between(a.west, turned, slope, a.east, water_slope(turned, a.east, east_2), east_2);
 #ifdef INFLOW
-    a.face_west.mass = water_given_discharge(a.face_west.mass, at.x == 0, edge_kind_west, clock_inflow);
-    a.face_east.mass = water_given_discharge(a.face_east.mass, at.x == samples.x - 1, edge_kind_east, -clock_inflow);
+    a.face_west = water_given_face(a.face_west, at.x == 0, edge_kind_west, clock_inflow);
+    a.face_east = water_given_face(a.face_east, at.x == samples.x - 1, edge_kind_east, -clock_inflow);
 #endif
     return a;
 }
@@ -203,7 +189,7 @@ void main() {
             WaterSlope slope_south = water_slope(south_2, m.south, m.cell);
             WaterFace face_south = face_between(south_2, m.south, slope_south, m.cell, m.slope, m.north);
 #ifdef INFLOW
-            face_south.mass = water_given_discharge(face_south.mass, at.y == samples.y - 1, edge_kind_south, clock_inflow);
+            face_south = water_given_face(face_south, at.y == samples.y - 1, edge_kind_south, clock_inflow);
 #endif
             Across a = across(at, m.cell);
             WaterChange change = water_change(m.here.x, a.face_west, a.face_east, face_south, m.face_north);

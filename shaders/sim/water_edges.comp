@@ -99,7 +99,7 @@ void main() {
         WaterCell b_2 = outward_cell(made.ghost_2);
         bool rests = water_face_rests(a_2, a, b, b_2);
         WaterFace face = water_face(a, water_slope(a_2, a, b), b, water_slope(a, b, b_2), rests);
-        face.mass = water_given_discharge(face.mass, true, made.kind, -edge_inflow);
+        face = water_given_face(face, true, made.kind, -edge_inflow);
         real share_across = place.outward.x != 0 ? clock_share_x : clock_share_y;
         precise real metres = share_across * face.mass;
 #ifdef SEDIMENT

@@ -27,7 +27,7 @@ Document open_document(const std::filesystem::path& path, const ImportSettings& 
 
 /// Writes everything a run continues from, to the bit: a float channel for every word of every layer that is
 /// there (sim/terrain/layers.h), the ground as Y for picture programs; clock, spacing, coordinate system,
-/// springs, parameters and the ground beyond the edges as attributes.
+/// springs, tables, parameters and the ground beyond the edges as attributes.
 void save_document(const std::filesystem::path& path, const Document& document);
 
 }  // namespace talus::io

@@ -4,18 +4,19 @@
 
 #include <charconv>
 #include <cmath>
+#include <fstream>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "sim/error.h"
-#include "sim/io/atomic_file.h"
 
 namespace talus::io {
 namespace {
 
-constexpr std::uintmax_t most_bytes = 256U << 20U;
+constexpr std::size_t most_bytes = 64U << 20U;
+constexpr std::size_t most_rows = 1000000;
 
 bool separates(char c) {
     return c == ',' || c == ';' || c == ' ' || c == '\t';
@@ -44,7 +45,7 @@ std::vector<std::string> cells_of(const std::string& line) {
 
 std::optional<double> number_in(std::string cell) {
     if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
-    if (!cell.empty() && cell.front() == '+') cell.erase(0, 1);
+    if (cell.size() >= 2 && cell.front() == '+' && cell[1] != '-') cell.erase(0, 1);
     double value = 0;
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
@@ -59,16 +60,43 @@ bool is_heading(const std::vector<std::string>& cells) {
     return true;
 }
 
+// A line as a message may show it.
+std::string quoted(const std::string& line) {
+    constexpr std::size_t most = 60;
+    std::string shown = line.substr(0, most);
+    for (char& c : shown)
+        if (static_cast<unsigned char>(c) < ' ') c = ' ';
+    // A letter is its first byte and those that follow it.
+    while (line.size() > most && !shown.empty() && (static_cast<unsigned char>(shown.back()) & 0x80U) != 0)
+        shown.pop_back();
+    return line.size() > most ? shown + "…" : shown;
+}
+
+// Of a pipe too, whose size nobody knows before.
+std::string read_bounded(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
+        throw Error(fmt::format("'{}' is a folder, a table of times and values is needed", path.string()));
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        throw Error(fmt::format("'{}' cannot be read, a table of times and values is needed", path.string()));
+    std::string text;
+    std::vector<char> chunk(1U << 16U);
+    do {
+        file.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
+        text.append(chunk.data(), static_cast<std::size_t>(file.gcount()));
+        if (text.size() > most_bytes)
+            throw Error(
+                fmt::format("'{}' is larger than {} MiB, the most that a table of times and values may be",
+                            path.string(), most_bytes >> 20U));
+    } while (file);
+    return text;
+}
+
 }  // namespace
 
 TimeSeries read_time_series(const std::filesystem::path& path) {
-    std::error_code failed;
-    if (std::filesystem::is_directory(path, failed))
-        throw Error(fmt::format("'{}' is a folder, a table of times and values is needed", path.string()));
-    if (std::filesystem::file_size(path, failed) > most_bytes && !failed)
-        throw Error(fmt::format("'{}' is larger than a table of times and values may be, {} MiB",
-                                path.string(), most_bytes >> 20U));
-    std::istringstream lines(read_text(path));
+    std::istringstream lines(read_bounded(path));
     std::vector<TimeSeries::Row> rows;
     std::string line;
     bool first = true;
@@ -86,13 +114,17 @@ TimeSeries read_time_series(const std::filesystem::path& path) {
         if (!time_s || !value)
             throw Error(
                 fmt::format("'{}': line {} is '{}', it must be a time in seconds and a value, e.g. 600,12.5",
-                            path.string(), at, line));
+                            path.string(), at, quoted(line)));
         if (!rows.empty() && *time_s < rows.back().time_s)
             throw Error(fmt::format("'{}': line {} is of {} s and comes after {} s, times must not fall",
                                     path.string(), at, *time_s, rows.back().time_s));
         if (std::abs(*time_s) > 1e15 || std::abs(*value) > 1e15)
+            throw Error(fmt::format("'{}': line {} is '{}', no number may be above 1e15", path.string(), at,
+                                    quoted(line)));
+        if (rows.size() == most_rows)
             throw Error(
-                fmt::format("'{}': line {} is '{}', no number may be above 1e15", path.string(), at, line));
+                fmt::format("'{}' has more than {} rows, the most that a table of times and values may have",
+                            path.string(), most_rows));
         rows.push_back({*time_s, *value});
     }
     if (rows.empty())

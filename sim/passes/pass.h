@@ -9,6 +9,7 @@
 #include "sim/passes/dab.h"
 #include "sim/passes/mask_settings.h"
 #include "sim/passes/pass_work.h"
+#include "sim/terrain/section.h"
 #include "sim/terrain/terrain.h"
 
 namespace talus {
@@ -47,6 +48,12 @@ class Pass {
     virtual void observe(Terrain& /*terrain*/, const Moment& /*at*/) {}
     /// Called after undo and redo: a stroke that was going on is over.
     virtual void forget_act() {}
+
+    /// From now on it counts what passes these sections, if that is its matter. Throws talus::Error where one
+    /// lies off the map.
+    virtual void follow_sections(const Terrain& /*terrain*/, const std::vector<Section>& /*sections*/) {}
+    /// The water that passed each so far, m³; empty: it counts none. Waits for the device.
+    virtual std::vector<double> section_volumes_m3(const Grid& /*grid*/) const { return {}; }
 
     /// The list may grow by a tick or an act.
     virtual std::vector<Book> books() { return {}; }

@@ -36,13 +36,15 @@ const std::vector<BoundParameter<SedimentSettings>>& sediment_parameters() {
               &SedimentSettings::settling_m_per_s, mm_per_s),
         bound(number("erosion.porosity", preset.porosity, 0, 0.9, "",
                      "Share of voids in regolith: in what settles and in scree. 0.3 to 0.4 in sand.")
-                  .setting_off(SetsOff::solid_weights),
+                  .setting_off(SetsOff::solid_weights)
+                  .following_tables(Driven::never),
               &SedimentSettings::porosity),
         bound(
             number("erosion.acceleration", preset.acceleration, 1, 1000, "",
                    "How often each exchange counts for the ground: geology waits for no water (morphological "
                    "factor).")
-                .setting_off(SetsOff::solid_weights),
+                .setting_off(SetsOff::solid_weights)
+                .following_tables(Driven::never),
             &SedimentSettings::acceleration),
         bound(number("erosion.inflow_concentration", preset.inflow_concentration, 0, 0.3, "",
                      "Solid in the water that enters by edges of kind inflow, by volume."),

@@ -1,5 +1,6 @@
 #include "sim/passes/tick_series.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -31,7 +32,7 @@ TimeSeries hydrograph(const WaterSettings& settings) {
 double wave_at(const WaterSettings& settings, double time_s) {
     if (settings.wave_form == WaveForm::series) {
         const TimeSeries& table = settings.driven.wave_height_m;
-        return table.empty() ? settings.wave_height_m : table.at(settings.driven.since_s + time_s);
+        return table.empty() ? 0 : table.at(settings.driven.since_s + time_s);
     }
     if (settings.wave_form == WaveForm::sine) {
         // Grows over the first period: a wave that begins at once sends a step ahead.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim/passes/tick_series.h"
 #include "sim/passes/water_schedule.h"
@@ -149,7 +150,10 @@ void Water::substep(Terrain& terrain) {
     gpu::barrier({gpu::Use::storage, gpu::Use::indirect, gpu::Use::buffer_transfer});
     run_substep(
         settings_, [&](int stage) { fill_ghosts(terrain, stage); },
-        [&](int stage) { run_stage(terrain, stage); },
+        [&](int stage) {
+            count_sections(terrain, stage);
+            run_stage(terrain, stage);
+        },
         [&] { sediment_.exchange(terrain, active_.buffer, activity_, clock_, numbers_); });
 }
 
@@ -168,6 +172,13 @@ void Water::fill_ghosts(Terrain& terrain, int stage) {
     program.dispatch(1);
     gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
                   gpu::Use::buffer_transfer});
+}
+
+void Water::count_sections(const Terrain& terrain, int stage) {
+    if (sections.empty()) return;
+    sections.count(settings_.order, stage == 1 ? terrain.water->front : terrain.water->back,
+                   terrain.water_bed, [&](gpu::Program& program) { bind_buffers(program); });
+    gpu::barrier({gpu::Use::storage, gpu::Use::buffer_transfer});
 }
 
 // The first stage writes to the back images; the second one completes the front ones in place.
@@ -216,6 +227,12 @@ double Water::time_left_s() const {
 }
 
 std::vector<Book> Water::books() {
+    std::vector<Book> books = own_books();
+    for (Book& book : sections.books()) books.push_back(std::move(book));
+    return books;
+}
+
+std::vector<Book> Water::own_books() {
     return {{"water clock", &clock_,
              [](const gpu::Buffer& words, const Grid& grid, const SolidWeights&, BudgetTerms& terms) {
                  const WaterClock clock = read_clock(words);

@@ -10,6 +10,7 @@
 #include "sim/passes/pass_work.h"
 #include "sim/passes/sediment.h"
 #include "sim/passes/water_numbers.h"
+#include "sim/passes/water_sections.h"
 #include "sim/passes/water_settings.h"
 #include "sim/terrain/terrain.h"
 
@@ -45,12 +46,17 @@ class Water {
     WaterBooks read_books(const Grid& grid);
     PassWork work() const;
 
-    /// Of the clock, edges, sources, and of solid that passed the edges.
+    /// Counts what passes lines over the map.
+    WaterSections sections;
+
+    /// Of the clock, edges, sources, sections, and of solid that passed the edges.
     std::vector<Book> books();
 
   private:
     void fill_ghosts(Terrain& terrain, int stage);
+    void count_sections(const Terrain& terrain, int stage);
     void run_stage(Terrain& terrain, int stage);
+    std::vector<Book> own_books();
     gpu::Program& stage_program(int stage);
     gpu::Program& edge_program();
     void bind_buffers(gpu::Program& program) const;

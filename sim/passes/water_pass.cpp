@@ -55,6 +55,17 @@ class WaterPass : public Pass {
         if (terrain.water) solver(terrain).inundation.record(terrain, at.clock.simulated_s);
     }
 
+    void follow_sections(const Terrain& terrain, const std::vector<Section>& sections) override {
+        for (const Section& section : sections) check_section(terrain.grid(), section);
+        sections_ = sections;
+        if (made_) made_->water.sections.follow(terrain.grid(), sections_);
+    }
+
+    std::vector<double> section_volumes_m3(const Grid& grid) const override {
+        if (made_) return made_->water.sections.volumes_m3(grid);
+        return std::vector<double>(sections_.size(), 0);
+    }
+
     std::vector<Book> books() override {
         if (!made_) return {};
         std::vector<Book> books = made_->water.books();
@@ -86,12 +97,11 @@ class WaterPass : public Pass {
     }
 
     static WaterDrives drives_of(const Moment& at) {
-        const auto table = [&](const char* parameter) {
-            const TimeSeries* series = series_of(at.drives, parameter);
-            return series ? *series : TimeSeries();
-        };
-        return {table("water.rain_mm_per_h"), table("water.inflow_m3_per_s"), table("water.sea_level_m"),
-                table("water.wave_height_m"), at.edges_since_s};
+        WaterDrives driven;
+        for (const WaterDrive& one : water_drives())
+            if (const TimeSeries* series = series_of(at.drives, one.parameter)) driven.*one.table = *series;
+        driven.since_s = at.edges_since_s;
+        return driven;
     }
 
     // What the parameters say, as far as the layers that are there let it be.
@@ -111,12 +121,15 @@ class WaterPass : public Pass {
 
     Made& solver(Terrain& terrain) {
         terrain.add(&Terrain::water);
-        if (!made_) made_.emplace(terrain);
+        if (made_) return *made_;
+        made_.emplace(terrain);
+        made_->water.sections.follow(terrain.grid(), sections_);
         return *made_;
     }
 
     std::optional<Made> made_;  // none: no water was ever here
-    bool flows_ = false;        // in this tick
+    std::vector<Section> sections_;
+    bool flows_ = false;  // in this tick
     bool begun_ = false;
 };
 

@@ -57,7 +57,7 @@ const std::vector<BoundParameter<WaterSettings>>& water_parameters() {
         bound(number("water.rain_mm_per_h", preset.rain_m_per_s / mm_per_h, 0, 1e4, "mm/h",
                      "Rain: everywhere, or by the mask; what a brush of rain painted falls besides.")
                   .once("water.rain")
-                  .driven_within_tick(),
+                  .following_tables(Driven::within_tick),
               &WaterSettings::rain_m_per_s, mm_per_h),
         bound(choice("water.rain_over", preset.rain_masked, {"everywhere", "mask"},
                      "Where water.rain falls; by the mask: as much of it as the mask says."),
@@ -78,7 +78,7 @@ const std::vector<BoundParameter<WaterSettings>>& water_parameters() {
                   "of kind wave.")
                   .once("water.sea_level")
                   .setting_off(SetsOff::sea)
-                  .driven_within_tick(),
+                  .following_tables(Driven::within_tick),
               &WaterSettings::level_m),
         boundary(Edge::north,
                  "Northern edge: a wall, open (waves leave), a held level, an inflow, a wave maker, or "
@@ -92,7 +92,7 @@ const std::vector<BoundParameter<WaterSettings>>& water_parameters() {
                 "Discharge through all edges of kind inflow together, at its peak; spread evenly along them.")
                 .once("water.inflow")
                 .setting_off(SetsOff::edge_clock)
-                .driven_within_tick(),
+                .following_tables(Driven::within_tick),
             &WaterSettings::inflow_m3_per_s),
         bound(number("water.inflow_rise_s", preset.inflow_rise_s, 0, 1e9, "s",
                      "Time that the inflow takes from nothing to its peak.")
@@ -105,7 +105,8 @@ const std::vector<BoundParameter<WaterSettings>>& water_parameters() {
                   .setting_off(SetsOff::edge_clock),
               &WaterSettings::inflow_fall_s),
         bound(choice("water.wave", preset.wave_form, {"sine", "solitary", "series"},
-                     "What the wave maker sends; series: water.wave_height_m, which follows a table.")
+                     "What the wave maker sends; series: what the table of water.wave_height_m says, and "
+                     "nothing without one.")
                   .setting_off(SetsOff::edge_clock),
               &WaterSettings::wave_form),
         bound(number(
@@ -113,7 +114,7 @@ const std::vector<BoundParameter<WaterSettings>>& water_parameters() {
                   "Sine: amplitude about the still level. Solitary: crest above it. Series: height above it.")
                   .once("water.wave_height")
                   .setting_off(SetsOff::edge_clock)
-                  .driven_within_tick(),
+                  .following_tables(Driven::within_tick),
               &WaterSettings::wave_height_m),
         bound(number("water.wave_period_s", preset.wave_period_s, 1e-3, 1e6, "s", "Period of the sine.")
                   .once("water.wave_period")
@@ -136,6 +137,14 @@ WaterSettings water_settings_of(const Parameters& parameters) {
     settings.has_sea = parameters.is_given("water.sea_level_m");
     settings.sediment = sediment_settings(parameters);
     return settings;
+}
+
+const std::vector<WaterDrive>& water_drives() {
+    static const std::vector<WaterDrive> all = {{"water.rain_mm_per_h", &WaterDrives::rain_mm_per_h},
+                                                {"water.inflow_m3_per_s", &WaterDrives::inflow_m3_per_s},
+                                                {"water.sea_level_m", &WaterDrives::sea_level_m},
+                                                {"water.wave_height_m", &WaterDrives::wave_height_m}};
+    return all;
 }
 
 const std::vector<std::string>& edge_kinds() {

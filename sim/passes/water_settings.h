@@ -70,6 +70,13 @@ struct WaterSettings {
     bool operator==(const WaterSettings&) const = default;
 };
 
+/// The tables that the water reads within the tick, by the parameter that follows each.
+struct WaterDrive {
+    const char* parameter;
+    TimeSeries WaterDrives::*table;
+};
+const std::vector<WaterDrive>& water_drives();
+
 /// How much faster √(gd) is than a wave of this period (s) is in nature over this depth (m), as a share: the
 /// true relation is ω² = g k tanh kd.
 double shallow_speed_excess(double depth_m, double period_s, double gravity_m_per_s2);

@@ -231,7 +231,7 @@ class WaterTwin {
         // north.
         const int2 next = at + step;
         const auto give = [&](bool at_edge, int kind, real given) {
-            face.mass = water_given_discharge(face.mass, at_edge, kind, given);
+            face = water_given_face(face, at_edge, kind, given);
         };
         give(!turned && at.x < 0, edge_kind_west, edge_inflow);
         give(!turned && next.x >= nx, edge_kind_east, -edge_inflow);

@@ -16,8 +16,7 @@ class StateReadback {
   public:
     void start(const Terrain& terrain);
     bool pending() const { return state_.has_value(); }
-    /// The layers, once the last one has come; clock, springs and georeference are the caller's. Nothing
-    /// before.
+    /// The layers, once the last one has come; all else is the caller's. Nothing before.
     std::optional<TerrainState> poll();
     void cancel();
 

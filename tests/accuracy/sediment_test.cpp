@@ -75,7 +75,8 @@ TEST(Sediment, AgreesWithItsFloatTwinToTheBit) {
         {1, 0, 0, EdgeKind::wall, EdgeKind::open, EdgeKind::level, EdgeKind::wall},
         {2, 0, 2e-4, EdgeKind::open, EdgeKind::level, EdgeKind::inflow, EdgeKind::open},
         {2, 0, 0, EdgeKind::periodic, EdgeKind::periodic, EdgeKind::periodic, EdgeKind::periodic},
-        {1, 0, 1e-4, EdgeKind::wave, EdgeKind::inflow, EdgeKind::level, EdgeKind::wave}};
+        {1, 0, 1e-4, EdgeKind::wave, EdgeKind::inflow, EdgeKind::level, EdgeKind::wave},
+        {2, 0, 2e-4, EdgeKind::inflow, EdgeKind::level, EdgeKind::inflow, EdgeKind::open, false, true}};
     for (const claims::WaterCase& c : cases) {
         const claims::TwinAgreement agreement = sediment_against_twin(c);
         if (rounds_as_ieee) {

@@ -99,6 +99,21 @@ class RandomActs {
         }
     }
 
+    // A number follows a table from now on, or follows none any more.
+    DriveParameter table(double now_s) {
+        const std::vector<std::pair<const char*, double>> numbers = {{"water.rain_mm_per_h", 300},
+                                                                     {"water.sea_level_m", 300},
+                                                                     {"water.manning", 0.1},
+                                                                     {"thermal.repose_deg", 40}};
+        const auto& [name, most] = numbers[random_() % numbers.size()];
+        if (random_() % 3 == 0) return {name, {}};
+        std::vector<TimeSeries::Row> rows;
+        rows.reserve(8);
+        for (int i = 0; i < 8; ++i) rows.push_back({now_s + i * (0.1 + unit()), most * unit()});
+        std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
+        return {name, TimeSeries(std::move(rows))};
+    }
+
     // One entry of undo.
     void act(Simulation& simulation) {
         const Grid grid = simulation.terrain().grid();
@@ -116,6 +131,7 @@ class RandomActs {
         } else if (kind == 12) {
             simulation.apply(parameter());
         } else if (kind == 13) {
+            if (random_() % 2 == 0) return simulation.apply(table(simulation.clock().simulated_s));
             simulation.apply(PlaceSpring{grid.width_m() * unit(), grid.height_m() * unit(), 5 * unit()});
         } else if (kind == 14) {
             reshape(simulation);

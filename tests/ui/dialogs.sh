@@ -88,6 +88,23 @@ frames 2
 xdotool click 3
 frames 8
 
+# A number follows the table that is chosen; one that is none is named, with its line.
+printf 'time_s,value\n0,90\nsoon,3\n' >storm.csv
+click Tables
+click "Choose a table…"
+type_over "file name" "$PWD/storm.csv"
+await_word "storm.csv.: line 3 is 'soon,3'"
+printf 'time_s,value\n0,90\n20,700\n60,0\n' >storm.csv
+click "Choose a table…"
+type_over "file name" "$PWD/storm.csv"
+await_work
+await_widget "end table of water.rain_mm_per_h"
+frames 4
+import -window root 3_table.png
+click Water
+frames 4
+import -window root 3_follows.png
+
 # An export that fails says why, and the dialog stays.
 xdotool mousemove 600 400 key ctrl+e
 type_over "export path" "$PWD/no/such/folder/a.tif"
@@ -111,6 +128,7 @@ import -window root 4_narrow.png
 resize 1280 720
 await_widget Play
 drop_and_close
+grep -q '"name":"water.rain_mm_per_h","op":"drive","rows":\[\[' window.journal || fail "the journal does not hold the table"
 grep -q '"name":"thermal.bedrock_deg","op":"set","value":null' window.journal || fail "the right click did not unset"
 
 # Work that an earlier session left is told, and does not cover the file that was named.

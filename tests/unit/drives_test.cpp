@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <random>
@@ -20,6 +21,7 @@
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/gauge.h"
 #include "sim/terrain/generate.h"
+#include "sim/terrain/sea.h"
 #include "sim/terrain/state_hash.h"
 #include "tests/scenes/undo_trail.h"
 
@@ -331,42 +333,191 @@ TEST_P(EitherOrderOfDrives, FrameRateReplayAndSavingMidwayChangeNoBit) {
     EXPECT_EQ(hash_of(whole), hash_of(replayed));
 }
 
-// Of what can rest while a table moves: a shore behind an edge, and ground that it does not rain on yet.
-TEST_P(EitherOrderOfDrives, SkippingWhatRestsChangesNoBit) {
-    const gpu::Context context;
-    const Grid grid{200, 140, 5, 5};
-    TerrainState start = bedrock_terrain(grid, generate_heights(grid, {"coast", 5, 12}));
-    start.painted.assign(grid.count(), glm::vec4(0));
-    for (std::size_t i = 0; i < grid.count(); ++i) start.painted[i].y = i % 200 > 120 ? 0.7F : 0.0F;
-    WaterSettings settings;
-    settings.order = GetParam();
-    settings.edges = {EdgeKind::open, EdgeKind::level, EdgeKind::open, EdgeKind::wave};
-    settings.has_sea = true;
-    settings.level_m = 3;
-    settings.rain_masked = true;
-    settings.rain_m_per_s = 1e-5;
-    settings.wave_form = WaveForm::series;
+// Some ticks of 5 s from 50 s on, and with rest skipped the same.
+void expect_skipping_changes_no_bit(const TerrainState& start, WaterSettings settings, int ticks) {
     settings.driven.since_s = 50;
-    // Quiet at the start of a tick.
-    settings.driven.sea_level_m = TimeSeries({{50, 3}, {52.5, 3}, {58, 5}, {70, 5}});
-    settings.driven.rain_mm_per_h = TimeSeries({{50, 0}, {53.7, 0}, {54, 300}, {60, 0}});
-    settings.driven.wave_height_m = TimeSeries({{50, 0}, {56.4, 0}, {57, 0.5}, {58, -0.4}, {59, 0}});
     std::vector<std::vector<glm::vec4>> waters;
+    std::vector<std::uint64_t> tiles;
     for (const bool skips : {true, false}) {
         settings.skips_rest = skips;
         Terrain terrain(start);
         terrain.add(&Terrain::water);
         Water water(terrain);
-        for (int tick = 0; tick < 3; ++tick) {
+        for (int tick = 0; tick < ticks; ++tick) {
+            const double from_s = 50 + 5.0 * tick;
+            settings.rain_m_per_s = settings.driven.rain_mm_per_h.mean(from_s, from_s + 5) * 1e-3 / 3600;
             water.begin_tick(terrain, settings, {}, 5, 5.0 * tick);
             while (water.time_left_s() > 0) water.substep(terrain);
         }
         waters.push_back(terrain.read().water);
+        tiles.push_back(water.work().tiles);
     }
     EXPECT_EQ(waters[0], waters[1]);
+    EXPECT_LT(tiles[0], tiles[1]) << "something must have rested";
     double deep = 0;
+    double before = 0;
     for (const glm::vec4& sample : waters[0]) deep += sample.x;
-    EXPECT_GT(deep, 1000) << "water must have come";
+    for (const glm::vec4& sample : start.water) before += sample.x;
+    EXPECT_GT(deep, before + 10) << "water must have come";
+}
+
+// A sea at rest behind three kinds of edges, which begin to move within a tick; inland it stays dry.
+TEST_P(EitherOrderOfDrives, SkippingWhatRestsBehindEdgesChangesNoBit) {
+    const gpu::Context context;
+    const Grid grid{300, 200, 5, 5};
+    TerrainState start = bedrock_terrain(grid, generate_heights(grid, {"coast", 5, 60}));
+    fill_sea(start, 8);
+    WaterSettings settings;
+    settings.order = GetParam();
+    settings.has_sea = true;
+    settings.level_m = 8;
+    settings.wave_form = WaveForm::series;
+    settings.driven.sea_level_m = TimeSeries({{50, 8}, {52.5, 8}, {58, 9.5}, {70, 9.5}});
+    settings.driven.wave_height_m = TimeSeries({{50, 0}, {56.4, 0}, {57, 0.5}, {58, -0.4}, {59, 0}});
+    for (const EdgeKind kind : {EdgeKind::open, EdgeKind::level, EdgeKind::wave}) {
+        settings.edges.fill(kind);
+        expect_skipping_changes_no_bit(start, settings, 3);
+    }
+}
+
+// Rain by the mask that begins within a tick, after one in which none falls.
+TEST_P(EitherOrderOfDrives, SkippingWhereItDoesNotRainYetChangesNoBit) {
+    const gpu::Context context;
+    const Grid grid{300, 200, 5, 5};
+    TerrainState start = bedrock_terrain(grid, generate_heights(grid, {"hills", 5, 40}));
+    start.painted.assign(grid.count(), glm::vec4(0));
+    for (std::size_t i = 0; i < grid.count(); ++i) start.painted[i].y = i % 300 > 120 ? 0.7F : 0.0F;
+    WaterSettings settings;
+    settings.order = GetParam();
+    settings.rain_masked = true;
+    settings.driven.rain_mm_per_h = TimeSeries({{50, 0}, {58.7, 0}, {59, 300}, {62, 0}});
+    expect_skipping_changes_no_bit(start, settings, 4);
+}
+
+// So little that the water rests all the same: undo takes it back.
+TEST_P(EitherOrderOfDrives, UndoTakesBackATrickleOverAnEdge) {
+    const gpu::Context context;
+    const Grid grid{100, 80, 10, 10};
+    TerrainState lake = bedrock_terrain(grid, std::vector<float>(grid.count(), 0.0F));
+    lake.water.assign(grid.count(), glm::vec4(1, 0, 0, 0));
+    Parameters all =
+        parameters_with({"time.tick_s=1", "water.boundary.north=wall", "water.boundary.south=wall",
+                         "water.boundary.east=wall", "water.boundary.west=inflow", "water.inflow=0.0001"});
+    all.set("water.order", GetParam());
+    Simulation simulation(lake, all, undo_bytes);
+    const std::uint64_t before = hash_of(simulation);
+    simulation.apply(Ticks{5});
+    simulation.end_entry();
+    EXPECT_NEAR(simulation.ledger().water_in, 0.0005, 1e-9);
+    EXPECT_NEAR(simulation.ledger().water_drift_relative(), 0, 1e-12);
+    EXPECT_NE(hash_of(simulation), before);
+    simulation.undo();
+    EXPECT_EQ(hash_of(simulation), before);
+}
+
+// An even inflow is the same in each of many sub-steps of a tick.
+TEST(Drives, WhatIsEvenStaysEven) {
+    const gpu::Context context;
+    const Grid grid{64, 64, 1, 1};
+    TerrainState state = bedrock_terrain(grid, std::vector<float>(grid.count(), 0.0F));
+    WaterSettings settings;
+    settings.edges = {EdgeKind::wall, EdgeKind::wall, EdgeKind::inflow, EdgeKind::wall};
+    settings.inflow_m3_per_s = 6.4;
+    settings.rain_m_per_s = 1e-5;
+    const std::vector<float> series = tick_series(settings, grid, 100, 7);
+    for (int i = 0; i < glsl::tick_series_steps; ++i) {
+        EXPECT_EQ(series[glsl::series_inflow * glsl::tick_series_points + i], 0.1F);
+        EXPECT_EQ(series[glsl::series_rain * glsl::tick_series_points + i], 1e-5F);
+    }
+    // Still water that it rains on: each sub-step adds the same to its depth.
+    settings.edges.fill(EdgeKind::wall);
+    state.water.assign(grid.count(), glm::vec4(2, 0, 0, 0));
+    Terrain terrain(state);
+    Water water(terrain);
+    water.begin_tick(terrain, settings, {}, 100, 0);
+    double last_left_s = 100;
+    double depth_m = 2;
+    for (int step = 0; step < 60; ++step) {
+        water.substep(terrain);
+        const glm::vec4 sample = terrain.read().water[40];
+        const double now_m = static_cast<double>(sample.x) + sample.y;
+        const double left_s = water.time_left_s();
+        // The time left is a float of some tens of seconds.
+        EXPECT_NEAR((now_m - depth_m) / (last_left_s - left_s), 1e-5, 2e-9) << step;
+        depth_m = now_m;
+        last_left_s = left_s;
+    }
+}
+
+// The level moves within a tick, linear between the table's rows.
+TEST(Drives, LevelAndWaveAreTabulatedWithinTheTick) {
+    WaterSettings settings;
+    settings.wave_form = WaveForm::series;
+    settings.driven.since_s = 30;
+    settings.driven.sea_level_m = TimeSeries({{40, 5}, {42, 9}});
+    settings.driven.wave_height_m = TimeSeries({{40, -1}, {44, 1}});
+    const std::vector<float> series = tick_series(settings, {64, 64, 1, 1}, 4, 10);
+    const auto at = [&](int table, int point) {
+        return series[static_cast<std::size_t>(table * glsl::tick_series_points + point)];
+    };
+    EXPECT_FLOAT_EQ(at(glsl::series_level, 0), 5);
+    EXPECT_FLOAT_EQ(at(glsl::series_level, 64), 7);
+    EXPECT_FLOAT_EQ(at(glsl::series_level, 256), 9);
+    EXPECT_FLOAT_EQ(at(glsl::series_wave, 128), 0);
+    EXPECT_FLOAT_EQ(at(glsl::series_wave, 256), 1);
+    // Without a table nothing comes.
+    settings.driven.wave_height_m = {};
+    EXPECT_EQ(tick_series(settings, {64, 64, 1, 1}, 4, 10)[glsl::series_wave * glsl::tick_series_points + 7],
+              0);
+}
+
+// What a pass reads within the tick is what is declared so.
+TEST(Drives, TablesWithinTheTickAreTheWaters) {
+    std::vector<std::string> declared;
+    for (const Parameter& p : simulation_parameters())
+        if (p.driven == Driven::within_tick) declared.push_back(p.name);
+    std::vector<std::string> read;
+    for (const WaterDrive& one : water_drives()) read.emplace_back(one.parameter);
+    std::sort(declared.begin(), declared.end());
+    std::sort(read.begin(), read.end());
+    EXPECT_EQ(declared, read);
+}
+
+// A table that asks for too much later is refused with the tick that it would not fit into.
+TEST(Drives, ATickMustFitAllThatATableSays) {
+    const gpu::Context context;
+    Simulation simulation(coast(), coast_parameters(), undo_bytes);
+    simulation.apply(DriveParameter{"thermal.rate_m2_per_s", TimeSeries({{0, 1}, {1000, 40}})});
+    const Parameters before = simulation.parameters();
+    EXPECT_THROW(simulation.apply(SetParameter{"time.tick_s", 1e6}), Error);
+    EXPECT_EQ(simulation.parameters(), before);
+    simulation.apply(DriveParameter{"thermal.rate_m2_per_s", {}});
+    EXPECT_NO_THROW(simulation.apply(SetParameter{"time.tick_s", 2.5}));
+}
+
+// The right table takes the place of a wrong one, and its sea of that one's.
+TEST(Drives, AnotherTableOfTheSeaTakesThePlaceOfTheFirst) {
+    const gpu::Context context;
+    const TimeSeries high({{0, 60}});
+    const TimeSeries low({{0, 20}});
+    Simulation straight(coast(), coast_parameters());
+    straight.apply(DriveParameter{"water.sea_level", low});
+    Simulation corrected(coast(), coast_parameters(), undo_bytes);
+    corrected.apply(DriveParameter{"water.sea_level", high});
+    corrected.apply(DriveParameter{"water.sea_level", low});
+    EXPECT_EQ(hash_of(corrected), hash_of(straight));
+    corrected.undo();
+    EXPECT_FALSE(corrected.can_undo());
+    corrected.apply(SetParameter{"water.sea_level", 50.0});
+    corrected.apply(DriveParameter{"water.sea_level", low});
+    EXPECT_EQ(hash_of(corrected), hash_of(straight));
+}
+
+TEST(Drives, TextOfATableIsReadOrRefused) {
+    const TimeSeries series = ragged(3, 5, 1e-7);
+    EXPECT_EQ(series_from_text(to_text(series)), series);
+    for (const char* wrong : {"", "0", "0 1 5", "0 1 x 2", "0 1e999", "5 1 4 1"})
+        EXPECT_THROW(series_from_text(wrong), Error) << wrong;
 }
 
 TEST(Drives, RefuseWhatCannotFollowATable) {
@@ -425,6 +576,9 @@ TEST(TimeSeriesFiles, SayWhichLineIsWrong) {
     EXPECT_EQ(refusal_of("0,nan\n"), "'FILE': line 1 is '0,nan', " + row);
     EXPECT_EQ(refusal_of("0,1e999\n"), "'FILE': line 1 is '0,1e999', " + row);
     EXPECT_EQ(refusal_of("0;1,5\n"), "'FILE': line 1 is '0;1,5', " + row);
+    EXPECT_EQ(refusal_of("0,+-5\n"), "'FILE': line 1 is '0,+-5', " + row);
+    EXPECT_EQ(refusal_of("0,1\n" + std::string(1000, 'x') + "\n"),
+              "'FILE': line 2 is '" + std::string(60, 'x') + "…', " + row);
     EXPECT_EQ(refusal_of("5,1\n4,1\n"), "'FILE': line 2 is of 4 s and comes after 5 s, times must not fall");
     EXPECT_EQ(refusal_of("time,value\n"), "'FILE' holds no row of a time in seconds and a value");
     EXPECT_EQ(refusal_of(""), "'FILE' holds no row of a time in seconds and a value");

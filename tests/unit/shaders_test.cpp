@@ -48,6 +48,7 @@ void simulate_everything(Simulation& simulation) {
         simulation.apply(dab);
     }
     simulation.apply(MakeMask{MaskSource::slope, 0, 40, 5});
+    simulation.follow_sections({{{0, 100}, {300, 300}}});
     for (const char* assignment :
          {"water.rain=100", "water.rain_over=mask", "water.order=1", "erosion.on=true", "erosion.over=mask",
           "thermal.wet_deg=20", "water.manning=0", "water.order=2", "erosion.on=false", "water.manning=0.03",

@@ -1,0 +1,189 @@
+// Sections: the staircase along a line, and the water that passes it, to what is on both sides of it.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "sim/error.h"
+#include "sim/gpu/context.h"
+#include "sim/simulation.h"
+#include "sim/simulation_parameters.h"
+#include "sim/terrain/generate.h"
+#include "sim/terrain/section.h"
+
+namespace talus::section_test {
+namespace {
+
+Parameters parameters_with(std::initializer_list<const char*> assignments) {
+    Parameters all(simulation_parameters());
+    for (const char* assignment : assignments) all.set_assignment(assignment);
+    return all;
+}
+
+// What an even flow (m²/s east and north) brings over it to the right, m³/s.
+double even_flow_over(const Grid& grid, const std::vector<SectionFace>& faces, glm::dvec2 flow) {
+    double sum = 0;
+    for (const SectionFace& face : faces)
+        sum += face.sign * (face.is_row ? flow.y * grid.dx : flow.x * grid.dy);
+    return sum;
+}
+
+TEST(Sections, AStaircaseStaysAtItsLine) {
+    const Grid grid{60, 50, 10, 8};
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (int trial = 0; trial < 300; ++trial) {
+        Section section{{grid.width_m() * unit(random), grid.height_m() * unit(random)},
+                        {grid.width_m() * unit(random), grid.height_m() * unit(random)}};
+        if (trial % 5 == 0) section.to_m.x = section.from_m.x;
+        if (trial % 5 == 1) section.to_m.y = section.from_m.y;
+        if (glm::distance(section.from_m, section.to_m) < 30) continue;
+        const std::vector<SectionFace> faces = faces_of(grid, section);
+        const glm::dvec2 along = section.to_m - section.from_m;
+        // As many faces as the corners lie apart, each nearer to the line than a cell's diagonal.
+        EXPECT_NEAR(static_cast<double>(faces.size()),
+                    std::abs(along.x) / grid.dx + std::abs(along.y) / grid.dy, 2);
+        for (const SectionFace& face : faces) {
+            const double column = face.is_row ? face.at.x : face.at.x - 0.5;
+            const double row = face.is_row ? face.at.y + 0.5 : face.at.y;
+            const glm::dvec2 middle(column * grid.dx, (grid.ny - 1 - row) * grid.dy);
+            const glm::dvec2 off = middle - section.from_m;
+            EXPECT_LE(std::abs(off.x * along.y - off.y * along.x) / glm::length(along), std::hypot(10, 8));
+            EXPECT_TRUE(face.at.x >= 0 && face.at.x <= grid.nx && face.at.y >= -1 && face.at.y < grid.ny);
+        }
+        // An even flow passes as it passes the line, but for what the ends move to corners.
+        for (const glm::dvec2 flow : {glm::dvec2(1, 0), glm::dvec2(0, 1), glm::dvec2(-0.3, 0.8)})
+            EXPECT_NEAR(even_flow_over(grid, faces, flow), flow.x * along.y - flow.y * along.x,
+                        (std::abs(flow.x) + std::abs(flow.y)) * 10.01);
+        // Looked at from the other end it is positive on the other side.
+        const std::vector<SectionFace> back = faces_of(grid, {section.to_m, section.from_m});
+        EXPECT_NEAR(even_flow_over(grid, back, {0.4, 0.7}), -even_flow_over(grid, faces, {0.4, 0.7}), 1e-9);
+    }
+}
+
+TEST(Sections, RefuseWhatIsNoLineOnTheMap) {
+    const Grid grid{60, 50, 10, 8};
+    EXPECT_THROW(check_section(grid, {{-1, 0}, {100, 100}}), Error);
+    EXPECT_THROW(check_section(grid, {{0, 0}, {100, 1e9}}), Error);
+    EXPECT_THROW(check_section(grid, {{100, 100}, {101, 101}}), Error);
+    EXPECT_THROW(check_section(grid, {{100, std::nan("")}, {101, 101}}), Error);
+    EXPECT_NO_THROW(check_section(grid, {{0, 0}, {590, 392}}));
+}
+
+class EitherOrderOfSections : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Sections, EitherOrderOfSections, testing::Values(1, 2));
+
+// Water sloshes through sections that cut the map in two: what passed them is what there is more on their
+// right.
+TEST_P(EitherOrderOfSections, CountWhatComesToTheOtherSide) {
+    const gpu::Context context;
+    const Grid grid{150, 130, 6, 5};
+    Parameters all =
+        parameters_with({"time.tick_s=2", "water.boundary.north=wall", "water.boundary.south=wall",
+                         "water.boundary.west=wall", "water.boundary.east=wall"});
+    all.set("water.order", GetParam());
+    TerrainState start = bedrock_terrain(grid, generate_heights(grid, {"hills", 7, 12}));
+    start.water.assign(grid.count(), glm::vec4(0));
+    for (std::size_t i = 0; i < grid.count(); ++i)
+        if (i % 150 < 70) start.water[i].x = std::max(0.0F, 11 - start.bedrock[i].x);
+    Simulation simulation(start, all);
+    const double width = grid.width_m();
+    const double height = grid.height_m();
+    // From north to south the right side is west; from the west edge to the east edge it is south.
+    const std::vector<Section> sections = {{{0.5 * width, height}, {0.5 * width, 0}},
+                                           {{0.3 * width, height}, {0.8 * width, 0}},
+                                           {{0, 0.2 * height}, {width, 0.9 * height}}};
+    simulation.follow_sections(sections);
+    const auto on_the_right = [&](const Section& section, const TerrainState& state) {
+        // Whether a sample lies on the right of the staircase: count from the side where the map's edge is.
+        std::vector<int> reach(static_cast<std::size_t>(grid.ny), 0);
+        const std::vector<SectionFace> faces = faces_of(grid, section);
+        double sum = 0;
+        if (section.from_m.x > 0) {  // from north to south: samples west of each row's face
+            for (const SectionFace& face : faces)
+                if (!face.is_row) reach[static_cast<std::size_t>(face.at.y)] = face.at.x;
+            for (int row = 0; row < grid.ny; ++row)
+                for (int column = 0; column < reach[static_cast<std::size_t>(row)]; ++column) {
+                    const glm::vec4& water = state.water[static_cast<std::size_t>(row) * grid.nx + column];
+                    sum += static_cast<double>(water.x) + water.y;
+                }
+        } else {  // from west to east: samples south of each column's face
+            for (const SectionFace& face : faces)
+                if (face.is_row)
+                    for (int row = face.at.y + 1; row < grid.ny; ++row) {
+                        const glm::vec4& water =
+                            state.water[static_cast<std::size_t>(row) * grid.nx + face.at.x];
+                        sum += static_cast<double>(water.x) + water.y;
+                    }
+        }
+        return sum * grid.dx * grid.dy;
+    };
+    double moved = 0;
+    for (int i = 0; i < 4; ++i) {
+        simulation.apply(Ticks{10});
+        const TerrainState now = simulation.read();
+        const std::vector<double> volumes = simulation.section_volumes_m3();
+        ASSERT_EQ(volumes.size(), sections.size());
+        for (std::size_t s = 0; s < sections.size(); ++s) {
+            const double gained = on_the_right(sections[s], now) - on_the_right(sections[s], start);
+            EXPECT_NEAR(volumes[s], gained, 1e-6 * on_the_right(sections[s], start)) << "section " << s;
+            moved = std::max(moved, std::abs(gained));
+        }
+    }
+    EXPECT_GT(moved, 1e5);
+}
+
+// A steady stream: what passes sections across it, straight and slanting, is what flows in.
+TEST(Sections, AChannelPassesItsInflow) {
+    const gpu::Context context;
+    const Grid grid{240, 20, 10, 10};
+    std::vector<float> heights(grid.count());
+    for (std::size_t i = 0; i < heights.size(); ++i) heights[i] = 10 - 0.02F * static_cast<float>(i % 240);
+    Simulation simulation(
+        bedrock_terrain(grid, heights),
+        parameters_with({"time.tick_s=10", "water.boundary.north=wall", "water.boundary.south=wall",
+                         "water.boundary.west=inflow", "water.inflow=150", "water.manning=0.03"}));
+    // Downstream, east, is on the right when one looks north.
+    simulation.follow_sections(
+        {{{600, 0}, {600, 190}}, {{1200, 190}, {1200, 0}}, {{1700, 0}, {1900, 190}}, {{0, 0}, {0, 190}}});
+    simulation.apply(Ticks{400});
+    const std::vector<double> before = simulation.section_volumes_m3();
+    simulation.apply(Ticks{20});
+    const std::vector<double> after = simulation.section_volumes_m3();
+    for (const std::size_t s : {0U, 1U, 2U, 3U}) {
+        const double discharge = (after[s] - before[s]) / 200;
+        fmt::print("section {}: {:.4f} m³/s of 150\n", s + 1, discharge);
+        EXPECT_NEAR(discharge, s == 1 ? -150 : 150, 0.005 * 150);
+    }
+}
+
+TEST(Sections, ChangeNoBitAndGoBackWithUndo) {
+    const gpu::Context context;
+    const Grid grid{100, 90, 10, 10};
+    const TerrainState start = bedrock_terrain(grid, generate_heights(grid, {"coast", 5, 30}));
+    const Parameters all = parameters_with(
+        {"time.tick_s=2", "water.boundary.west=inflow", "water.inflow=300", "water.rain=300"});
+    Simulation plain(start, all);
+    plain.apply(Ticks{30});
+    Simulation counted(start, all, 64U << 20U);
+    counted.follow_sections({{{0, 300}, {990, 500}}});
+    counted.apply(Ticks{15});
+    counted.end_entry();
+    const std::vector<double> midway = counted.section_volumes_m3();
+    // Another begins; the first goes on.
+    counted.follow_sections({{{500, 0}, {500, 890}}, {{0, 300}, {990, 500}}});
+    EXPECT_EQ(counted.section_volumes_m3(), (std::vector<double>{0, midway[0]}));
+    counted.apply(Ticks{15});
+    counted.end_entry();
+    EXPECT_EQ(counted.read().water, plain.read().water);
+    const std::vector<double> last = counted.section_volumes_m3();
+    EXPECT_GT(std::abs(last[0]), 1);
+    counted.undo();
+    EXPECT_EQ(counted.section_volumes_m3(), (std::vector<double>{0, midway[0]}));
+    counted.redo();
+    EXPECT_EQ(counted.section_volumes_m3(), last);
+}
+
+}  // namespace
+}  // namespace talus::section_test
