@@ -84,10 +84,6 @@ Command run_command(CLI::App& app, Texts& t) {
                 }
                 for (const std::string& text : t.drives) {
                     const auto [name, file] = drive_from(text);
-                    for (const TableOption& other : options->tables)
-                        if (other.drive.parameter == name)
-                            throw Error(
-                                fmt::format("--drive {} is given twice, a number follows one table", name));
                     options->tables.push_back({file, {name, io::read_time_series(file)}});
                 }
                 options->outputs.json = t.json;

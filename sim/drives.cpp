@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <iterator>
 #include <sstream>
 
@@ -54,15 +55,19 @@ std::string to_text(const TimeSeries& series) {
 
 TimeSeries series_from_text(const std::string& text) {
     std::istringstream words(text);
-    std::vector<TimeSeries::Row> rows;
-    TimeSeries::Row row;
-    while (words >> row.time_s) {
-        if (!(words >> row.value))
-            throw Error(fmt::format("row {} of a table is not a time and a value", rows.size() + 1));
-        rows.push_back(row);
+    std::vector<double> numbers;
+    for (std::string word; words >> word;) {
+        double number = 0;
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+        if (error != std::errc() || end != word.data() + word.size())
+            throw Error(fmt::format("row {} of a table is not a time and a value", numbers.size() / 2 + 1));
+        numbers.push_back(number);
     }
-    if (!words.eof())
-        throw Error(fmt::format("row {} of a table is not a time and a value", rows.size() + 1));
+    if (numbers.size() % 2 != 0)
+        throw Error(fmt::format("row {} of a table has a time and no value", numbers.size() / 2 + 1));
+    std::vector<TimeSeries::Row> rows;
+    rows.reserve(numbers.size() / 2);
+    for (std::size_t i = 0; i < numbers.size(); i += 2) rows.push_back({numbers[i], numbers[i + 1]});
     return TimeSeries(std::move(rows));
 }
 

@@ -13,8 +13,8 @@ struct JournalStart {
     std::string parameters;    ///< simulation parameters as TOML
     std::string import_guess;  ///< how the file was read, as the app's import settings write themselves
     std::uint64_t hash = 0;    ///< of the terrain before the first operation
-    std::vector<std::string>
-        ended_tables{};  ///< of the file's, by parameter: what was asked for took their place
+    std::vector<std::string> ended_tables{};  ///< of the document, which ended at the start as their
+                                              ///< parameters were set; by parameter
 };
 
 /// The list of what was done since the start. Runs of ticks are one entry.

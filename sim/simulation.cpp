@@ -312,8 +312,8 @@ void Simulation::follow_tables() {
 void Simulation::begin_tick() {
     std::optional<Moment> before;
     if ((keeps_undo_ && !undo_.is_open()) || !moment_.drives.empty()) before = moment_;
-    follow_tables();
     try {
+        follow_tables();
         for (const auto& pass : passes_) pass->prepare_tick(terrain_, moment_);
     } catch (...) {
         if (before) moment_ = std::move(*before);

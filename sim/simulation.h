@@ -77,8 +77,8 @@ class Simulation {
     /// What dabs of a stamp press; none: nothing was chosen.
     const std::shared_ptr<const Stamp>& stamp() const { return moment_.stamp; }
     /// From now on the water that passes these sections is counted; it changes nothing. One that was there
-    /// goes on counting. Another terrain has none. Throws talus::Error where one lies off the map, and
-    /// follows those before then.
+    /// goes on counting. Another terrain has none. Throws talus::Error where one lies off the map; then it
+    /// goes on with those it had.
     void follow_sections(const std::vector<Section>& sections);
     /// What passed each so far, m³, to the right of its line as positive; undo takes it back. Waits for the
     /// device.
@@ -111,8 +111,8 @@ class Simulation {
     /// Another terrain in place of this one, recorded as the operation.
     void replace_terrain(const Operation& operation, const TerrainState& next, Parameters parameters);
     void stand_on(Site site);
-    /// Gives parameters that hang on the terrain their values. Throws talus::Error when a tick with them
-    /// cannot be run.
+    /// Gives parameters that hang on the terrain their values. Throws talus::Error when a tick with them, or
+    /// with the lowest or the highest value of one of the tables, cannot be run.
     void fit(const Grid& grid, Parameters& parameters, const std::vector<Drive>& drives) const;
     /// The passes take note of layers that none of them wrote.
     void observe();

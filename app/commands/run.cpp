@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -46,12 +47,17 @@ class RunProgress {
     Clock_::time_point last_{};
 };
 
-void follow(Simulation& simulation, const TableOption& table) {
-    try {
-        simulation.apply(table.drive);
-    } catch (const Error& error) {
-        throw Error(fmt::format("'{}': {}", table.file, error.what()));
-    }
+void follow_tables(Simulation& simulation, const std::vector<TableOption>& tables) {
+    std::vector<std::string> followed;
+    for (const TableOption& table : tables) try {
+            const std::string& name = simulation.parameters().declaration(table.drive.parameter).name;
+            if (std::find(followed.begin(), followed.end(), name) != followed.end())
+                throw Error(fmt::format("--drive gives {} a second table, a number follows one", name));
+            followed.push_back(name);
+            simulation.apply(table.drive);
+        } catch (const Error& error) {
+            throw Error(fmt::format("'{}': {}", table.file, error.what()));
+        }
 }
 
 void say_notes(const Scene& scene) {
@@ -85,7 +91,7 @@ void run(const RunOptions& options) {
     for (const glm::dvec2 place : options.gauges) gauges.place(place);
     Simulation simulation(scene.document.state, scene.simulation);
     for (const Spring& spring : options.springs) simulation.apply(spring);
-    for (const TableOption& table : options.tables) follow(simulation, table);
+    follow_tables(simulation, options.tables);
     if (!gauges.all().empty()) gauges.record(simulation.terrain(), simulation.clock().simulated_s);
     std::optional<SectionTable> sections;
     if (!options.sections.empty()) sections.emplace(simulation, options.sections);

@@ -116,6 +116,12 @@ struct Question {
     std::vector<std::pair<std::string, std::function<void()>>> answers;  ///< the last one: Escape
 };
 
+/// A table's plot, and the table that it is of.
+struct TablePlot {
+    TimeSeries of;
+    std::vector<float> values;
+};
+
 /// What the panels keep between frames.
 struct PanelState {
     std::string shown = "Simulation";  ///< of the panels on the right
@@ -124,6 +130,7 @@ struct PanelState {
     bool placing_gauge = false;
     std::string table_of = "water.rain_mm_per_h";  ///< the number that is to follow a table
     bool table_begins_now = true;
+    std::map<std::string, TablePlot> table_plots;  ///< by the number that follows
     bool choosing_part = false;  ///< the next drag over tiles chooses the part that is cut out
     bool only_looks = false;     ///< the terrain is in tiles: what changes it is not there
     FileDialog dialog;

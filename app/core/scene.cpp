@@ -57,38 +57,38 @@ Scene assemble(const Parameters& all, io::Document document) {
     return scene;
 }
 
-// The document's tables, but for those that ended. Throws talus::Error where one cannot be followed.
-void follow_tables(io::Document& document, const Parameters& parameters, const std::string& file,
-                   const std::vector<std::string>& ended) {
-    std::vector<Drive>& drives = document.state.drives;
-    for (Drive& drive : drives) try {
+// Throws talus::Error where a table of the file cannot be followed.
+void check_tables(io::Document& document, const Parameters& parameters, const std::string& file) {
+    for (Drive& drive : document.state.drives) try {
             check_drive(parameters, drive);
             drive.parameter = parameters.declaration(drive.parameter).name;
         } catch (const Error& error) {
             throw Error(fmt::format("'{}': {}", file, error.what()));
         }
-    std::erase_if(drives, [&](const Drive& drive) {
-        return std::find(ended.begin(), ended.end(), drive.parameter) != ended.end();
-    });
 }
 
 // Tables of the document in whose place the request sets something.
-std::vector<std::string> ended_tables(const io::Document& document, const SceneRequest& request,
+std::vector<std::string> ended_tables(const TerrainState& state, const SceneRequest& request,
                                       const Parameters& before, const Parameters& now) {
     Parameters assigned(all_parameters());
     for (const std::string& assignment : request.assignments) assigned.set_assignment(assignment);
     std::vector<std::string> ended;
-    for (const Drive& drive : document.state.drives) {
-        const std::string& name = now.declaration(drive.parameter).name;
-        if (assigned.is_given(name) || now.value(name) != before.value(name)) ended.push_back(name);
-    }
+    for (const Drive& drive : state.drives)
+        if (assigned.is_given(drive.parameter) || now.value(drive.parameter) != before.value(drive.parameter))
+            ended.push_back(drive.parameter);
     return ended;
 }
 
-// Other inflow or waves than the document's begin now.
-void begin_edges(TerrainState& state, const Parameters& before, const Parameters& now) {
+// Tables end, and other inflow or waves than the document's begin now.
+void begin_anew(TerrainState& state, const Parameters& before, const Parameters& now,
+                const std::vector<std::string>& ended) {
+    const auto has_ended = [&](const std::string& name) {
+        return std::find(ended.begin(), ended.end(), name) != ended.end();
+    };
+    std::erase_if(state.drives, [&](const Drive& drive) { return has_ended(drive.parameter); });
     for (const Parameter& p : now.declared())
-        if (p.sets_off == SetsOff::edge_clock && now.value(p.name) != before.value(p.name))
+        if (p.sets_off == SetsOff::edge_clock &&
+            (now.value(p.name) != before.value(p.name) || has_ended(p.name)))
             state.edges_since_s = state.clock.simulated_s;
 }
 
@@ -134,12 +134,13 @@ Scene make_scene(const SceneRequest& request) {
         document.kind = "generated";
     }
     Scene scene = assemble(all, std::move(document));
+    check_tables(scene.document, scene.simulation, request.input);
     if (!scene.document.parameters.empty()) {
+        TerrainState& state = scene.document.state;
         const Parameters before = parameters_of(scene.document, request.input);
-        begin_edges(scene.document.state, before, scene.simulation);
-        scene.start.ended_tables = ended_tables(scene.document, request, before, scene.simulation);
+        scene.start.ended_tables = ended_tables(state, request, before, scene.simulation);
+        begin_anew(state, before, scene.simulation, scene.start.ended_tables);
     }
-    follow_tables(scene.document, scene.simulation, request.input, scene.start.ended_tables);
     scene.draping = open_draping(request.texture, scene.document.state.georeference);
     scene.start.input = request.input.empty() ? "" : std::filesystem::absolute(request.input).string();
     scene.start.import_guess = to_text(request.import);
@@ -160,9 +161,10 @@ Scene make_scene(const JournalFile& journal, const std::string& journal_path,
     } else {
         document =
             io::open_document(journal.start.input, io::import_settings_from(journal.start.import_guess));
+        check_tables(document, all, journal.start.input);
         if (!document.parameters.empty())
-            begin_edges(document.state, parameters_of(document, journal.start.input), all);
-        follow_tables(document, all, journal.start.input, journal.start.ended_tables);
+            begin_anew(document.state, parameters_of(document, journal.start.input), all,
+                       journal.start.ended_tables);
     }
     const std::uint64_t hash = state_hash(document.state);
     if (hash != journal.start.hash)

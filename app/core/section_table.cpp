@@ -12,6 +12,8 @@ SectionTable::SectionTable(Simulation& simulation, const std::vector<Section>& s
 
 void SectionTable::record(const Simulation& simulation) {
     rows_.push_back({simulation.clock().simulated_s, simulation.section_volumes_m3()});
+    // Another terrain has no sections.
+    rows_.back().volumes_m3.resize(count_, 0);
 }
 
 std::string SectionTable::to_csv() const {

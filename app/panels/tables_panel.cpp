@@ -45,7 +45,8 @@ std::vector<float> plotted(const TimeSeries& series) {
     for (int i = 0; i < plotted_places; ++i) {
         const double here = series.at(first_s + step_s * i);
         double farthest = here;
-        for (; row < rows.size() && rows[row].time_s < first_s + step_s * (i + 1); ++row)
+        const bool last = i == plotted_places - 1;
+        for (; row < rows.size() && (last || rows[row].time_s < first_s + step_s * (i + 1)); ++row)
             if (std::abs(rows[row].value - here) > std::abs(farthest - here)) farthest = rows[row].value;
         values.push_back(static_cast<float>(here));
         values.push_back(static_cast<float>(farthest));
@@ -66,7 +67,9 @@ void draw_table(PanelContext& context, const Drive& drive) {
                                      figure(rows.back().time_s, 6)));
     const double first_s = rows.front().time_s;
     const double span_s = rows.back().time_s - first_s;
-    plot_line("last row", plotted(drive.series), p.unit.c_str());
+    TablePlot& plot = context.state.table_plots[drive.parameter];
+    if (!(plot.of == drive.series)) plot = {drive.series, plotted(drive.series)};
+    plot_line("last row", plot.values, p.unit.c_str());
     if (span_s > 0 && now_s >= first_s && now_s <= first_s + span_s) {
         // Plots lie within the frame's padding.
         const float low = ImGui::GetItemRectMin().x + ImGui::GetStyle().FramePadding.x;
@@ -75,7 +78,7 @@ void draw_table(PanelContext& context, const Drive& drive) {
         ImGui::GetWindowDrawList()->AddLine({x, ImGui::GetItemRectMin().y}, {x, ImGui::GetItemRectMax().y},
                                             ImGui::GetColorU32(ImGuiCol_Text));
     }
-    if (button("End it", "the number goes on as if it were set now"))
+    if (button("End it", "the number goes on as if it were set now; a wave by its table ends"))
         context.requests.acts.emplace_back([name = drive.parameter](Session& s) {
             s.apply(DriveParameter{name, {}});
         });

@@ -61,7 +61,7 @@ WaterSubstep water_next_substep(real time_left_s, real speed) {
     next.friction = dt_friction;
     next.at = at;
     next.part = part;
-    next.rain = rain;
-    next.inflow = inflow;
+    next.rain = max(rain, real(0));
+    next.inflow = max(inflow, real(0));
     return next;
 }

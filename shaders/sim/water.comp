@@ -48,7 +48,7 @@ const real water_friction = real(0);
 #include "maths/water_sources.glsl"
 #ifdef INFLOW
 #include "maths/edge_kinds.glsl"
-#include "maths/given_discharge.glsl"
+#include "maths/water_given_face.glsl"
 #endif
 #ifdef SEDIMENT
 #include "maths/sediment_transport.glsl"

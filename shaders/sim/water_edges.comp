@@ -35,7 +35,7 @@ real load_tick_series(int at) { return tick_series[at]; }
 #include "maths/tick_series_values.glsl"
 #include "maths/water_edge.glsl"
 #include "maths/water_spring.glsl"
-#include "maths/given_discharge.glsl"
+#include "maths/water_given_face.glsl"
 
 real4 load_water(int2 at) { return imageLoad(water_state, at + water_ghosts); }
 real load_bed_beyond(int at) { return bed_beyond[at]; }

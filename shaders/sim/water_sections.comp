@@ -1,4 +1,4 @@
-// The water that passes the faces of a section in a stage, booked in double: what the stage moves over them, draining limit and
+// The water that passes the faces of sections in a stage, booked in double: what the stage moves over them, draining limit and
 // all. After the tick's time is over it books nothing.
 layout(local_size_x = 64) in;
 #include "sim/tile_samples.glsl"
@@ -19,7 +19,7 @@ const real water_friction = real(0);
 #include "maths/water.glsl"
 #include "sim/water_faces.glsl"
 #include "maths/edge_kinds.glsl"
-#include "maths/given_discharge.glsl"
+#include "maths/water_given_face.glsl"
 
 // Between a row and that south of it: northwards.
 real discharge_between_rows(int2 north) {

@@ -35,7 +35,7 @@ bool has_work(int2 tile) {
 
 // Edges of these kinds wake their tiles.
 bool drives(int kind) {
-    return kind == edge_inflow_kind || kind == edge_wave || (level_moves == 1 && (kind == edge_level || kind == edge_open));
+    return kind == edge_inflow_kind || kind == edge_wave || (level_moves == 1 && kind == edge_level);
 }
 
 bool is_driven(int2 tile) {

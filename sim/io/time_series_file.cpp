@@ -61,15 +61,19 @@ bool is_heading(const std::vector<std::string>& cells) {
 }
 
 // A line as a message may show it.
-std::string quoted(const std::string& line) {
+std::string shown_of(const std::string& line) {
     constexpr std::size_t most = 60;
     std::string shown = line.substr(0, most);
     for (char& c : shown)
         if (static_cast<unsigned char>(c) < ' ') c = ' ';
-    // A letter is its first byte and those that follow it.
-    while (line.size() > most && !shown.empty() && (static_cast<unsigned char>(shown.back()) & 0x80U) != 0)
-        shown.pop_back();
-    return line.size() > most ? shown + "…" : shown;
+    if (line.size() <= most) return shown;
+    // A letter is its first byte and those that follow it: one that was cut goes.
+    const auto follows = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
+    if (follows(line[most])) {
+        while (!shown.empty() && follows(shown.back())) shown.pop_back();
+        if (!shown.empty()) shown.pop_back();
+    }
+    return shown + "…";
 }
 
 // Of a pipe too, whose size nobody knows before.
@@ -114,13 +118,13 @@ TimeSeries read_time_series(const std::filesystem::path& path) {
         if (!time_s || !value)
             throw Error(
                 fmt::format("'{}': line {} is '{}', it must be a time in seconds and a value, e.g. 600,12.5",
-                            path.string(), at, quoted(line)));
+                            path.string(), at, shown_of(line)));
         if (!rows.empty() && *time_s < rows.back().time_s)
             throw Error(fmt::format("'{}': line {} is of {} s and comes after {} s, times must not fall",
                                     path.string(), at, *time_s, rows.back().time_s));
         if (std::abs(*time_s) > 1e15 || std::abs(*value) > 1e15)
             throw Error(fmt::format("'{}': line {} is '{}', no number may be above 1e15", path.string(), at,
-                                    quoted(line)));
+                                    shown_of(line)));
         if (rows.size() == most_rows)
             throw Error(
                 fmt::format("'{}' has more than {} rows, the most that a table of times and values may have",

@@ -175,9 +175,12 @@ void Water::fill_ghosts(Terrain& terrain, int stage) {
 }
 
 void Water::count_sections(const Terrain& terrain, int stage) {
-    if (sections.empty()) return;
-    sections.count(settings_.order, stage == 1 ? terrain.water->front : terrain.water->back,
-                   terrain.water_bed, [&](gpu::Program& program) { bind_buffers(program); });
+    gpu::Program* program = sections.program(settings_.order);
+    if (!program) return;
+    program->bind_image("water_in", stage == 1 ? terrain.water->front : terrain.water->back);
+    program->bind_image("bed_in", terrain.water_bed);
+    bind_buffers(*program);
+    program->dispatch(sections.groups());
     gpu::barrier({gpu::Use::storage, gpu::Use::buffer_transfer});
 }
 

@@ -109,9 +109,9 @@ const std::vector<BoundParameter<WaterSettings>>& water_parameters() {
                      "nothing without one.")
                   .setting_off(SetsOff::edge_clock),
               &WaterSettings::wave_form),
-        bound(number(
-                  "water.wave_height_m", preset.wave_height_m, -1e4, 1e4, "m",
-                  "Sine: amplitude about the still level. Solitary: crest above it. Series: height above it.")
+        bound(number("water.wave_height_m", preset.wave_height_m, -1e4, 1e4, "m",
+                     "Sine: amplitude about the still level. Solitary: crest above it. Series: its table is "
+                     "the height above it.")
                   .once("water.wave_height")
                   .setting_off(SetsOff::edge_clock)
                   .following_tables(Driven::within_tick),

@@ -61,7 +61,7 @@ struct WaterSettings {
     double inflow_fall_s = 0;    ///< from the peak back to nothing; 0: it stays
     WaveForm wave_form = WaveForm::sine;
     double wave_height_m =
-        1;  ///< sine: amplitude; solitary: crest above the still level; series: height above it
+        1;  ///< sine: amplitude; solitary: crest above the still level; series: by its table alone
     double wave_period_s = 10;  ///< sine
     double wave_depth_m = 10;   ///< solitary: still depth that gives the wave its length
     WaterDrives driven;

@@ -105,13 +105,13 @@ class WaterTwin {
         return static_cast<real>(std::bit_cast<float>(static_cast<std::int32_t>(seed)));
     }
 
-#include "maths/given_discharge.glsl"
 #include "maths/ground_height.glsl"
 #include "maths/sediment_exchange.glsl"
 #include "maths/sediment_transport.glsl"
 #include "maths/water.glsl"
 #include "maths/water_edge.glsl"
 #include "maths/water_ghosts.glsl"
+#include "maths/water_given_face.glsl"
 #include "maths/water_sources.glsl"
 #include "maths/water_spring.glsl"
 #include "maths/water_stage.glsl"

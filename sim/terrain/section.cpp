@@ -9,10 +9,17 @@
 namespace talus {
 namespace {
 
-// The nearest corner of the samples' cells: corner (i, j) is north-west of sample (i, j).
+// The nearest corner of the samples' cells along an axis: corner i lies before sample i. What lies on the
+// outermost samples belongs to the map's edge.
+int corner_at(double sample, int count) {
+    constexpr double on = 1e-6;
+    if (sample <= on) return 0;
+    if (sample >= count - 1 - on) return count;
+    return static_cast<int>(std::lround(sample + 0.5));
+}
+
 glm::ivec2 corner_at(const Grid& grid, glm::dvec2 place_m) {
-    const glm::dvec2 at(grid.column_of(place_m.x) + 0.5, grid.row_of(place_m.y) + 0.5);
-    return glm::clamp(glm::ivec2(glm::round(at)), glm::ivec2(0), glm::ivec2(grid.nx, grid.ny));
+    return {corner_at(grid.column_of(place_m.x), grid.nx), corner_at(grid.row_of(place_m.y), grid.ny)};
 }
 
 }  // namespace
@@ -24,10 +31,10 @@ void check_section(const Grid& grid, const Section& section) {
                 fmt::format("section's end at {},{} m lies off the map, it must lie within 0,0 and {},{} m",
                             end.x, end.y, grid.width_m(), grid.height_m()));
     if (corner_at(grid, section.from_m) == corner_at(grid, section.to_m))
-        throw Error(fmt::format(
-            "section from {},{} to {},{} m is shorter than the samples' spacing, its ends must lie farther "
-            "apart",
-            section.from_m.x, section.from_m.y, section.to_m.x, section.to_m.y));
+        throw Error(
+            fmt::format("section from {},{} to {},{} m has both ends at one corner between samples, they "
+                        "must lie farther apart",
+                        section.from_m.x, section.from_m.y, section.to_m.x, section.to_m.y));
 }
 
 std::vector<SectionFace> faces_of(const Grid& grid, const Section& section) {

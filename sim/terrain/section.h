@@ -28,7 +28,9 @@ struct SectionFace {
 void check_section(const Grid& grid, const Section& section);
 
 /// The staircase of faces along the line, from the corner of the samples' cells that is nearest to its first
-/// end to that of its second: of all with the fewest faces, one whose corners stay nearest to the line.
+/// end to that of its second, with the fewest faces; each next corner is the one nearer to the line between
+/// both. An end on the outermost samples lies at the map's edge, so a line from edge to edge cuts the map in
+/// two, and a line along an edge is that edge.
 std::vector<SectionFace> faces_of(const Grid& grid, const Section& section);
 
 }  // namespace talus

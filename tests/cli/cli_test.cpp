@@ -403,6 +403,38 @@ TEST_F(Program, ErodesByWaterAndReportsIt) {
     refusal("run --preset rain-erosion --ticks 1 --set erosion.porosity=1");
 }
 
+TEST_F(Program, WritesWhatPassesSections) {
+    const std::string run =
+        "run --preset dam-break --size 129x97 --set water.boundary.north=wall --set "
+        "water.boundary.south=wall --ticks 20 ";
+    const std::string plain = hash(run);
+    EXPECT_EQ(hash(run + "--section 215,0,215,480 --section 0,240,640,250 --sections lines.csv"), plain);
+    std::ifstream table(path("lines.csv"));
+    std::string line;
+    std::getline(table, line);
+    EXPECT_EQ(line, "time_s,discharge_1_m3_per_s,volume_1_m3,discharge_2_m3_per_s,volume_2_m3");
+    std::getline(table, line);
+    EXPECT_EQ(line, "0,,0,,0");
+    int rows = 0;
+    double before_s = 0;
+    double volume_m3 = 0;
+    for (; std::getline(table, line); ++rows) {
+        std::array<double, 5> v{};
+        ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf,%lf", &v[0], &v[1], &v[2], &v[3], &v[4]), 5)
+            << line;
+        volume_m3 += v[1] * (v[0] - before_s);
+        before_s = v[0];
+        EXPECT_NEAR(v[2], volume_m3, 1e-9 * (1 + std::abs(volume_m3)));
+    }
+    EXPECT_EQ(rows, 20);
+    EXPECT_GT(volume_m3, 1) << "the dam's water runs east, to the right of a line north";
+    EXPECT_NE(refusal(run + "--section 1,2,3").find("--section"), std::string::npos);
+    EXPECT_NE(refusal(run + "--section 1,2,1e9,3").find("off the map"), std::string::npos);
+    EXPECT_NE(refusal(run + "--section 1,2,1,2").find("farther apart"), std::string::npos);
+    EXPECT_NE(refusal(run + "--section 1,2,300,2 --sections no/such/lines.csv").find("no/such"),
+              std::string::npos);
+}
+
 TEST_F(Program, RunsWithNumbersThatFollowTables) {
     std::ofstream(path("rain.csv")) << "time_s,rain_mm_per_h\n0,0\n7.5,360\n7.5,36\n20,36\n";
     std::ofstream(path("inflow.csv")) << "0 0\n10 50\n30 0\n";
@@ -434,7 +466,10 @@ TEST_F(Program, RunsWithNumbersThatFollowTables) {
     EXPECT_NE(refusal(run + "--ticks 1 --drive water.rain=late.csv").find("line 2 is 'soon,2'"),
               std::string::npos);
     EXPECT_NE(refusal(run + "--ticks 1 --drive water.rain").find("--drive"), std::string::npos);
-    EXPECT_NE(refusal(run + "--ticks 1 " + inflow + inflow).find("twice"), std::string::npos);
+    EXPECT_NE(refusal(run + "--ticks 1 " + inflow + inflow).find("second table"), std::string::npos);
+    EXPECT_NE(refusal(run + "--ticks 1 " + inflow + "--drive water.inflow_m3_per_s=inflow.csv")
+                  .find("second table"),
+              std::string::npos);
     EXPECT_NE(refusal(run + "--ticks 1 --drive water.order=inflow.csv").find("water.order"),
               std::string::npos);
     EXPECT_NE(refusal(run + "--ticks 1 --drive erosion.strata_hardness=inflow.csv")

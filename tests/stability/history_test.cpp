@@ -101,17 +101,24 @@ class RandomActs {
 
     // A number follows a table from now on, or follows none any more.
     DriveParameter table(double now_s) {
-        const std::vector<std::pair<const char*, double>> numbers = {{"water.rain_mm_per_h", 300},
-                                                                     {"water.sea_level_m", 300},
-                                                                     {"water.manning", 0.1},
-                                                                     {"thermal.repose_deg", 40}};
-        const auto& [name, most] = numbers[random_() % numbers.size()];
-        if (random_() % 3 == 0) return {name, {}};
+        struct Number {
+            const char* name;
+            double least;
+            double most;
+        };
+        const std::vector<Number> numbers = {{"water.rain_mm_per_h", 0, 300},
+                                             {"water.sea_level_m", 0, 300},
+                                             {"water.manning", 0, 0.1},
+                                             {"thermal.repose_deg", 10, 40}};
+        const Number& number = numbers[random_() % numbers.size()];
+        if (random_() % 3 == 0) return {number.name, {}};
         std::vector<TimeSeries::Row> rows;
         rows.reserve(8);
-        for (int i = 0; i < 8; ++i) rows.push_back({now_s + i * (0.1 + unit()), most * unit()});
+        for (int i = 0; i < 8; ++i)
+            rows.push_back(
+                {now_s + i * (0.1 + unit()), number.least + (number.most - number.least) * unit()});
         std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
-        return {name, TimeSeries(std::move(rows))};
+        return {number.name, TimeSeries(std::move(rows))};
     }
 
     // One entry of undo.

@@ -62,6 +62,28 @@ TEST(Sections, AStaircaseStaysAtItsLine) {
     }
 }
 
+// From edge to edge nothing is left out, and a line along an edge is that edge, whatever rounding makes of
+// its metres.
+TEST(Sections, ReachTheMapsEdges) {
+    for (const double spacing : {10.0, 0.1, 1.0 / 3, 30.87}) {
+        const Grid grid{60, 50, spacing, 0.7 * spacing};
+        const double w = grid.width_m();
+        const double h = grid.height_m();
+        EXPECT_EQ(faces_of(grid, {{0.4 * w, 0}, {0.4 * w, h}}).size(), 50U);
+        EXPECT_EQ(faces_of(grid, {{w, 0.3 * h}, {0, 0.3 * h}}).size(), 60U);
+        EXPECT_EQ(faces_of(grid, {{0, 0}, {w, h}}).size(), 110U);
+        const std::vector<SectionFace> west = faces_of(grid, {{0, h}, {0, 0}});
+        ASSERT_EQ(west.size(), 50U);
+        for (const SectionFace& face : west) EXPECT_TRUE(!face.is_row && face.at.x == 0 && face.sign == -1);
+        for (const SectionFace& face : faces_of(grid, {{0, h}, {w, h}}))
+            EXPECT_TRUE(face.is_row && face.at.y == -1);
+        for (const SectionFace& face : faces_of(grid, {{w, 0}, {w, h}}))
+            EXPECT_TRUE(!face.is_row && face.at.x == 60);
+        for (const SectionFace& face : faces_of(grid, {{w, 0}, {0, 0}}))
+            EXPECT_TRUE(face.is_row && face.at.y == 49);
+    }
+}
+
 TEST(Sections, RefuseWhatIsNoLineOnTheMap) {
     const Grid grid{60, 50, 10, 8};
     EXPECT_THROW(check_section(grid, {{-1, 0}, {100, 100}}), Error);

@@ -68,7 +68,7 @@ TEST(TimeSeries, TheMeanStaysWithinWhatTheTableHolds) {
 }
 
 TEST(TimeSeries, RefusesWhatIsNoTable) {
-    EXPECT_THROW(TimeSeries({}), Error);
+    EXPECT_THROW(TimeSeries(std::vector<TimeSeries::Row>()), Error);
     EXPECT_THROW(TimeSeries({{0, 1}, {-1, 1}}), Error);
     EXPECT_THROW(TimeSeries({{0, std::nan("")}}), Error);
     EXPECT_THROW(TimeSeries({{0, 1}, {std::numeric_limits<double>::infinity(), 1}}), Error);
