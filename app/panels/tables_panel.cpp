@@ -16,20 +16,28 @@ std::string shown_name(const Parameter& p) {
     return p.name.substr(0, p.name.find('.')) + ": " + label_of(p);
 }
 
-void choose_number(PanelContext& context) {
-    const Session& session = context.session;
+void offer_numbers(PanelContext& context, bool within_tick) {
     std::string& chosen = context.state.table_of;
+    for (const Parameter& p : context.session.simulation().parameters().declared()) {
+        if (!can_be_driven(p) || (p.driven == Driven::within_tick) != within_tick) continue;
+        if (ImGui::Selectable(shown_name(p).c_str(), p.name == chosen)) chosen = p.name;
+        note_widget("follow " + p.name);
+        if (p.name == chosen) ImGui::SetItemDefaultFocus();
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", p.help.c_str());
+    }
+}
+
+void choose_number(PanelContext& context) {
     ImGui::SetNextItemWidth(-1);
-    const bool open = ImGui::BeginCombo("##number", shown_name(session.declaration(chosen)).c_str());
+    const Parameter& chosen = context.session.declaration(context.state.table_of);
+    const bool open = ImGui::BeginCombo("##number", shown_name(chosen).c_str(), ImGuiComboFlags_HeightLarge);
     note_widget("number that follows");
     if (!open) return;
     close_on_escape();
-    for (const Parameter& p : session.simulation().parameters().declared()) {
-        if (!can_be_driven(p)) continue;
-        if (ImGui::Selectable(shown_name(p).c_str(), p.name == chosen)) chosen = p.name;
-        note_widget("follow " + p.name);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", p.help.c_str());
-    }
+    // What tables are mostly of comes first.
+    offer_numbers(context, true);
+    ImGui::Separator();
+    offer_numbers(context, false);
     ImGui::EndCombo();
 }
 

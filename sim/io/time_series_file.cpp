@@ -94,6 +94,8 @@ std::string read_bounded(const std::filesystem::path& path) {
                 fmt::format("'{}' is larger than {} MiB, the most that a table of times and values may be",
                             path.string(), most_bytes >> 20U));
     } while (file);
+    if (text.find('\0') != std::string::npos)
+        throw Error(fmt::format("'{}' is no text, a table of times and values is needed", path.string()));
     return text;
 }
 

@@ -525,6 +525,8 @@ TEST(TimeSeriesFiles, SayWhichLineIsWrong) {
               "'FILE': line 2 is '" + std::string(60, 'x') + "…', " + row);
     EXPECT_EQ(refusal_of("5,1\n4,1\n"), "'FILE': line 2 is of 4 s and comes after 5 s, times must not fall");
     EXPECT_EQ(refusal_of("time,value\n"), "'FILE' holds no row of a time in seconds and a value");
+    EXPECT_EQ(refusal_of(std::string("0,1\0", 4)),
+              "'FILE' is no text, a table of times and values is needed");
     EXPECT_EQ(refusal_of(""), "'FILE' holds no row of a time in seconds and a value");
     EXPECT_THROW(io::read_time_series("/nowhere.csv"), Error);
     EXPECT_THROW(io::read_time_series("/"), Error);
