@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <cmath>
+#include <algorithm>
 
 #include "app/panels/panels.h"
 #include "sim/drives.h"
@@ -41,23 +41,26 @@ void choose_number(PanelContext& context) {
     ImGui::EndCombo();
 }
 
-// The table at even times from its first row to its last, and between two of them the row that lies farthest
-// off, so that no peak is missed.
+// The table at even times from its first row to its last, and behind each the lowest and the highest row
+// before the next, so that no peak is missed.
 std::vector<float> plotted(const TimeSeries& series) {
     const std::vector<TimeSeries::Row>& rows = series.rows();
     const double first_s = rows.front().time_s;
     const double step_s = (rows.back().time_s - first_s) / plotted_places;
     std::vector<float> values;
-    values.reserve(2 * plotted_places + 1);
+    values.reserve(3 * plotted_places + 1);
     std::size_t row = 0;
     for (int i = 0; i < plotted_places; ++i) {
-        const double here = series.at(first_s + step_s * i);
-        double farthest = here;
+        double low = series.at(first_s + step_s * i);
+        double high = low;
+        values.push_back(static_cast<float>(low));
         const bool last = i == plotted_places - 1;
-        for (; row < rows.size() && (last || rows[row].time_s < first_s + step_s * (i + 1)); ++row)
-            if (std::abs(rows[row].value - here) > std::abs(farthest - here)) farthest = rows[row].value;
-        values.push_back(static_cast<float>(here));
-        values.push_back(static_cast<float>(farthest));
+        for (; row < rows.size() && (last || rows[row].time_s < first_s + step_s * (i + 1)); ++row) {
+            low = std::min(low, rows[row].value);
+            high = std::max(high, rows[row].value);
+        }
+        values.push_back(static_cast<float>(low));
+        values.push_back(static_cast<float>(high));
     }
     values.push_back(static_cast<float>(rows.back().value));
     return values;

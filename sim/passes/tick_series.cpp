@@ -60,9 +60,8 @@ std::vector<float> tick_series(const WaterSettings& settings, const Grid& grid, 
     const double step_s = tick_s / glsl::tick_series_steps;
     std::vector<float> series(glsl::tick_series_tables * glsl::tick_series_points, 0);
     const auto fill = [&](int table, int count, const auto& value_at) {
-        for (int i = 0; i < count; ++i)
-            series[static_cast<std::size_t>(table * glsl::tick_series_points + i)] =
-                static_cast<float>(value_at(start_s + step_s * i));
+        float* first = series.data() + static_cast<std::ptrdiff_t>(table) * glsl::tick_series_points;
+        for (int i = 0; i < count; ++i) first[i] = static_cast<float>(value_at(start_s + step_s * i));
     };
 
     if (const double length_m = inflow_length_m(settings, grid); length_m > 0) {

@@ -43,7 +43,7 @@ std::vector<SectionFace> faces_of(const Grid& grid, const Section& section) {
     const glm::ivec2 steps = glm::abs(to - from);
     const glm::ivec2 way(to.x < from.x ? -1 : 1, to.y < from.y ? -1 : 1);
     std::vector<SectionFace> faces;
-    faces.reserve(static_cast<std::size_t>(steps.x + steps.y));
+    faces.reserve(static_cast<std::size_t>(steps.x) + static_cast<std::size_t>(steps.y));
     glm::ivec2 done(0);
     while (done != steps) {
         // How far to the side of the line the corner would lie after a step along each axis; whole numbers,
