@@ -338,6 +338,12 @@ TEST_P(EitherOrderOfDrives, UndoTakesBackATrickleOverAnEdge) {
     EXPECT_EQ(hash_of(simulation), before);
 }
 
+// A point of one of a tick's tables.
+float table_at(const std::vector<float>& series, int table, int point) {
+    return series[static_cast<std::size_t>(table) * glsl::tick_series_points +
+                  static_cast<std::size_t>(point)];
+}
+
 // An even inflow and rain are the same in each step of a tick.
 TEST(Drives, WhatIsEvenStaysEven) {
     const Grid grid{64, 64, 1, 1};
@@ -347,8 +353,8 @@ TEST(Drives, WhatIsEvenStaysEven) {
     settings.rain_m_per_s = 1e-5;
     const std::vector<float> series = tick_series(settings, grid, 100, 7);
     for (int i = 0; i < glsl::tick_series_steps; ++i) {
-        EXPECT_EQ(series[glsl::series_inflow * glsl::tick_series_points + i], 0.1F);
-        EXPECT_EQ(series[glsl::series_rain * glsl::tick_series_points + i], 1e-5F);
+        EXPECT_EQ(table_at(series, glsl::series_inflow, i), 0.1F);
+        EXPECT_EQ(table_at(series, glsl::series_rain, i), 1e-5F);
     }
 }
 
@@ -377,7 +383,8 @@ TEST(Drives, MeansOverSubStepsAreEvenOrSumUp) {
     double whole = 0;
     for (int step = 0; step < glsl::tick_series_steps; ++step) {
         const float value = unit(random) < 0.3F ? 0 : unit(random);
-        read.tables[static_cast<std::size_t>(glsl::series_rain * glsl::tick_series_points + step)] = value;
+        read.tables[static_cast<std::size_t>(glsl::series_rain) * glsl::tick_series_points +
+                    static_cast<std::size_t>(step)] = value;
         whole += static_cast<double>(value) / glsl::tick_series_steps;
     }
     for (const int parts : {1, 3, 77, 256, 5000}) {
@@ -400,9 +407,7 @@ TEST(Drives, LevelAndWaveAreTabulatedWithinTheTick) {
     settings.driven.sea_level_m = TimeSeries({{40, 5}, {42, 9}});
     settings.driven.wave_height_m = TimeSeries({{40, -1}, {44, 1}});
     const std::vector<float> series = tick_series(settings, {64, 64, 1, 1}, 4, 10);
-    const auto at = [&](int table, int point) {
-        return series[static_cast<std::size_t>(table * glsl::tick_series_points + point)];
-    };
+    const auto at = [&](int table, int point) { return table_at(series, table, point); };
     EXPECT_FLOAT_EQ(at(glsl::series_level, 0), 5);
     EXPECT_FLOAT_EQ(at(glsl::series_level, 64), 7);
     EXPECT_FLOAT_EQ(at(glsl::series_level, 256), 9);
@@ -410,8 +415,7 @@ TEST(Drives, LevelAndWaveAreTabulatedWithinTheTick) {
     EXPECT_FLOAT_EQ(at(glsl::series_wave, 256), 1);
     // Without a table nothing comes.
     settings.driven.wave_height_m = {};
-    EXPECT_EQ(tick_series(settings, {64, 64, 1, 1}, 4, 10)[glsl::series_wave * glsl::tick_series_points + 7],
-              0);
+    EXPECT_EQ(table_at(tick_series(settings, {64, 64, 1, 1}, 4, 10), glsl::series_wave, 7), 0);
 }
 
 // What a pass reads within the tick is what is declared so.
