@@ -11,7 +11,7 @@
 namespace talus {
 namespace {
 
-constexpr double largest = 1e15;
+constexpr double largest_number = 1e15;
 
 // The first row behind a time.
 std::size_t row_behind(const std::vector<TimeSeries::Row>& rows, double time_s) {
@@ -29,7 +29,7 @@ TimeSeries::TimeSeries(std::vector<Row> rows) {
     integrals.reserve(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         // Not `>`: what is no number fails too.
-        if (!(std::abs(rows[i].time_s) <= largest && std::abs(rows[i].value) <= largest))
+        if (!(std::abs(rows[i].time_s) <= largest_number && std::abs(rows[i].value) <= largest_number))
             throw Error(
                 fmt::format("row {} of a table against time must hold finite numbers up to 1e15", i + 1));
         if (i == 0) continue;
