@@ -11,17 +11,12 @@
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/gauge.h"
 #include "sim/terrain/state_hash.h"
+#include "tests/scenes/parameters_with.h"
 
 namespace talus::tables_test {
 namespace {
 
 constexpr std::size_t undo_bytes = 256U << 20U;
-
-Parameters parameters_with(std::initializer_list<const char*> assignments) {
-    Parameters all(simulation_parameters());
-    for (const char* assignment : assignments) all.set_assignment(assignment);
-    return all;
-}
 
 std::uint64_t hash_of(const Simulation& simulation) {
     return state_hash(simulation.read());

@@ -24,18 +24,13 @@
 #include "sim/terrain/generate.h"
 #include "sim/terrain/sea.h"
 #include "sim/terrain/state_hash.h"
+#include "tests/scenes/parameters_with.h"
 #include "tests/scenes/undo_trail.h"
 
 namespace talus::drives_test {
 namespace {
 
 constexpr std::size_t undo_bytes = 256U << 20U;
-
-Parameters parameters_with(std::initializer_list<const char*> assignments) {
-    Parameters all(simulation_parameters());
-    for (const char* assignment : assignments) all.set_assignment(assignment);
-    return all;
-}
 
 // Rows as a gauge writes them: at odd times, many within one of the steps that a tick's tables have.
 TimeSeries ragged(unsigned seed, double end_s, double highest) {

@@ -11,15 +11,10 @@
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"
 #include "sim/terrain/section.h"
+#include "tests/scenes/parameters_with.h"
 
 namespace talus::section_test {
 namespace {
-
-Parameters parameters_with(std::initializer_list<const char*> assignments) {
-    Parameters all(simulation_parameters());
-    for (const char* assignment : assignments) all.set_assignment(assignment);
-    return all;
-}
 
 // What an even flow (m²/s east and north) brings over it to the right, m³/s.
 double even_flow_over(const Grid& grid, const std::vector<SectionFace>& faces, glm::dvec2 flow) {
