@@ -57,6 +57,24 @@ Command run_command(CLI::App& app, Texts& t) {
             "section.name=FILE.csv: the number follows the table, rows of time_s,value; may be repeated")
         ->allow_extra_args(false);
     add_texture(*command, t);
+    command
+        ->add_option("--every", options->recording.every_s,
+                     "simulated seconds from one to the next of the files of --out and --image whose names "
+                     "number them, "
+                     "as in depth_%05d.tif, and of a film's pictures")
+        ->type_name("SECONDS");
+    command
+        ->add_option(
+            "--film", options->recording.film,
+            "a film of the run, 25 pictures a second, by the program ffmpeg; a picture each tick unless "
+            "--every says otherwise")
+        ->type_name("OUT.mp4");
+    command
+        ->add_option(
+            "--keys", options->recording.keys,
+            "the camera of the film and of numbered pictures flies along the key cameras of this file")
+        ->type_name("FILE.toml");
+    command->add_option("--film-size", t.film_size, "WxH pixels of both, 1280x720 unless given");
     add_import(*command, t);
     add_outputs(*command, t, options->outputs);
     add_gpu(*command, t);
@@ -64,6 +82,7 @@ Command run_command(CLI::App& app, Texts& t) {
                 options->gpu = t.context();
                 options->scene = t.scene(t.input);
                 if (!t.size.empty()) options->scene.size = size_from(t.size);
+                if (!t.film_size.empty()) options->recording.size = size_from(t.film_size, "--film-size");
                 if (options->ticks && (*options->ticks < 0 || *options->ticks > max_ticks))
                     throw Error(fmt::format("--ticks {} cannot be run, it must be 0 to {}", *options->ticks,
                                             max_ticks));
@@ -201,6 +220,15 @@ Command convert_command(CLI::App& app, Texts& t) {
         ->type_name("PROGRAM");
     command->add_option("--tiles", t.tiles,
                         "NxM: so many files east and south, which share their edge samples");
+    command
+        ->add_option(
+            "--maps", options->maps,
+            "names as of --layer, with commas between: each in a file of its own, OUT_NAME, and their "
+            "ranges in OUT.json; with --for unreal or unity as weights that sum to one")
+        ->delimiter(',')
+        ->type_name("NAME,…");
+    command->add_option("--weights", options->weight_bits,
+                        "8 or 16: maps as weights of so many bits, which sum to one with a map of the rest");
     command->add_option("--mesh-error", options->mesh_error_m,
                         "error that a mesh is simplified to, metres, 1 unless given");
     add_import(*command, t);

@@ -15,7 +15,7 @@ namespace talus::app {
 /// errors are ours.
 struct Texts {
     std::string file, preset, input, size, spacing, range, raw, eye, target, fov, method, view, shader_dir,
-        layer, samples, tolerances, texture, window_size, tiles, window, feather;
+        layer, samples, tolerances, texture, window_size, tiles, window, feather, film_size;
     std::vector<std::string> assignments, gauges, springs, drives, sections;
     std::optional<int> gpu;
     bool require_hardware = false;

@@ -1,11 +1,18 @@
 #include "render/shading.h"
 
 #include <algorithm>
+#include <array>
 
 #include "render/blocks.h"
 #include "render/grain.h"
 
 namespace talus::render {
+namespace {
+
+// As the shaders of views call the layers that they show.
+constexpr std::array<const char*, 3> layer_samplers = {"layer", "second_layer", "third_layer"};
+
+}  // namespace
 
 Shading::Shading() : grain_(grain_texture()) {}
 
@@ -25,15 +32,23 @@ double extent_m(const ShadedGround& ground) {
 
 ShadedGround shaded_ground(const Terrain& terrain, const Pyramid& pyramid, const SkyView& sky,
                            const std::string& view) {
-    const auto layer = view_named(view).layer;
-    const bool there = !layer || terrain.*layer;
-    return {terrain.grid(), false, there, true,
-            [&terrain, &pyramid, &sky, layer, there](gpu::Program& program) {
+    const auto& layers = view_named(view).layers;
+    const bool there = layers.empty() || std::any_of(layers.begin(), layers.end(), [&](auto layer) {
+                           return (terrain.*layer).has_value();
+                       });
+    return {terrain.grid(), false, there, true, [&terrain, &pyramid, &sky, &layers](gpu::Program& program) {
                 program.bind_sampled("solid", terrain.solid.front);
                 program.bind_sampled("start", terrain.start);
                 program.bind_sampled("sky_share", sky.share());
                 // What is absent is not read; another texture stands in for it.
-                program.bind_sampled("layer", layer && there ? (terrain.*layer)->front : terrain.ground);
+                int layers_there = 0;
+                for (std::size_t i = 0; i < layer_samplers.size(); ++i) {
+                    const bool has = i < layers.size() && terrain.*layers[i];
+                    program.bind_sampled(layer_samplers[i],
+                                         has ? (terrain.*layers[i])->front : terrain.ground);
+                    layers_there |= has ? 1 << i : 0;
+                }
+                program.set("layers_there", layers_there);
                 program.bind_sampled("water", terrain.water ? terrain.water->front : terrain.ground);
                 pyramid.bind(program, terrain);
             }};

@@ -40,6 +40,12 @@ Legends level_legend(const View& view, const ViewSettings& settings, glm::dvec2)
     return {{"Level of the water", middle_m - range_m, middle_m + range_m, "m", Scale::difference}};
 }
 
+// So many powers of ten below the end of its scale.
+Legends flow_legend(const View& view, const ViewSettings& settings, glm::dvec2) {
+    const double end = std::log10(view.numbers[0].in(settings));
+    return {{"Flow so far, log10", end - view.numbers[1].in(settings), end, "m³", Scale::map}};
+}
+
 Legends cells_legend(const View&, const ViewSettings& settings, glm::dvec2) {
     Legend legend{"Drawn by", 0, 0, "method", Scale::none};
     for (const PixelKind& one : method_named(settings.method).kinds(settings.numbers))
@@ -55,6 +61,18 @@ Parameter band() {
 Parameter depth() {
     return number("render.depth_m", 10, 1e-3, 1e5, "m",
                   "End of the scale of the views of the water's depth, now and at its largest.");
+}
+
+// What was taken, or laid down, by one of those who do, or by all.
+View worn_view(const std::string& name, const std::string& title) {
+    return {.name = name,
+            .numbers = {{"worn_scale_m", number("render.worn_m", 2, 1e-6, 1e5, "m",
+                                                "End of the scale of the views of wear and deposition.")},
+                        {"worn_by", choice("render.worn_by", "all", {"all", "water", "slopes", "hand"},
+                                           "Whose wear and deposition they show.")}},
+            .title = title,
+            .unit = "m",
+            .layers = {&Terrain::worn_by_water, &Terrain::worn_by_slopes, &Terrain::worn_by_hand}};
 }
 
 }  // namespace
@@ -104,14 +122,14 @@ const std::vector<View>& views() {
          .numbers = {{"depth_scale_m", depth()}},
          .title = "Depth of the water",
          .unit = "m",
-         .layer = &Terrain::water},
+         .layers = {&Terrain::water}},
         {.name = "speed",
          .numbers = {{"speed_scale", number("render.speed_m_per_s", 5, 1e-3, 1e5, "m/s",
                                             "End of the scale of the view of its speed.")
                                          .once("render.speed")}},
          .title = "Speed of the water",
          .unit = "m/s",
-         .layer = &Terrain::water},
+         .layers = {&Terrain::water}},
         {.name = "level",
          .numbers = {{"level_middle_m",
                       number("render.level_m", 0, -1e6, 1e6, "m",
@@ -119,37 +137,37 @@ const std::vector<View>& views() {
                      {"level_scale_m", number("render.level_range_m", 2, 1e-4, 1e5, "m",
                                               "From there to the ends of the scale.")}},
          .legend = level_legend,
-         .layer = &Terrain::water},
+         .layers = {&Terrain::water}},
         {.name = "froude",
          .numbers = {{"froude_scale", std::nullopt, 2}},
          .title = "Froude number",
          .unit = "1: critical",
-         .layer = &Terrain::water},
+         .layers = {&Terrain::water}},
         {.name = "largest_depth",
          .numbers = {{"depth_scale_m", depth()}},
          .title = "Largest depth so far",
          .unit = "m",
-         .layer = &Terrain::inundation},
+         .layers = {&Terrain::inundation}},
         {.name = "arrival",
          .numbers = {{"arrival_scale_s",
                       number("render.arrival_s", 600, 1e-3, 1e9, "s",
                              "End of the scale of the view of the time at which water arrived.")}},
          .title = "Water arrived at",
          .unit = "s",
-         .layer = &Terrain::inundation},
+         .layers = {&Terrain::inundation}},
         {.name = "hardness",
          .title = "Hardness",
          .unit = "1: does not erode",
          .scale_end = 1,
-         .layer = &Terrain::painted},
-        {.name = "mask", .title = "Mask", .unit = "share", .scale_end = 1, .layer = &Terrain::painted},
+         .layers = {&Terrain::painted}},
+        {.name = "mask", .title = "Mask", .unit = "share", .scale_end = 1, .layers = {&Terrain::painted}},
         {.name = "rain",
          .numbers = {{"rain_scale", number("render.rain_mm_per_h", 200, 1e-3, 1e4, "mm/h",
                                            "End of the scale of the view of painted rain.")
                                         .once("render.rain")}},
          .title = "Painted rain",
          .unit = "mm/h",
-         .layer = &Terrain::painted},
+         .layers = {&Terrain::painted}},
         {.name = "suspended",
          .numbers = {{"suspended_scale_mm",
                       number(
@@ -158,13 +176,21 @@ const std::vector<View>& views() {
                           "ground.")}},
          .title = "Suspended solid",
          .unit = "mm",
-         .layer = &Terrain::suspended},
+         .layers = {&Terrain::suspended}},
         {.name = "regolith",
          .numbers = {{"regolith_scale_m", number("render.regolith_m", 5, 1e-6, 1e5, "m",
                                                  "End of the scale of the view of regolith.")}},
          .title = "Regolith",
          .unit = "m",
          .whole = true},
+        {.name = "flow",
+         .numbers = {{"flow_scale_m3", number("render.flow_m3", 1e5, 1e-3, 1e15, "m³",
+                                              "End of the scale of the view of flow.")},
+                     {"flow_decades", std::nullopt, 4}},
+         .legend = flow_legend,
+         .layers = {&Terrain::flow}},
+        worn_view("wear", "Wear"),
+        worn_view("deposition", "Deposition"),
     };
     return all;
 }

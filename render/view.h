@@ -65,8 +65,9 @@ struct View {
     std::optional<double> scale_end = std::nullopt;
     /// Where the legend is no such scale; null: it is.
     std::vector<Legend> (*legend)(const View&, const ViewSettings&, glm::dvec2 lowest_highest_m) = nullptr;
-    /// The layer that it shows. The ground is grey where the terrain has not this layer; null: it needs none.
-    std::optional<DeviceLayer> Terrain::*layer = nullptr;
+    /// The layers that it shows, at most three. The ground is grey where the terrain has none of them. Empty:
+    /// it needs none.
+    std::vector<std::optional<DeviceLayer> Terrain::*> layers = {};
     Detail detail = Detail::none;  ///< what it needs of a method beside distances
     bool whole = false;            ///< it looks at what only a terrain that is held as a whole has
     bool sky_too = false;          ///< colours pixels whose rays hit nothing

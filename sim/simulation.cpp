@@ -12,6 +12,7 @@
 #include "sim/drives.h"
 #include "sim/error.h"
 #include "sim/passes/dab_region.h"
+#include "sim/passes/map_settings.h"
 #include "sim/passes/passes.h"
 #include "sim/terrain/sea.h"
 #include "sim/terrain/springs.h"
@@ -248,6 +249,7 @@ void Simulation::act(const Blur& blur) {
             terrain_.write(&Terrain::painted, blurred);
         else
             book([&] { terrain_.write_solid(blurred); });
+        if (!blur.of_mask && counts_maps(moment_.parameters)) terrain_.write(&Terrain::worn_by_hand, blurred);
     });
 }
 

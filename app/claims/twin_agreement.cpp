@@ -60,6 +60,7 @@ struct SolidTwin {
         for (const glm::vec4& painted : state.painted) thermal.masks.push_back(painted.y);
         brush.masks = thermal.masks;
         for (const glm::vec4& solid : solid_of(state)) samples.emplace_back(solid);
+        brush.worn = thermal.worn = std::vector<glm::vec<4, Real>>(samples.size(), glm::vec<4, Real>(0));
     }
     void dab(BrushMode mode, const DabNumbers& numbers) {
         brush.ground_samples.swap(samples);
@@ -114,10 +115,12 @@ maths::WaterTwin<Real> water_twin(const TerrainState& state, const WaterSettings
     for (const glm::vec4& texel : state.water) water.emplace_back(texel);
     maths::WaterTwin<Real> twin(state.grid, beds, water, settings, state.painted, state.springs,
                                 state.bed_beyond);
-    if (!settings.sediment.carried) return twin;
-    std::vector<glm::vec<4, Real>> solid;
-    for (const glm::vec4& texel : solid_of(state)) solid.emplace_back(texel);
-    twin.carry(solid, std::vector<glm::vec<2, Real>>(state.grid.count(), glm::vec<2, Real>(0)));
+    if (settings.sediment.carried) {
+        std::vector<glm::vec<4, Real>> solid;
+        for (const glm::vec4& texel : solid_of(state)) solid.emplace_back(texel);
+        twin.carry(solid, std::vector<glm::vec<2, Real>>(state.grid.count(), glm::vec<2, Real>(0)));
+    }
+    twin.count_maps();
     return twin;
 }
 
@@ -137,6 +140,7 @@ WaterScene sloshing(const WaterCase& c) {
     scene.settings.wave_height_m = 0.7;
     scene.settings.wave_period_s = 4;
     scene.settings.inflow_m3_per_s = 900;
+    scene.settings.counts_maps = true;
     if (c.driven) {
         scene.settings.wave_form = WaveForm::series;
         scene.settings.driven = {TimeSeries({{0, 400}, {3.3, 0}, {4.1, 0}, {9, 900}}),
@@ -178,7 +182,8 @@ TwinAgreement brush_and_slopes_against_twin(int substeps, ThermalScheme scheme) 
     settings.weathering_m_per_s = 1e-4;
     settings.masked = true;
     settings.scheme = scheme;
-    const ThermalStep step = thermal_step(grid, settings, 1, 1);
+    ThermalStep step = thermal_step(grid, settings, 1, 1);
+    step.counts_wear = true;
     SolidTwin<float> twin(state, step);
     SolidTwin<double> exact(state, step);
     for (int i = 0; i < 63; ++i) twin.brush.stamp_heights.push_back(static_cast<float>(i * 37 % 63) / 62);
@@ -187,7 +192,9 @@ TwinAgreement brush_and_slopes_against_twin(int substeps, ThermalScheme scheme) 
     stamp.write(stamp.whole(), std::as_bytes(std::span(twin.brush.stamp_heights)));
     Terrain terrain(state);
     Thermal thermal(terrain);
+    terrain.add(&Terrain::worn_by_slopes);
     Brush brush(terrain);
+    brush.count_wear(true);
     std::mt19937 random(42);
     for (int substep = 0; substep < substeps; ++substep) {
         if (substep % 5 == 0) {
@@ -202,9 +209,12 @@ TwinAgreement brush_and_slopes_against_twin(int substeps, ThermalScheme scheme) 
         exact.slide();
     }
     const std::vector<glm::vec4> start = solid_of(state);
-    const std::vector<glm::vec4> end = solid_of(terrain.read());
-    return {differing_bits(end, twin.samples), differing_bits(end, start), grid.count(),
-            l1_of_moved(start, end, exact.samples)};
+    const TerrainState ended = terrain.read();
+    const std::vector<glm::vec4> end = solid_of(ended);
+    return {
+        std::max({differing_bits(end, twin.samples), differing_bits(ended.worn_by_slopes, twin.thermal.worn),
+                  differing_bits(ended.worn_by_hand, twin.brush.worn)}),
+        differing_bits(end, start), grid.count(), l1_of_moved(start, end, exact.samples)};
 }
 
 TwinAgreement water_against_twin(const WaterCase& c) {
@@ -231,8 +241,8 @@ TwinAgreement water_against_twin(const WaterCase& c) {
             missed += std::abs(static_cast<double>(end.water[i].x) - in_double[i].x);
             all += in_double[i].x;
         }
-        agreement = {differing_bits(end.water, twin.read()), differing_bits(end.water, start.water),
-                     end.water.size(), missed / all};
+        agreement = {std::max(differing_bits(end.water, twin.read()), differing_bits(end.flow, twin.flow())),
+                     differing_bits(end.water, start.water), end.water.size(), missed / all};
     });
     return agreement;
 }
@@ -274,10 +284,11 @@ TwinAgreement sediment_against_twin(const WaterCase& c) {
     run_with_twins(run, twin, exact, [&](const TerrainState& end) {
         const std::vector<glm::vec4> before = solid_of(start);
         const std::vector<glm::vec4> after = solid_of(end);
-        agreement = {std::max({differing_bits(end.water, twin.read()), differing_bits(after, twin.solid()),
-                               differing_bits(end.suspended, twin.read_load())}),
-                     differing_bits(after, before), scene.grid.count(),
-                     l1_of_moved(before, after, exact.solid())};
+        agreement = {
+            std::max({differing_bits(end.water, twin.read()), differing_bits(after, twin.solid()),
+                      differing_bits(end.suspended, twin.read_load()), differing_bits(end.flow, twin.flow()),
+                      differing_bits(end.worn_by_water, twin.worn())}),
+            differing_bits(after, before), scene.grid.count(), l1_of_moved(before, after, exact.solid())};
     });
     return agreement;
 }

@@ -346,6 +346,10 @@ WaterScene radial_dam(int n, bool rough) {
 WaterRun::WaterRun(const TerrainState& state, const WaterSettings& s)
     : terrain(state), settings(s), water((terrain.add(&Terrain::water), terrain)) {
     if (settings.sediment.carried) terrain.add(&Terrain::suspended);
+    if (settings.counts_maps) {
+        terrain.add(&Terrain::flow);
+        if (settings.sediment.carried) terrain.add(&Terrain::worn_by_water);
+    }
 }
 
 void WaterRun::tick(double tick_s) {

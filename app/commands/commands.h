@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/core/outputs.h"
+#include "app/core/recording.h"
 #include "app/core/scene.h"
 #include "sim/gpu/context.h"
 #include "sim/io/put_back.h"
@@ -30,6 +31,7 @@ struct RunOptions {
     std::vector<Section> sections;  ///< lines (m) whose discharge is written every tick
     std::string section_table = "sections.csv";
     Outputs outputs;
+    RecordingOptions recording;  ///< but for files and picture: those of the outputs whose names number them
 };
 void run(const RunOptions& options);
 
@@ -90,6 +92,8 @@ struct ConvertOptions {
     std::string kind;  ///< one of export_kind_names(); empty: by the output's ending
     glm::ivec2 tiles{1};
     double mesh_error_m = 1;
+    std::vector<std::string> maps;  ///< these instead, each in a file of its own
+    int weight_bits = 0;            ///< of maps; 0: values
 };
 void convert(const ConvertOptions& options);
 

@@ -33,10 +33,26 @@ io::ExportSettings settings_of(const ConvertOptions& options) {
     return settings;
 }
 
+// Of maps instead of a layer. An engine takes weights.
+void be_of_maps(io::ExportSettings& settings, const ConvertOptions& options) {
+    if (settings.kind == io::ExportKind::mesh || settings.kind == io::ExportKind::normal_map ||
+        settings.tiles != glm::ivec2(1) || settings.range_m)
+        throw Error(
+            "--maps are written in one piece, each over its own range: leave out --tiles, --range and --for "
+            "mesh or "
+            "'normal map'");
+    const bool for_engine = settings.kind >= io::ExportKind::unreal;
+    settings.samples_for = for_engine ? settings.kind : io::ExportKind::heightmap;
+    settings.kind = io::ExportKind::maps;
+    settings.maps = options.maps;
+    settings.weight_bits = for_engine && options.weight_bits == 0 ? 8 : options.weight_bits;
+}
+
 }  // namespace
 
 void convert(const ConvertOptions& options) {
-    const io::ExportSettings settings = settings_of(options);
+    io::ExportSettings settings = settings_of(options);
+    if (!options.maps.empty()) be_of_maps(settings, options);
     check_folder(options.output);
     const io::Document document = open_document(options.input, options.import);
     for (const std::string& note : document.notes) say("note: " + note);

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "app/commands/commands.h"
 #include "app/core/gauges.h"
@@ -64,10 +65,24 @@ void say_notes(const Scene& scene) {
     for (const std::string& note : scene.document.notes) say("note: " + note);
 }
 
+// Files and picture whose names number them are written on the way, the others at the end.
+void record_series(RunOptions& options) {
+    Outputs& outputs = options.outputs;
+    RecordingOptions& recording = options.recording;
+    const auto single = std::stable_partition(outputs.files.begin(), outputs.files.end(), is_series);
+    recording.files.assign(outputs.files.begin(), single);
+    outputs.files.erase(outputs.files.begin(), single);
+    if (is_series(outputs.image)) recording.image = std::exchange(outputs.image, "");
+    recording.layer = outputs.layer;
+}
+
 }  // namespace
 
-void run(const RunOptions& options) {
-    check_outputs(options.outputs);
+void run(const RunOptions& asked) {
+    RunOptions options = asked;
+    record_series(options);
+    check_outputs(asked.outputs);
+    check_recording(options.recording);
     if (!options.gauges.empty()) check_folder(options.gauge_table);
     if (!options.sections.empty()) check_folder(options.section_table);
     const gpu::Context context(options.gpu);
@@ -95,12 +110,21 @@ void run(const RunOptions& options) {
     if (!gauges.all().empty()) gauges.record(simulation.terrain(), simulation.clock().simulated_s);
     std::optional<SectionTable> sections;
     if (!options.sections.empty()) sections.emplace(simulation, options.sections);
+    const bool records = !options.recording.files.empty() || !options.recording.image.empty() ||
+                         !options.recording.film.empty();
+    std::optional<Recording> recording;
+    if (records) recording.emplace(options.recording, scene, simulation, context.device(), ticks);
     RunProgress progress(ticks);
     for (std::int64_t done = 0; done < ticks; ++done) {
         simulation.apply(Ticks{1});
+        if (recording) recording->record();
         if (sections) sections->record(simulation);
         if (!gauges.all().empty()) gauges.record(simulation.terrain(), simulation.clock().simulated_s);
         progress.show(done + 1);
+    }
+    if (recording) {
+        recording->finish();
+        say(fmt::format("{} records were written, every {:g} s", recording->count(), recording->every_s()));
     }
     if (!gauges.all().empty()) {
         io::write_atomically(options.gauge_table, gauges.to_csv());

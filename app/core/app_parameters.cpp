@@ -60,13 +60,14 @@ std::vector<Parameter> app_parameters() {
         number("map.north_m", 0, -1e8, 1e8, "m", "Crop and cut out: northern edge."),
         number("map.feather_m", 0, 0, 1e6, "m",
                "Put back: so far from the cut-out's edges work fades into what it was cut out of."),
-        choice("mask.from", MaskSettings().source, mask_source_names(),
-               "What a mask is made of: height, slope, curvature (crests above 0, hollows below), depth of "
-               "water, "
-               "the mask itself (to invert it), everything."),
-        number("mask.low", 30, -1e6, 1e6, "m, ° or 1/km", "The mask is 1 from here …"),
-        number("mask.high", 90, -1e6, 1e6, "m, ° or 1/km", "… to here …"),
-        number("mask.fade", 5, 0, 1e6, "m, ° or 1/km", "… and falls to 0 over so much beyond each."),
+        choice(
+            "mask.from", MaskSettings().source, mask_source_names(),
+            "What a mask is made of: height, slope, curvature (crests above 0, hollows below); depth of "
+            "water, now or at its largest, and when it arrived (s); flow (m³); wear, deposition, regolith, "
+            "the ground's difference from the start; the mask itself (to invert it), everything."),
+        number("mask.low", 30, -1e12, 1e12, "m, °, 1/km, s or m³", "The mask is 1 from here …"),
+        number("mask.high", 90, -1e12, 1e12, "m, °, 1/km, s or m³", "… to here …"),
+        number("mask.fade", 5, 0, 1e12, "m, °, 1/km, s or m³", "… and falls to 0 over so much beyond each."),
         choice("mask.join", MaskSettings().join, mask_join_names(),
                "It takes the place of the painted mask, is added to it, keeps what both have, or is taken "
                "away."),

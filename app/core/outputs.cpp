@@ -7,10 +7,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "app/core/calibration.h"
-#include "app/core/paged_photo.h"
-#include "app/core/still.h"
-#include "render/overview.h"
+#include "app/core/run_pictures.h"
 #include "sim/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/endings.h"
@@ -26,27 +23,8 @@ namespace {
 // The first look at the terrain, with the view's legend.
 void write_overview(const std::string& path, const Scene& scene, Simulation& simulation,
                     const gpu::Device& device) {
-    constexpr int width = 1280;
-    constexpr int height = 720;
-    render::Renderer renderer(simulation.terrain(), patch_pixels(device));
-    const render::ViewSettings settings = render::view_settings(scene.view, simulation.parameters());
-    const std::vector<float> ground = scene.document.state.ground();
-    const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
-    const render::Camera camera =
-        render::overview(scene.document.state.grid, *low, *high,
-                         {static_cast<double>(width) / height, scene.view.number("camera.fov_deg")});
-    drape(renderer, scene);
-    StillPainter painter = painter_of(renderer, simulation.terrain(), settings);
-    const auto photo =
-        photo_over(scene.draping, simulation.terrain().grid(), simulation.moment_state().georeference,
-                   heights_between(simulation.terrain().grid(), ground), scene.view);
-    if (photo) {
-        renderer.lay(photo->laid());
-        painter = with_photo(painter, *photo, settings.view, Missing::refused);
-    }
-    const Still still = draw_still(painter, camera, render::legend_of(settings, *low, *high), {width, height},
-                                   scene.view.whole("render.samples"));
-    io::write_rgb(path, width, height, still.rgb);
+    RunPictures pictures(scene, simulation, device, {1280, 720});
+    io::write_rgb(path, pictures.size().x, pictures.size().y, pictures.take(pictures.first_look()));
 }
 
 }  // namespace

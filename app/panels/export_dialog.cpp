@@ -9,6 +9,7 @@
 #include "app/panels/panels.h"
 #include "sim/io/endings.h"
 #include "sim/io/heightmap_formats.h"
+#include "sim/terrain/layers.h"
 
 namespace talus::app {
 namespace {
@@ -18,6 +19,7 @@ const char* usual_ending(io::ExportKind kind) {
         case io::ExportKind::mesh:
             return ".obj";
         case io::ExportKind::normal_map:
+        case io::ExportKind::maps:
         case io::ExportKind::unreal:
             return ".png";
         case io::ExportKind::unity:
@@ -46,6 +48,9 @@ std::string what_it_is(io::ExportKind kind) {
             return "Wavefront OBJ, simplified within the error below.";
         case io::ExportKind::normal_map:
             return "PNG, 16 bits: red east, green north, blue up.";
+        case io::ExportKind::maps:
+            return "Maps for texturing, each in a file of its own, and what their values mean in a .json: " +
+                   formats_written() + ".";
         case io::ExportKind::unreal:
             return "A landscape's heightmap: .png or .r16, and what to type there in a .txt beside it.";
         case io::ExportKind::unity:
@@ -61,13 +66,71 @@ std::string what_it_is(io::ExportKind kind) {
 void follow_losses(const Session& session, ExportDialog& dialog) {
     io::ExportSettings settings = dialog.settings;
     settings.path = io::with_ending(settings.path, usual_ending(settings.kind));
-    const std::string with = fmt::format(
-        "{} {} {} {} {}", static_cast<int>(settings.kind), settings.path.string(), settings.tiles.x,
-        settings.tiles.y, settings.range_m ? settings.range_m->x + 7 * settings.range_m->y : 0);
+    const std::string with = fmt::format("{} {} {} {} {} {} {}", static_cast<int>(settings.kind),
+                                         settings.path.string(), settings.tiles.x, settings.tiles.y,
+                                         settings.range_m ? settings.range_m->x + 7 * settings.range_m->y : 0,
+                                         settings.layer, settings.weight_bits);
     if (!dialog.state) dialog.state = session.simulation().read();
     if (dialog.lost_with == with) return;
     dialog.lost_with = with;
     dialog.lost = io::losses(*dialog.state, settings);
+}
+
+// One of several, by its place among them.
+int choose(const char* label, const std::vector<std::string>& choices, int chosen) {
+    if (ImGui::BeginCombo(label, choices[static_cast<std::size_t>(chosen)].c_str())) {
+        close_on_escape();
+        for (std::size_t i = 0; i < choices.size(); ++i)
+            if (ImGui::Selectable(choices[i].c_str(), static_cast<int>(i) == chosen))
+                chosen = static_cast<int>(i);
+        ImGui::EndCombo();
+    }
+    note_widget(label);
+    return chosen;
+}
+
+// "wear_by_water" as people write it.
+std::string in_words(std::string name) {
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
+void choose_layer(io::ExportSettings& settings) {
+    const std::vector<std::string> names = output_names();
+    std::vector<std::string> words(names.size());
+    std::transform(names.begin(), names.end(), words.begin(), in_words);
+    const auto at = std::find(names.begin(), names.end(), settings.layer) - names.begin();
+    settings.layer = names[static_cast<std::size_t>(choose("layer", words, static_cast<int>(at)))];
+}
+
+void choose_maps(io::ExportSettings& settings) {
+    constexpr int columns = 3;
+    if (ImGui::BeginTable("maps", columns)) {
+        for (const std::string& map : output_names()) {
+            ImGui::TableNextColumn();
+            const auto at = std::find(settings.maps.begin(), settings.maps.end(), map);
+            bool chosen = at != settings.maps.end();
+            if (ImGui::Checkbox(in_words(map).c_str(), &chosen)) {
+                if (chosen)
+                    settings.maps.push_back(map);
+                else
+                    settings.maps.erase(at);
+            }
+            note_widget("map " + map);
+        }
+        ImGui::EndTable();
+    }
+    const int weights = choose(
+        "as", {"values", "weights of 8 bits, which sum to one", "weights of 16 bits, which sum to one"},
+        settings.weight_bits / 8);
+    settings.weight_bits = 8 * weights;
+    const bool for_unreal = settings.samples_for == io::ExportKind::unreal;
+    const bool for_unity = settings.samples_for == io::ExportKind::unity;
+    const int taken = choose("samples", {"as the terrain has", "as Unreal takes them", "as Unity takes them"},
+                             for_unreal ? 1 : (for_unity ? 2 : 0));
+    settings.samples_for = taken == 1   ? io::ExportKind::unreal
+                           : taken == 2 ? io::ExportKind::unity
+                                        : io::ExportKind::heightmap;
 }
 
 }  // namespace
@@ -94,6 +157,8 @@ void draw_export_dialog(PanelContext& context) {
         if (choice_button(kinds[i], settings.kind == kind, what_it_is(kind), third)) {
             settings.kind = kind;
             settings.path = io::with_other_ending(settings.path, usual_ending(kind));
+            if (kind == io::ExportKind::maps && settings.maps.empty())
+                settings.maps = {"ground", "flow", "wear", "deposition", "slope"};
         }
         if (i % 3 != 2) ImGui::SameLine();
     }
@@ -104,9 +169,13 @@ void draw_export_dialog(PanelContext& context) {
     if (ImGui::InputText("##path", &path)) settings.path = path;
     note_widget("export path");
     ImGui::PushItemWidth(12 * ImGui::GetFontSize());
+    if (settings.kind == io::ExportKind::maps)
+        choose_maps(settings);
+    else if (settings.kind != io::ExportKind::normal_map && settings.kind != io::ExportKind::mesh)
+        choose_layer(settings);
     if (settings.kind == io::ExportKind::mesh) {
         ImGui::InputDouble("m of error", &settings.mesh_error_m, 0, 0, "%.6g");
-    } else {
+    } else if (settings.kind != io::ExportKind::maps) {
         ImGui::InputInt2("tiles east, south", &settings.tiles.x);
         settings.tiles = glm::clamp(settings.tiles, 1, 64);
         bool given = settings.range_m.has_value();
@@ -131,7 +200,9 @@ void draw_export_dialog(PanelContext& context) {
     }
     ImGui::Spacing();
     // It stays until the files are there: what fails is said in it, and can be mended.
-    if (button("Write", "", !writes && !settings.path.empty())) {
+    if (button("Write", "",
+               !writes && !settings.path.empty() &&
+                   (settings.kind != io::ExportKind::maps || !settings.maps.empty()))) {
         settings.path = io::with_ending(settings.path, usual_ending(settings.kind));
         dialog.error.clear();
         context.requests.write = settings;

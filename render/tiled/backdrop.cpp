@@ -15,7 +15,7 @@ bool throws_shadows(const ViewSettings& settings) {
 ViewSettings settings_around(const ViewSettings& settings) {
     ViewSettings around = settings;
     const View& view = view_named(settings.view);
-    if (view.layer || view.whole || view.detail != Detail::none) around.view = "hillshade";
+    if (!view.layers.empty() || view.whole || view.detail != Detail::none) around.view = "hillshade";
     return around;
 }
 

@@ -9,7 +9,7 @@
 
 namespace talus::render {
 bool is_of_tiles(const View& view) {
-    return !view.layer && !view.whole;
+    return view.layers.empty() && !view.whole;
 }
 
 void check_view_of_tiles(const ViewSettings& settings) {

@@ -56,14 +56,14 @@ real mask_band(real value) {
     return band;
 }
 
-// `water`: its depth there; `mask`: what was painted.
-real mask_value(int2 at, real water, real mask) {
+// `layer`: what another layer holds there, of which a mask of the sources after curvature is made; `mask`: what was painted.
+real mask_value(int2 at, real layer, real mask) {
     if (mask_source == mask_source_height) return mask_band(load_ground(at));
     if (mask_source == mask_source_slope) return mask_band(mask_slope(at));
     if (mask_source == mask_source_curvature) return mask_band(mask_curvature(at));
-    if (mask_source == mask_source_depth) return mask_band(water);
     if (mask_source == mask_source_itself) return mask;
-    return real(1);
+    if (mask_source == mask_source_everything) return real(1);
+    return mask_band(layer);
 }
 
 // How what was painted and what was made become the mask.

@@ -1,15 +1,7 @@
 // A sample's solid: real4(bedrock high, bedrock low, regolith high, regolith low), metres.
 #include "maths/ground_height.glsl"
+#include "maths/rise.glsl"
 #include "maths/two_sum.glsl"
-
-// Ground height of b above a, metres. Words are subtracted like from like, so a datum of thousands of metres
-// costs nothing; rise(a, b) is -rise(b, a) to the bit.
-real rise(real4 a, real4 b) {
-    precise real high = (b.x - a.x) + (b.z - a.z);
-    precise real low = (b.y - a.y) + (b.w - a.w);
-    precise real sum = high + low;
-    return sum;
-}
 
 // The sample after `gain` metres of solid arrived as regolith and `loss` metres left: regolith first, bedrock for the
 // rest. `bulking`: metres of regolith that a metre of solid makes.

@@ -3,6 +3,10 @@ layout(local_size_x = 16, local_size_y = 16) in;
 #include "sim/tile_samples.glsl"
 #include "sim/samples.glsl"
 #include "maths/solid.glsl"
+#ifdef WEAR_MAP
+#include "maths/wear.glsl"
+layout(rgba32f) uniform image2D worn;
+#endif
 
 layout(std430) buffer TileBooks { dvec4 tile_books[]; };  // metres of bedrock in, out, of regolith in, out
 
@@ -74,6 +78,9 @@ void main() {
         real4 after = after_dab(at, before);
         if (after != before) {
             imageStore(ground_out, at, vec4(ground_height(after)));
+#ifdef WEAR_MAP
+            imageStore(worn, at, wear_counted(imageLoad(worn, at), before, after));
+#endif
             book += book_of(after, before);
             changed = true;
         }

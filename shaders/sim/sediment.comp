@@ -11,6 +11,9 @@ layout(r32f) uniform readonly image2D bed;  // the ground before, which sediment
 layout(rgba32f) uniform readonly image2D painted;
 #endif
 layout(rgba32f) uniform image2D solid;
+#ifdef WEAR_MAP
+layout(rgba32f) uniform image2D worn;
+#endif
 layout(r32f) uniform writeonly image2D ground;
 #include "sim/tile_stamps.glsl"
 layout(std430) buffer WaterActivity { uint water_activity[]; };
@@ -30,6 +33,10 @@ precise real sediment_dt = clock_dt_s * real(water_eulers);
 #include "maths/water.glsl"
 #include "maths/ground_height.glsl"
 #include "maths/sediment_exchange.glsl"
+#ifdef WEAR_MAP
+#include "maths/rise.glsl"
+#include "maths/wear.glsl"
+#endif
 
 bool differs(real4 a, real4 b) {
     return any(notEqual(floatBitsToUint(a), floatBitsToUint(b)));
@@ -83,6 +90,9 @@ void main() {
         loads = loads || carries;
         if (!differs(after.solid, before.solid)) continue;
         imageStore(solid, at, after.solid);
+#ifdef WEAR_MAP
+        imageStore(worn, at, wear_counted(imageLoad(worn, at), before.solid, after.solid));
+#endif
         awake |= wet;
         erodes = true;
         real height = ground_height(after.solid);

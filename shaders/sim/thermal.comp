@@ -23,6 +23,10 @@ real load_mask(int2 at) { return imageLoad(painted, clamp(at, int2(0), samples -
 real load_mask(int2 at) { return real(1); }
 #endif
 #include "maths/thermal.glsl"
+#ifdef WEAR_MAP
+#include "maths/wear.glsl"
+layout(rgba32f) uniform image2D worn;
+#endif
 #ifdef OLSEN
 bool is_sample(int2 at) { return at.x >= 0 && at.y >= 0 && at.x < samples.x && at.y < samples.y; }
 const bool only_lowest = OLSEN == 2;
@@ -45,6 +49,9 @@ void main() {
     if (floatBitsToUint(after.x) != floatBitsToUint(before.x) || floatBitsToUint(after.y) != floatBitsToUint(before.y) ||
         floatBitsToUint(after.z) != floatBitsToUint(before.z) || floatBitsToUint(after.w) != floatBitsToUint(before.w)) {
         imageStore(ground_out, at, vec4(ground_height(after)));
+#ifdef WEAR_MAP
+        imageStore(worn, at, wear_counted(imageLoad(worn, at), before, after));
+#endif
         mark_tile(at);
     }
 }

@@ -46,6 +46,10 @@ const real water_friction = real(0);
 #include "maths/water.glsl"
 #include "maths/water_stage.glsl"
 #include "maths/water_sources.glsl"
+#ifdef FLOW_MAP
+#include "maths/water_flow.glsl"
+layout(rg32f) uniform image2D flow_map;
+#endif
 #ifdef INFLOW
 #include "maths/edge_kinds.glsl"
 #include "maths/water_given_face.glsl"
@@ -213,6 +217,13 @@ void main() {
             moved_high = moved_high || (moves && first_row + row < water_reach);
             moved_low = moved_low || (moves && first_row + row >= tile_samples - water_reach);
             imageStore(water_out, at + water_ghosts, after);
+#ifdef FLOW_MAP
+            real outflow = water_outflow(a.face_west, a.face_east, face_south, m.face_north);
+            if (outflow > real(0)) {
+                real2 flow = flow_counted(imageLoad(flow_map, at).xy, outflow);
+                imageStore(flow_map, at, real4(flow.x, flow.y, 0.0, 0.0));
+            }
+#endif
 #ifdef SEDIMENT
             m.flux_north = step_load(at, m, a, face_south.mass);
             m.solid_here = m.solid_south;

@@ -10,6 +10,7 @@
 #include "sim/io/atomic_file.h"
 #include "sim/io/endings.h"
 #include "sim/io/heightmap_formats.h"
+#include "sim/io/map_export.h"
 #include "sim/terrain/layers.h"
 #include "sim/terrain/reshape.h"
 
@@ -157,7 +158,7 @@ void add_engine_values(ExportKind engine, const Heightmap& whole, Exported& expo
 }  // namespace
 
 const std::vector<std::string>& export_kind_names() {
-    static const std::vector<std::string> names = {"heightmap", "mesh",  "normal map",
+    static const std::vector<std::string> names = {"heightmap", "mesh",  "normal map", "maps",
                                                    "unreal",    "unity", "godot"};
     return names;
 }
@@ -190,6 +191,7 @@ std::vector<std::pair<int, int>> split_samples(int samples, int tiles) {
 }
 
 Exported export_terrain(const Document& document, const ExportSettings& settings) {
+    if (settings.kind == ExportKind::maps) return export_maps(document.state, settings);
     check_settings(settings);
     Heightmap whole;
     if (is_engine(settings.kind)) {
@@ -247,6 +249,14 @@ Exported export_terrain(const Document& document, const ExportSettings& settings
 std::vector<std::string> losses(const TerrainState& state, const ExportSettings& settings) {
     std::vector<std::string> lost;
     const std::string ending = ending_of(settings.path);
+    if (settings.kind == ExportKind::maps) {
+        const HeightmapFormat* format = format_of(settings.path);
+        if (settings.weight_bits > 0)
+            lost.push_back(fmt::format("maps become shares of {} steps", (1 << settings.weight_bits) - 1));
+        else if (format && format->rounds)
+            lost.emplace_back("values are rounded to 16 bits, each map over its own range");
+        return lost;
+    }
     std::string layers;
     const auto layer = [&](bool there, const char* name) {
         if (there) layers += (layers.empty() ? "" : ", ") + std::string(name);

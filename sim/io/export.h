@@ -10,7 +10,7 @@
 namespace talus::io {
 
 /// What other programs get of a terrain.
-enum class ExportKind { heightmap, mesh, normal_map, unreal, unity, godot };
+enum class ExportKind { heightmap, mesh, normal_map, maps, unreal, unity, godot };
 const std::vector<std::string>& export_kind_names();
 
 /// How it is written. The endings: heightmaps as write_heightmap takes them; .obj for a mesh; .png for a
@@ -23,6 +23,14 @@ struct ExportSettings {
         range_m;          ///< heights of the smallest and largest integer; unless given, lowest and highest
     glm::ivec2 tiles{1};  ///< columns and rows of tiles that share their edge samples; file names get _xC_yR
     double mesh_error_m = 1;  ///< a mesh: how far it may lie above or below a sample
+    /// Maps, at least one: outputs by their names (sim/terrain/layers.h). Each is a file whose name has _MAP
+    /// before its ending; a .json says what they hold.
+    std::vector<std::string> maps;
+    /// Of maps: 8 or 16: weights of so many bits in .png, which with one more, `rest`, sum to 255 or 65535 at
+    /// every sample. 0: values.
+    int weight_bits = 0;
+    /// Of maps: as many samples as this takes; heightmap: as the terrain has.
+    ExportKind samples_for = ExportKind::heightmap;
 };
 
 /// A file that an export leaves, and, for engines, what is to be typed there.

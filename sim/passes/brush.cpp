@@ -36,13 +36,14 @@ Book Brush::book() {
             }};
 }
 
-gpu::Program& Brush::program_of(BrushMode mode) {
-    const auto found = programs_.find(mode);
+gpu::Program& Brush::program_of(BrushMode mode, bool worn) {
+    const auto found = programs_.find({mode, worn});
     if (found != programs_.end()) return found->second;
     std::vector<std::string> defines = {fmt::format("DAB_MODE {}", static_cast<int>(mode))};
     if (mode == BrushMode::erode) defines.emplace_back("ERODED 1");
+    if (worn) defines.emplace_back("WEAR_MAP 1");
     gpu::Program program({"sim/brush.comp"}, defines);
-    return programs_.emplace(mode, std::move(program)).first->second;
+    return programs_.emplace(std::pair(mode, worn), std::move(program)).first->second;
 }
 
 template <typename Set>
@@ -56,7 +57,9 @@ void Brush::run(Terrain& terrain, const Dab& dab, Set&& set) {
                             1;
     // Between two samples it reaches none.
     if (low.x > high.x || low.y > high.y) return;
-    gpu::Program& program = program_of(dab.mode());
+    if (counts_wear_) terrain.add(&Terrain::worn_by_hand);
+    gpu::Program& program = program_of(dab.mode(), counts_wear_);
+    if (counts_wear_) program.bind_image("worn", terrain.worn_by_hand->front);
     terrain.bind(program);
     program.bind_storage("TileBooks", book_);
     const TileBlock block = tile_block(terrain.tiles, tiles);

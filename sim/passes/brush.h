@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "sim/budget.h"
@@ -36,18 +37,22 @@ class Brush {
     /// that a metre of its load becomes; 0: the load stays on its way.
     void take_over(Terrain& terrain, const Dab& dab, const Terrain& eroded, double settled);
 
+    /// Whether what follows counts as wear and deposition by hand.
+    void count_wear(bool counts) { counts_wear_ = counts; }
+
     /// Of solid that came and went.
     Book book();
 
   private:
-    gpu::Program& program_of(BrushMode mode);
+    gpu::Program& program_of(BrushMode mode, bool worn);
     /// Runs the dab's program on the samples that it can change; `set` sets what its mode needs.
     template <typename Set>
     void run(Terrain& terrain, const Dab& dab, Set&& set);
 
     gpu::Buffer book_;  // metres of bedrock in and out, and of regolith, four doubles a tile
     gpu::UniformBlock<DabNumbers> numbers_{"dab numbers"};
-    std::map<BrushMode, gpu::Program> programs_;
+    std::map<std::pair<BrushMode, bool>, gpu::Program> programs_;  // by mode and whether wear is counted
+    bool counts_wear_ = false;
 };
 
 }  // namespace talus

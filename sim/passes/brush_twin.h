@@ -21,6 +21,7 @@ struct BrushTwin {
     std::vector<real> stamp_heights;
     int2 samples{0};
     std::vector<real4> ground_samples;
+    std::vector<real4> worn;  ///< wear and deposition as in TerrainState; empty: not counted
 
     real load_mask(int2 at) const {
         return dab_masked != 0 ? masks[static_cast<std::size_t>(at.y) * nx + at.x] : real(1);
@@ -40,6 +41,8 @@ struct BrushTwin {
 
 #include "maths/brush.glsl"
 
+#include "maths/wear.glsl"
+
     void dab(BrushMode mode, const DabNumbers& numbers) {
         samples = int2(nx, ny);
         dab_mode = static_cast<int>(mode);
@@ -53,6 +56,8 @@ struct BrushTwin {
                 const real change = brush_change(int2(x, y), ground_samples[i]);
                 if (change != real(0)) next[i] = brush_sample(ground_samples[i], change);
             }
+        for (std::size_t i = 0; i < worn.size(); ++i)
+            worn[i] = wear_counted(worn[i], ground_samples[i], next[i]);
         ground_samples.swap(next);
     }
 };

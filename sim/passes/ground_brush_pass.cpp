@@ -4,6 +4,7 @@
 #include "sim/passes/brush.h"
 #include "sim/passes/dab_region.h"
 #include "sim/passes/erode_brush.h"
+#include "sim/passes/map_settings.h"
 #include "sim/passes/passes.h"
 #include "sim/passes/stamp_image.h"
 
@@ -26,6 +27,7 @@ class GroundBrushPass : public Pass {
     bool act(Terrain& terrain, const Moment& at, const PassAct& act) override {
         const auto* dab = std::get_if<Dab>(&act);
         if (!dab || dab->is_paint() || dab->is_water()) return false;
+        brush_.count_wear(counts_maps(at.parameters));
         if (const auto* eroding = dab->as<ErodeDab>())
             erode(terrain, at.parameters, *dab, *eroding);
         else if (!is_masked_out(terrain, *dab))
@@ -62,8 +64,9 @@ class GroundBrushPass : public Pass {
 
 PassKind ground_brush_pass() {
     return {[](const Terrain& terrain) -> std::unique_ptr<Pass> {
-        return std::make_unique<GroundBrushPass>(terrain);
-    }};
+                return std::make_unique<GroundBrushPass>(terrain);
+            },
+            map_parameters()};
 }
 
 }  // namespace talus

@@ -7,8 +7,9 @@
 namespace talus {
 
 const std::vector<std::string>& mask_source_names() {
-    static const std::vector<std::string> names = {"height", "slope",  "curvature",
-                                                   "depth",  "itself", "everything"};
+    static const std::vector<std::string> names = {
+        "height", "slope",      "curvature", "depth",      "largest_depth", "arrival",   "flow",
+        "wear",   "deposition", "regolith",  "difference", "itself",        "everything"};
     return names;
 }
 
@@ -19,7 +20,7 @@ const std::vector<std::string>& mask_join_names() {
 
 void check_mask(const MaskSettings& settings) {
     const std::string& name = mask_source_names()[static_cast<std::size_t>(settings.source)];
-    constexpr double most = 1e6;
+    constexpr double most = 1e12;
     const bool slope = settings.source == MaskSource::slope;
     if (slope && !(settings.low >= 0 && settings.high <= 90))
         throw Error(fmt::format("a mask by slope cannot go from {} to {} degrees, it must lie within 0 to 90",

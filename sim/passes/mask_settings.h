@@ -9,12 +9,20 @@ namespace glsl {
 }
 
 /// What a mask is made of: height (m), slope (degrees), curvature (1/km: crests positive, hollows negative),
-/// depth of water (m), itself (to invert it), everything.
+/// depth of water, now and at its largest (m), when it arrived (s), flow (m³), wear and deposition by all
+/// together (m), regolith (m), the ground's change since the start (m), itself (to invert it), everything.
 enum class MaskSource {
     height = glsl::mask_source_height,
     slope = glsl::mask_source_slope,
     curvature = glsl::mask_source_curvature,
     depth = glsl::mask_source_depth,
+    largest_depth = glsl::mask_source_largest_depth,
+    arrival = glsl::mask_source_arrival,
+    flow = glsl::mask_source_flow,
+    wear = glsl::mask_source_wear,
+    deposition = glsl::mask_source_deposition,
+    regolith = glsl::mask_source_regolith,
+    difference = glsl::mask_source_difference,
     itself = glsl::mask_source_itself,
     everything = glsl::mask_source_everything
 };

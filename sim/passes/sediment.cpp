@@ -4,8 +4,6 @@ namespace talus {
 
 Sediment::Sediment(const Grid& grid)
     : edge_books("sediment edge books", 2 * static_cast<std::size_t>(grid.nx + grid.ny) * sizeof(glm::dvec2)),
-      program_("sim/sediment.comp"),
-      painted_program_({"sim/sediment.comp"}, {"PAINTED 1"}),
       bed_program_("sim/sediment_bed.comp") {
     edge_books.fill(0);
 }
@@ -21,9 +19,21 @@ Book Sediment::book() {
             }};
 }
 
+gpu::Program& Sediment::program_of(bool painted, bool worn) {
+    const auto found = programs_.find({painted, worn});
+    if (found != programs_.end()) return found->second;
+    std::vector<std::string> defines;
+    if (painted) defines.emplace_back("PAINTED 1");
+    if (worn) defines.emplace_back("WEAR_MAP 1");
+    gpu::Program program({"sim/sediment.comp"}, defines);
+    return programs_.emplace(std::pair(painted, worn), std::move(program)).first->second;
+}
+
 void Sediment::exchange(Terrain& terrain, const gpu::Buffer& list, const gpu::Buffer& activity,
-                        const gpu::Buffer& clock, const gpu::Buffer& tick) {
-    gpu::Program& program = terrain.painted ? painted_program_ : program_;
+                        const gpu::Buffer& clock, const gpu::Buffer& tick, bool counts_wear) {
+    const bool worn = counts_wear && terrain.worn_by_water;
+    gpu::Program& program = program_of(terrain.painted.has_value(), worn);
+    if (worn) program.bind_image("worn", terrain.worn_by_water->front);
     program.bind_image("water_in", terrain.water->front);
     program.bind_image("load", terrain.suspended->front);
     program.bind_image("bed", terrain.water_bed);

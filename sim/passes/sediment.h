@@ -1,4 +1,7 @@
 #pragma once
+#include <map>
+#include <utility>
+
 #include "sim/budget.h"
 #include "sim/gpu/buffer.h"
 #include "sim/gpu/program.h"
@@ -17,9 +20,9 @@ class Sediment {
     /// Before each tick of the water.
     void begin_tick(const WaterSettings& water) { numbers.set(sediment_numbers(water)); }
     /// On the tiles of the list, for a sub-step of the water's clock. `activity`: the water's, which it wakes
-    /// where the bed moves. `tick`: the water's numbers.
+    /// where the bed moves. `tick`: the water's numbers. `counts_wear`: where the terrain has the layer.
     void exchange(Terrain& terrain, const gpu::Buffer& list, const gpu::Buffer& activity,
-                  const gpu::Buffer& clock, const gpu::Buffer& tick);
+                  const gpu::Buffer& clock, const gpu::Buffer& tick, bool counts_wear);
 
     /// Of solid that passed the edges.
     Book book();
@@ -29,8 +32,10 @@ class Sediment {
     gpu::UniformBlock<SedimentNumbers> numbers{"sediment numbers"};
 
   private:
-    gpu::Program program_;
-    gpu::Program painted_program_;
+    gpu::Program& program_of(bool painted, bool worn);
+
+    std::map<std::pair<bool, bool>, gpu::Program>
+        programs_;  // by painted hardness and whether wear is counted
     gpu::Program bed_program_;
 };
 

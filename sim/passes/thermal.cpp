@@ -4,13 +4,14 @@ namespace talus {
 
 Thermal::Thermal(const Terrain& terrain) : numbers_("thermal numbers"), active_(terrain.tiles.count()) {}
 
-gpu::Program& Thermal::program_of(ThermalScheme scheme, bool wet, bool masked) {
-    const int key = (wet ? 1 : 0) + (masked ? 2 : 0) + 4 * static_cast<int>(scheme);
+gpu::Program& Thermal::program_of(ThermalScheme scheme, bool wet, bool masked, bool worn) {
+    const int key = (wet ? 1 : 0) + (masked ? 2 : 0) + (worn ? 4 : 0) + 8 * static_cast<int>(scheme);
     auto found = programs_.find(key);
     if (found == programs_.end()) {
         std::vector<std::string> defines;
         if (wet) defines.emplace_back("WET 1");
         if (masked) defines.emplace_back("MASKED 1");
+        if (worn) defines.emplace_back("WEAR_MAP 1");
         if (scheme == ThermalScheme::olsen) defines.emplace_back("OLSEN 1");
         if (scheme == ThermalScheme::olsen_fast) defines.emplace_back("OLSEN 2");
         found = programs_.emplace(key, gpu::Program({"sim/thermal.comp"}, defines)).first;
@@ -26,7 +27,9 @@ void Thermal::substep(Terrain& terrain, const ThermalStep& step) {
     const std::uint32_t changes =
         Tiles::ground | Tiles::eroded | Tiles::placed | Tiles::painted | (wet ? Tiles::water : 0U);
     terrain.tiles.list(changes, read_, -1, 1, glsl::tile_blocks, active_);
-    gpu::Program& program = program_of(step.scheme, wet, step.masked);
+    const bool worn = step.counts_wear && terrain.worn_by_slopes;
+    gpu::Program& program = program_of(step.scheme, wet, step.masked, worn);
+    if (worn) program.bind_image("worn", terrain.worn_by_slopes->front);
     if (wet) program.bind_image("water", terrain.water->front);
     if (step.masked) program.bind_image("painted", terrain.painted->front);
     terrain.bind(program);

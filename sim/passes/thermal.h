@@ -16,9 +16,9 @@ class Thermal {
     void substep(Terrain& terrain, const ThermalStep& step);
 
   private:
-    gpu::Program& program_of(ThermalScheme scheme, bool wet, bool masked);
+    gpu::Program& program_of(ThermalScheme scheme, bool wet, bool masked, bool worn);
 
-    std::map<int, gpu::Program> programs_;  // by scheme, wet and masked
+    std::map<int, gpu::Program> programs_;  // by scheme, wet, masked and worn
     gpu::UniformBlock<ThermalNumbers> numbers_;
     TileList active_;
     Tiles::Reader read_;

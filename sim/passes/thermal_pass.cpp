@@ -1,3 +1,4 @@
+#include "sim/passes/map_settings.h"
 #include "sim/passes/passes.h"
 #include "sim/passes/thermal.h"
 
@@ -22,10 +23,13 @@ class ThermalPass : public Pass {
     void prepare_tick(Terrain& terrain, const Moment& at) override {
         left_ = 0;
         if (!at.parameters.toggle("thermal.on")) return;
+        const bool counts = counts_maps(at.parameters);
+        if (counts) terrain.add(&Terrain::worn_by_slopes);
         const double tick_s = at.parameters.number("time.tick_s");
         const ThermalSettings settings = thermal_settings(at.parameters);
         left_ = thermal_substeps(terrain.grid(), settings, tick_s);
         step_ = thermal_step(terrain.grid(), settings, tick_s, left_);
+        step_.counts_wear = counts;
     }
 
     bool advance(Terrain& terrain, const Moment& /*at*/, int& substeps) override {

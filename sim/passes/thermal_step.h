@@ -14,7 +14,8 @@ struct ThermalNumbers {
 };
 
 struct ThermalStep {
-    bool masked = false;  ///< slopes slide as far as the mask says
+    bool masked = false;       ///< slopes slide as far as the mask says
+    bool counts_wear = false;  ///< where the terrain has the layer
     ThermalScheme scheme = ThermalScheme::gradient;
     ThermalNumbers numbers;
 };

@@ -21,6 +21,7 @@ struct ThermalTwin {
     std::vector<real4> samples;
     std::vector<bool> wet;    ///< samples under water; empty: none
     std::vector<Real> masks;  ///< 0 to 1; empty: 1 throughout
+    std::vector<real4> worn;  ///< wear and deposition as in TerrainState; empty: not counted
 
     ThermalScheme scheme;
     bool only_lowest;
@@ -59,12 +60,15 @@ struct ThermalTwin {
 
 #include "maths/olsen.glsl"
 
+#include "maths/wear.glsl"
+
     void step() {
         std::vector<real4> next(samples.size());
         for (int y = 0; y < ny; ++y)
             for (int x = 0; x < nx; ++x)
                 next[static_cast<std::size_t>(y) * nx + x] =
                     scheme == ThermalScheme::gradient ? thermal_sample(int2(x, y)) : olsen_sample(int2(x, y));
+        for (std::size_t i = 0; i < worn.size(); ++i) worn[i] = wear_counted(worn[i], samples[i], next[i]);
         samples.swap(next);
     }
 

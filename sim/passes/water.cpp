@@ -52,13 +52,14 @@ Water::Water(const Terrain& terrain)
                               : terrain.bed_beyond);
 }
 
-gpu::Program& Water::stage_program(int stage) {
+gpu::Program& Water::stage_program(int stage, bool counts_flow) {
     const bool friction = settings_.manning_s_per_m13 > 0;
     const bool sources = has_sources(settings_, stage);
     const bool rain_map = has_rain_map(settings_);
     const bool inflow = has_inflow(settings_);
     const int key = settings_.order + 4 * stage + (friction ? 16 : 0) + (sources ? 32 : 0) +
-                    (rain_map ? 64 : 0) + (settings_.sediment.carried ? 128 : 0) + (inflow ? 256 : 0);
+                    (rain_map ? 64 : 0) + (settings_.sediment.carried ? 128 : 0) + (inflow ? 256 : 0) +
+                    (counts_flow ? 512 : 0);
     auto found = stage_programs_.find(key);
     if (found == stage_programs_.end()) {
         std::vector<std::string> defines = {"ORDER " + std::to_string(settings_.order),
@@ -68,6 +69,7 @@ gpu::Program& Water::stage_program(int stage) {
         if (rain_map) defines.emplace_back("RAIN_MAP 1");
         if (inflow) defines.emplace_back("INFLOW 1");
         if (settings_.sediment.carried) defines.emplace_back("SEDIMENT 1");
+        if (counts_flow) defines.emplace_back("FLOW_MAP 1");
         found = stage_programs_.emplace(key, gpu::Program({"sim/water.comp"}, defines)).first;
     }
     return found->second;
@@ -154,7 +156,9 @@ void Water::substep(Terrain& terrain) {
             count_sections(terrain, stage);
             run_stage(terrain, stage);
         },
-        [&] { sediment_.exchange(terrain, active_.buffer, activity_, clock_, numbers_); });
+        [&] {
+            sediment_.exchange(terrain, active_.buffer, activity_, clock_, numbers_, settings_.counts_maps);
+        });
 }
 
 void Water::fill_ghosts(Terrain& terrain, int stage) {
@@ -186,7 +190,9 @@ void Water::count_sections(const Terrain& terrain, int stage) {
 
 // The first stage writes to the back images; the second one completes the front ones in place.
 void Water::run_stage(Terrain& terrain, int stage) {
-    gpu::Program& program = stage_program(stage);
+    const bool counts_flow = settings_.counts_maps && terrain.flow;
+    gpu::Program& program = stage_program(stage, counts_flow);
+    if (counts_flow) program.bind_image("flow_map", terrain.flow->front);
     terrain.tiles.bind_for_stamping(program);
     bind_buffers(program);
     const auto bind_pair = [&](const DeviceLayer& layer, const char* in, const char* out) {

@@ -57,7 +57,7 @@ class Water {
     void count_sections(const Terrain& terrain, int stage);
     void run_stage(Terrain& terrain, int stage);
     std::vector<Book> own_books();
-    gpu::Program& stage_program(int stage);
+    gpu::Program& stage_program(int stage, bool counts_flow);
     gpu::Program& edge_program();
     void bind_buffers(gpu::Program& program) const;
 
@@ -65,7 +65,7 @@ class Water {
     gpu::Program bed_program_;
     gpu::Program loaded_bed_program_;
     std::map<int, gpu::Program> edge_programs_;   // by order and load
-    std::map<int, gpu::Program> stage_programs_;  // by order, stage, friction, sources, inflow, load
+    std::map<int, gpu::Program> stage_programs_;  // by order, stage, friction, sources, inflow, load, flow
     TileList active_;
     gpu::UniformBlock<WaterNumbers> numbers_;
     gpu::Buffer clock_;

@@ -4,6 +4,7 @@
 #include "sim/drives.h"
 #include "sim/passes/dab_region.h"
 #include "sim/passes/inundation.h"
+#include "sim/passes/map_settings.h"
 #include "sim/passes/passes.h"
 #include "sim/passes/water.h"
 #include "sim/passes/water_brush.h"
@@ -27,7 +28,12 @@ class WaterPass : public Pass {
         begun_ = false;
         if (!flows_) return;
         solver(terrain);
-        if (at.parameters.toggle("erosion.on")) terrain.add(&Terrain::suspended);
+        const bool counts = counts_maps(at.parameters);
+        if (counts) terrain.add(&Terrain::flow);
+        if (at.parameters.toggle("erosion.on")) {
+            terrain.add(&Terrain::suspended);
+            if (counts) terrain.add(&Terrain::worn_by_water);
+        }
     }
 
     bool advance(Terrain& terrain, const Moment& at, int& substeps) override {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/passes/map_settings.h"
+
 namespace talus {
 namespace {
 
@@ -136,6 +138,7 @@ WaterSettings water_settings_of(const Parameters& parameters) {
             settings.edges[edge] = settings.edges[edge + 1] = EdgeKind::periodic;
     settings.has_sea = parameters.is_given("water.sea_level_m");
     settings.sediment = sediment_settings(parameters);
+    settings.counts_maps = counts_maps(parameters);
     return settings;
 }
 

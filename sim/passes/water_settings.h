@@ -66,7 +66,8 @@ struct WaterSettings {
     double wave_depth_m = 10;   ///< solitary: still depth that gives the wave its length
     WaterDrives driven;
     SedimentSettings sediment;
-    bool skips_rest = true;  ///< false: every tile every sub-step, to compare with (law 2)
+    bool counts_maps = false;  ///< flow, and wear and deposition by it, where the terrain has their layers
+    bool skips_rest = true;    ///< false: every tile every sub-step, to compare with (law 2)
     bool operator==(const WaterSettings&) const = default;
 };
 

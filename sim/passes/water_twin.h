@@ -58,6 +58,14 @@ class WaterTwin {
     const std::vector<real4>& solid() const { return solid_; }
     std::vector<real2> read_load() const { return samples_of(load_front_); }
 
+    /// From now on it counts the flow, and, where a load is carried, wear and deposition.
+    void count_maps() {
+        flow_.assign(static_cast<std::size_t>(nx) * ny, real2(0));
+        worn_.assign(solid_.size(), real4(0));
+    }
+    const std::vector<real2>& flow() const { return flow_; }
+    const std::vector<real4>& worn() const { return worn_; }
+
     /// One tick that begins at a time since the start.
     void tick(double whole_s, double start_s) {
         series_ = tick_series(settings_, grid_, whole_s, start_s);
@@ -106,16 +114,19 @@ class WaterTwin {
     }
 
 #include "maths/ground_height.glsl"
+#include "maths/rise.glsl"
 #include "maths/sediment_exchange.glsl"
 #include "maths/sediment_transport.glsl"
 #include "maths/water.glsl"
 #include "maths/water_edge.glsl"
+#include "maths/water_flow.glsl"
 #include "maths/water_ghosts.glsl"
 #include "maths/water_given_face.glsl"
 #include "maths/water_sources.glsl"
 #include "maths/water_spring.glsl"
 #include "maths/water_stage.glsl"
 #include "maths/water_step.glsl"
+#include "maths/wear.glsl"
 
     template <typename Texel>
     std::vector<Texel> samples_of(const std::vector<Texel>& texels) const {
@@ -169,6 +180,7 @@ class WaterTwin {
                                                                hardness, is_base, drop, rise);
                 load_front_[at] = after.load;
                 if (after.solid == solid_[i]) continue;
+                if (!worn_.empty()) worn_[i] = wear_counted(worn_[i], solid_[i], after.solid);
                 solid_[i] = after.solid;
                 bed_[at] = ground_height(after.solid);
             }
@@ -189,6 +201,11 @@ class WaterTwin {
                 if (has_sources(settings_, number))
                     after = water_with_sources(after, rain_at(at) * step_.dt, water_loss(after, step_.dt));
                 to[texel(at)] = after;
+                if (!flow_.empty()) {
+                    real2& flow = flow_[static_cast<std::size_t>(y) * nx + x];
+                    const real outflow = water_outflow(west, east, south, north);
+                    if (outflow > real(0)) flow = flow_counted(flow, outflow);
+                }
                 if (solid_.empty()) continue;
                 const auto concentration = [&](int2 place) {
                     return sediment_concentration(from[texel(place)].x, load_from[texel(place)].x);
@@ -291,6 +308,8 @@ class WaterTwin {
     std::vector<real4> solid_;  // empty: no load is carried
     std::vector<real2> load_front_;
     std::vector<real2> load_back_;
+    std::vector<real2> flow_;  // empty: not counted
+    std::vector<real4> worn_;
 
     void take(const WaterNumbers& numbers) {
 #define NUMBER TALUS_TAKE

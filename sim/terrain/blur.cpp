@@ -15,6 +15,7 @@ namespace talus::maths {
 struct SolidTwin {
     TALUS_TWIN_NAMES(float)
 #include "maths/solid.glsl"
+#include "maths/wear.glsl"
 };
 
 }  // namespace talus::maths
@@ -50,16 +51,18 @@ TerrainState with_blurred_ground(TerrainState state, double deviation_m, bool ma
     const std::vector<double> target = blurred(ground, state.grid, deviation_m);
     // Where nothing was painted the mask is 0.
     if (masked && state.painted.empty()) return state;
+    if (state.worn_by_hand.empty()) state.worn_by_hand.assign(ground.size(), glm::vec4(0));
     maths::SolidTwin twin;
     for (std::size_t i = 0; i < ground.size(); ++i) {
         const float share = masked ? state.painted[i].y : 1.0F;
         const auto change = static_cast<float>((target[i] - ground[i]) * share);
         // Roundings of the mean are no change: what is level stays as it is, to the bit.
         if (std::abs(change) < 1e-9F) continue;
-        const glm::vec4 solid =
-            twin.change_ground(glm::vec4(state.bedrock[i], state.regolith[i]), change, false);
+        const glm::vec4 before(state.bedrock[i], state.regolith[i]);
+        const glm::vec4 solid = twin.change_ground(before, change, false);
         state.bedrock[i] = {solid.x, solid.y};
         state.regolith[i] = {solid.z, solid.w};
+        state.worn_by_hand[i] = twin.wear_counted(state.worn_by_hand[i], before, solid);
     }
     return state;
 }

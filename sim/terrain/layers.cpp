@@ -8,6 +8,7 @@
 
 #include "sim/error.h"
 #include "sim/terrain/gauge.h"
+#include "sim/terrain/ground_shape.h"
 #include "sim/terrain/terrain.h"
 
 namespace talus {
@@ -41,6 +42,25 @@ std::string refuse_suspended(std::span<const float> load) {
         load[0], load[1]);
 }
 
+// More than any run brings.
+constexpr float most_flow_m3 = 1e24F;
+constexpr float most_wear_m = 1e12F;
+
+std::string refuse_flow(std::span<const float> flow) {
+    if (are_words(flow[0], flow[1], most_flow_m3)) return "";
+    return fmt::format(
+        "a flow of {} (and {}) m³: it must be 0 to {:.0e}, its second word below its last digit", flow[0],
+        flow[1], most_flow_m3);
+}
+
+std::string refuse_wear(std::span<const float> worn) {
+    if (are_words(worn[0], worn[1], most_wear_m) && are_words(worn[2], worn[3], most_wear_m)) return "";
+    return fmt::format(
+        "wear of {} (and {}) m and deposition of {} (and {}) m: they must be 0 to {:.0e}, their second words "
+        "below their last digit",
+        worn[0], worn[1], worn[2], worn[3], most_wear_m);
+}
+
 // What no brush could have painted.
 std::string refuse_painted(std::span<const float> painted) {
     const double most_rain = most_painted(PaintedLayer::rain);
@@ -51,6 +71,17 @@ std::string refuse_painted(std::span<const float> painted) {
         "hardness {}, mask {} and rain {} mm/h in one sample: hardness and mask must be 0 to 1, rain 0 to {} "
         "mm/h",
         painted[0], painted[1], painted[2], most_rain);
+}
+
+// Of what one agent took and laid down.
+LayerDescription wear_by(const std::string& agent, std::vector<glm::vec4> TerrainState::*samples,
+                         std::optional<DeviceLayer> Terrain::*image) {
+    return {.name = "wear and deposition by " + agent,
+            .numbers = {{"wear_by_" + agent, "m", true, Resampling::amount},
+                        {"deposition_by_" + agent, "m", true, Resampling::amount}},
+            .samples = samples,
+            .image = image,
+            .refusal = refuse_wear};
 }
 
 // A current that ran east runs north.
@@ -112,6 +143,14 @@ const std::vector<LayerDescription>& layers() {
          .samples = &TerrainState::painted,
          .image = &Terrain::painted,
          .refusal = refuse_painted},
+        {.name = "flow",
+         .numbers = {{"flow", "m³", true, Resampling::flow}},
+         .samples = &TerrainState::flow,
+         .image = &Terrain::flow,
+         .refusal = refuse_flow},
+        wear_by("water", &TerrainState::worn_by_water, &Terrain::worn_by_water),
+        wear_by("slopes", &TerrainState::worn_by_slopes, &Terrain::worn_by_slopes),
+        wear_by("hand", &TerrainState::worn_by_hand, &Terrain::worn_by_hand),
     };
     return all;
 }
@@ -137,11 +176,29 @@ void make_layer(TerrainState& state, const LayerDescription& layer, std::size_t 
         layer.samples);
 }
 
+std::optional<PlacedNumber> number_named(const std::string& name) {
+    for (const LayerDescription& layer : layers()) {
+        int word = 0;
+        for (const LayerNumber& number : layer.numbers) {
+            if (number.name == name) return PlacedNumber{&layer, &number, word};
+            word += number.two_words ? 2 : 1;
+        }
+    }
+    return std::nullopt;
+}
+
 std::vector<std::string> output_names() {
-    std::vector<std::string> names = {"ground", "level"};
+    std::vector<std::string> names = {"ground", "level", "slope", "curvature", "wear", "deposition"};
     for (const LayerDescription& layer : layers())
         for (const LayerNumber& number : layer.numbers) names.push_back(number.name);
     return names;
+}
+
+std::string output_unit(const std::string& name) {
+    if (name == "slope") return "°";
+    if (name == "curvature") return "1/km";
+    const std::optional<PlacedNumber> number = number_named(name);
+    return number ? number->number->unit : "m";
 }
 
 std::vector<float> output_of(const TerrainState& state, const std::string& name) {
@@ -151,23 +208,25 @@ std::vector<float> output_of(const TerrainState& state, const std::string& name)
         for (std::size_t i = 0; i < state.water.size(); ++i) values[i] += state.water[i].x;
         return values;
     }
-    for (const LayerDescription& layer : layers()) {
-        std::size_t word = 0;
-        for (const LayerNumber& number : layer.numbers) {
-            if (number.name == name) {
-                const std::span<const float> words = words_of(state, layer);
-                std::vector<float> values(state.bedrock.size());
-                for (std::size_t i = 0; i < values.size() && !words.empty(); ++i) {
-                    const std::size_t at = i * static_cast<std::size_t>(layer.words()) + word;
-                    values[i] = number.two_words ? words[at] + words[at + 1] : words[at];
-                }
-                return values;
-            }
-            word += number.two_words ? 2 : 1;
-        }
+    // No layer of a state without samples either: that asks whether there is such an output.
+    if (name == "slope") return slopes_deg(state.grid, state.ground());
+    if (name == "curvature") return curvatures_per_km(state.grid, state.ground());
+    std::vector<std::string> names = {name};
+    if (name == "wear" || name == "deposition")
+        names = {name + "_by_water", name + "_by_slopes", name + "_by_hand"};
+    std::vector<double> sums(state.bedrock.size());
+    for (const std::string& one : names) {
+        const std::optional<PlacedNumber> number = number_named(one);
+        if (!number)
+            throw Error(fmt::format("--layer '{}' is not a layer, it must be one of: {}", name,
+                                    fmt::join(output_names(), ", ")));
+        const std::span<const float> words = words_of(state, *number->layer);
+        const auto size = static_cast<std::size_t>(number->layer->words());
+        auto at = static_cast<std::size_t>(number->word);
+        for (std::size_t i = 0; at < words.size(); ++i, at += size)
+            sums[i] += number->number->two_words ? static_cast<double>(words[at]) + words[at + 1] : words[at];
     }
-    throw Error(fmt::format("--layer '{}' is not a layer, it must be one of: {}", name,
-                            fmt::join(output_names(), ", ")));
+    return {sums.begin(), sums.end()};
 }
 
 }  // namespace talus

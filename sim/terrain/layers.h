@@ -16,6 +16,7 @@ struct DeviceLayer;
 enum class Resampling {
     height,  ///< by cubic convolution (Keys 1981)
     amount,  ///< linearly: values that are nowhere negative stay so
+    flow,    ///< linearly, and by the sample's side: half as much passes a sample of half the width
     nearest  ///< as at the nearest sample
 };
 
@@ -58,14 +59,26 @@ struct LayerDescription {
 /// All layers, in the order of the hash and of the document's channels.
 const std::vector<LayerDescription>& layers();
 
+/// A number of a layer, and at which float of its texel it begins.
+struct PlacedNumber {
+    const LayerDescription* layer;
+    const LayerNumber* number;
+    int word = 0;
+};
+/// The one of this name; none: there is none.
+std::optional<PlacedNumber> number_named(const std::string& name);
+
 /// Texel after texel; empty where the layer is not there.
 std::span<float> words_of(TerrainState& state, const LayerDescription& layer);
 std::span<const float> words_of(const TerrainState& state, const LayerDescription& layer);
 /// So many texels, all of them 0. None: the layer is not there.
 void make_layer(TerrainState& state, const LayerDescription& layer, std::size_t texels);
 
-/// Names of single-layer outputs: ground, level (of ground and water), and every number of every layer.
+/// Names of single-layer outputs: ground, level (of ground and water), slope (degrees), curvature (1/km),
+/// wear and deposition (by all together), and every number of every layer.
 std::vector<std::string> output_names();
+/// Its unit; empty: it has none.
+std::string output_unit(const std::string& name);
 /// Its values, 0 where the layer is not there. Throws talus::Error that lists the names.
 std::vector<float> output_of(const TerrainState& state, const std::string& name);
 

@@ -68,7 +68,11 @@ void resample_number(const NumberAt& number, const TerrainState& from, TerrainSt
     const std::span<float> words = words_of(to, number.layer);
     std::vector<double> plane(from.grid.count());
     for (std::size_t i = 0; i < plane.size(); ++i) plane[i] = number.get(old_words, i);
-    const std::vector<double> resampled_plane = filtered(plane, from.grid.nx, filter.columns, filter.rows);
+    std::vector<double> resampled_plane = filtered(plane, from.grid.nx, filter.columns, filter.rows);
+    if (number.number.resampling == Resampling::flow) {
+        const double share = std::sqrt(to.grid.dx * to.grid.dy / (from.grid.dx * from.grid.dy));
+        for (double& value : resampled_plane) value *= share;
+    }
     for (std::size_t i = 0; i < resampled_plane.size(); ++i) number.set(words, i, resampled_plane[i]);
 }
 

@@ -50,8 +50,12 @@ class Terrain {
     std::optional<DeviceLayer> inundation;  ///< with the water
     std::optional<DeviceLayer> suspended;   ///< none: nothing was ever eroded by water
     std::optional<DeviceLayer> painted;     ///< none: nothing was painted
-    std::vector<float> bed_beyond;          ///< as in TerrainState; nothing changes it
-    bool rain_painted = false;              ///< rain was painted somewhere, though that may be undone
+    std::optional<DeviceLayer> flow;        ///< none: no water flowed, or it is not counted
+    std::optional<DeviceLayer> worn_by_water;
+    std::optional<DeviceLayer> worn_by_slopes;
+    std::optional<DeviceLayer> worn_by_hand;
+    std::vector<float> bed_beyond;  ///< as in TerrainState; nothing changes it
+    bool rain_painted = false;      ///< rain was painted somewhere, though that may be undone
     /// m: the ground under the water, as the last tick found it; texels as the water's, and there with it.
     gpu::Texture water_bed;
 

@@ -57,6 +57,13 @@ struct TerrainState {
     std::vector<glm::vec2> suspended;
     /// What brushes painted, as PaintedLayer says; empty: nothing.
     std::vector<glm::vec4> painted;
+    /// Water that left each sample over its faces, m³, two words; empty: none did.
+    std::vector<glm::vec2> flow;
+    /// Ground that was taken and laid down by water, by slopes and by hand, gross, m: wear and deposition,
+    /// each of two words; empty: none was.
+    std::vector<glm::vec4> worn_by_water;
+    std::vector<glm::vec4> worn_by_slopes;
+    std::vector<glm::vec4> worn_by_hand;
     /// The ground beyond the map's edges (sim/terrain/bed_beyond.h), m; empty: it is not known.
     std::vector<float> bed_beyond;
     std::vector<Spring> springs;

@@ -435,6 +435,83 @@ TEST_F(Program, WritesWhatPassesSections) {
               std::string::npos);
 }
 
+TEST_F(Program, RecordsOnItsWay) {
+    const std::string run = "run --preset dam-break --size 65x49 --set time.tick_s=0.7 --ticks 10 ";
+    const std::string plain = hash(run + "--out end.tif --layer water");
+    // Due at 0, 2, 4 and 6 s of 7; ticks end at 2.1, 4.2 and 6.3 s.
+    EXPECT_EQ(hash(run + "--every 2 --layer water --out depth_%03d.tif --out last.tif --image view_%d.png "
+                         "--film-size 160x90"),
+              plain);
+    for (const char* name : {"depth_000.tif", "depth_003.tif", "view_0.png", "view_3.png", "last.tif"})
+        EXPECT_TRUE(fs::exists(path(name))) << name;
+    EXPECT_FALSE(fs::exists(path("depth_004.tif")) || fs::exists(path("view_4.png")));
+    EXPECT_EQ(bytes_of("last.tif"), bytes_of("end.tif"));
+    hash("run --preset dam-break --size 65x49 --set time.tick_s=0.7 --ticks 6 --out at_4.tif --layer water");
+    EXPECT_EQ(bytes_of("depth_002.tif"), bytes_of("at_4.tif")) << "each is what the run was then";
+    EXPECT_NE(bytes_of("view_0.png"), bytes_of("view_3.png"));
+    std::ofstream(path("keys.toml")) << "[[key]]\neye = [100, -300, 300]\ntarget = [300, 200, 0]\n"
+                                        "[[key]]\neye = [500, -300, 400]\ntarget = [300, 200, 0]\n";
+    hash(run + "--every 7 --image fly_%d.png --keys keys.toml --film-size 160x90");
+    EXPECT_NE(bytes_of("fly_0.png"), bytes_of("view_0.png"));
+
+    EXPECT_NE(refusal(run + "--every 2").find("--every writes nothing"), std::string::npos);
+    EXPECT_NE(refusal(run + "--every 0 --image v_%d.png").find("--every 0"), std::string::npos);
+    EXPECT_NE(refusal(run + "--image v_%d.png").find("--every does not say"), std::string::npos);
+    EXPECT_NE(refusal(run + "--keys keys.toml").find("--keys"), std::string::npos);
+    EXPECT_NE(refusal(run + "--every 1 --image v_%d.png --film-size 9x9").find("9x9"), std::string::npos);
+    EXPECT_NE(refusal(run + "--every 1e-9 --image v_%d.png").find("1e-09"), std::string::npos);
+}
+
+// With a program in ffmpeg's place that keeps what it is given.
+TEST_F(Program, FilmsByFfmpeg) {
+    const std::string run = "run --preset dam-break --size 65x49 --film-size 160x90 --ticks 4 ";
+    const auto be_ffmpeg = [&](const std::string& script) {
+        fs::create_directories(path("bin"));
+        std::ofstream(path("bin/ffmpeg")) << "#!/bin/sh\n" << script;
+        fs::permissions(path("bin/ffmpeg"), fs::perms::owner_all);
+    };
+    const std::string with = "PATH=" + path("bin") + ":$PATH";
+    be_ffmpeg("for last; do :; done\ncat > \"${last#file:}\"\n");
+    EXPECT_EQ(hash(run + "--film out.mp4", with), hash(run));
+    EXPECT_EQ(fs::file_size(path("out.mp4")), 5U * 160 * 90 * 3)
+        << "a picture at the start and after each tick";
+    EXPECT_FALSE(fs::exists(path("out.part.mp4")));
+    const std::string before = bytes_of("out.mp4");
+
+    // What fails leaves what was there.
+    be_ffmpeg("cat > /dev/null\nexit 3\n");
+    EXPECT_NE(refusal(run + "--film out.mp4", with).find("'out.mp4'"), std::string::npos);
+    be_ffmpeg("exit 1\n");
+    EXPECT_NE(refusal(run + "--film out.mp4", with).find("'out.mp4'"), std::string::npos);
+    EXPECT_EQ(bytes_of("out.mp4"), before);
+    EXPECT_FALSE(fs::exists(path("out.part.mp4")));
+    EXPECT_NE(refusal(run + "--film out.mp4", "PATH=/nowhere").find("no program ffmpeg"), std::string::npos);
+    EXPECT_NE(refusal(run + "--film out.gif", with).find(".mp4"), std::string::npos);
+    EXPECT_NE(refusal(run + "--film no/such/out.mp4", with).find("no/such"), std::string::npos);
+}
+
+TEST_F(Program, WritesMapsTogether) {
+    ASSERT_EQ(talus("run --preset rain-erosion --size 97x65 --ticks 20 --out a.exr").code, 0);
+    const Outcome outcome = talus("convert a.exr land.png --maps flow,wear,deposition,slope");
+    ASSERT_EQ(outcome.code, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find("flow: 0 to "), std::string::npos) << outcome.output;
+    const json said = report("land.json");
+    EXPECT_EQ(said["maps"].size(), 4U);
+    EXPECT_EQ(said["maps"][0]["unit"], "m³");
+    const json flow = json::parse(talus("info --json land_flow.png").output);
+    EXPECT_NEAR(flow["height_max"].get<double>(), said["maps"][0]["high"].get<double>(),
+                0.51 * said["maps"][0]["step"].get<double>());
+    EXPECT_GT(flow["height_max"], 0);
+    ASSERT_EQ(talus("convert a.exr weights.png --maps wear,deposition --for unreal").code, 0);
+    EXPECT_EQ(report("weights.json")["maps"][2]["map"], "rest");
+    EXPECT_EQ(report("weights.json")["maps"][2]["weights_sum_to"], 255);
+    ASSERT_EQ(talus("convert a.exr wear.tif --layer wear_by_slopes").code, 0);
+    EXPECT_NE(refusal("convert a.exr land.png --maps flow,lava").find("'lava'"), std::string::npos);
+    EXPECT_NE(refusal("convert a.exr land.png --maps flow --tiles 2x2").find("--tiles"), std::string::npos);
+    EXPECT_NE(refusal("convert a.exr land.png --maps flow --weights 9").find("9 bits"), std::string::npos);
+    EXPECT_NE(refusal("convert a.exr land.tif --maps flow --weights 8").find(".png"), std::string::npos);
+}
+
 TEST_F(Program, RunsWithNumbersThatFollowTables) {
     std::ofstream(path("rain.csv")) << "time_s,rain_mm_per_h\n0,0\n7.5,360\n7.5,36\n20,36\n";
     std::ofstream(path("inflow.csv")) << "0 0\n10 50\n30 0\n";

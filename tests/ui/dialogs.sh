@@ -117,6 +117,24 @@ click Write
 await_word "wrote .*mended.tif"
 gone Write
 
+# Maps are written together, each in its file, and one says what they hold.
+xdotool mousemove 600 400 key ctrl+e
+await_widget maps
+click maps
+await_widget "map deposition"
+click "map deposition"
+click "map curvature"
+import -window root 3_maps.png
+type_over "export path" "$PWD/land.png"
+click Write
+await_word "wrote .*land_ground.png and 5 more"
+gone Write
+for map in ground flow wear slope curvature; do
+    [ -s "land_$map.png" ] || fail "the map $map was not written"
+done
+[ ! -e land_deposition.png ] || fail "a map was written that was not chosen"
+[ "$(grep -c '"map"' land.json)" = 5 ] || fail "land.json does not say what the maps hold"
+
 # Narrow, everything is in one column beside the picture.
 resize 560 600
 within Water 560

@@ -150,6 +150,68 @@ TEST(Mask, EverySourceFollowsItsFormula) {
     }
 }
 
+// Of what runs left behind: each number of a layer is what the mask is made of, and where there is none it is
+// 0.
+TEST(Mask, FollowsWhatARunLeftBehind) {
+    const gpu::Context context;
+    TerrainState state = bend(81);
+    const std::size_t count = state.grid.count();
+    state.water.assign(count, glm::vec4(0));
+    state.water.back().x = 0.5F;
+    state.inundation.assign(count, glm::vec2(0));
+    state.flow.assign(count, glm::vec2(0));
+    state.worn_by_water.assign(count, glm::vec4(0));
+    state.worn_by_hand.assign(count, glm::vec4(0));
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto column = static_cast<float>(i % 81);
+        state.inundation[i] = {column > 20 ? 3 + column : 0, 10 * column};
+        state.flow[i] = {1e7F * column, 0};
+        state.worn_by_water[i] = {0.5F * column, 0, 2 * column, 0};
+        state.worn_by_hand[i] = {0.25F * column, 0, column, 0};
+        state.regolith[i].x = 0.1F * column;
+    }
+    Simulation simulation(state, Parameters(simulation_parameters()), undo_bytes);
+    const auto last_at = [&](MaskSource source, double low, double high) {
+        simulation.apply(MakeMask{source, low, high});
+        const TerrainState made = simulation.read();
+        int first = -1;
+        int last = -1;
+        for (int x = 0; x < 81; ++x)
+            if (mask_at(made, x, 33) == 1) {
+                if (first < 0) first = x;
+                last = x;
+            }
+        return std::pair(first, last);
+    };
+    EXPECT_EQ(last_at(MaskSource::largest_depth, 1, 40), std::pair(21, 37));
+    EXPECT_EQ(last_at(MaskSource::arrival, 0, 305), std::pair(21, 30)) << "it arrived nowhere else";
+    EXPECT_EQ(last_at(MaskSource::flow, 4.5e7, 6e8), std::pair(5, 60));
+    EXPECT_EQ(last_at(MaskSource::wear, 7.4, 15.1), std::pair(10, 20)) << "0.75 a column";
+    EXPECT_EQ(last_at(MaskSource::deposition, 29, 91), std::pair(10, 30)) << "3 a column";
+    EXPECT_EQ(last_at(MaskSource::regolith, 0.95, 2.05), std::pair(10, 20));
+    EXPECT_EQ(last_at(MaskSource::difference, 1, 1e6), std::pair(-1, -1));
+    Dab dab;
+    dab.x_m = dab.y_m = 400;
+    dab.radius_m = 100;
+    dab.amount_m = 10;
+    simulation.apply(dab);
+    simulation.apply(MakeMask{MaskSource::difference, 1, 1e6});
+    const TerrainState raised = simulation.read();
+    EXPECT_EQ(mask_at(raised, 40, 40), 1);
+    EXPECT_EQ(mask_at(raised, 60, 40), 0);
+
+    Simulation bare(bend(81), Parameters(simulation_parameters()), undo_bytes);
+    for (const MaskSource source : {MaskSource::largest_depth, MaskSource::flow, MaskSource::wear,
+                                    MaskSource::deposition, MaskSource::regolith, MaskSource::depth}) {
+        bare.apply(MakeMask{source, -1, 1});
+        EXPECT_EQ(mask_at(bare.read(), 9, 9), 1);
+        bare.apply(MakeMask{source, 1, 2});
+        EXPECT_EQ(mask_at(bare.read(), 9, 9), 0);
+    }
+    bare.apply(MakeMask{MaskSource::arrival, 0, 1e6});
+    EXPECT_EQ(mask_at(bare.read(), 9, 9), 0);
+}
+
 TEST(Mask, JoinsWithWhatIsPainted) {
     const gpu::Context context;
     Simulation simulation(bend(81), Parameters(simulation_parameters()), undo_bytes);

@@ -47,7 +47,8 @@ void simulate_everything(Simulation& simulation) {
         dab.effect = effect_of(static_cast<BrushMode>(mode));
         simulation.apply(dab);
     }
-    simulation.apply(MakeMask{MaskSource::slope, 0, 40, 5});
+    for (std::size_t source = 0; source < mask_source_names().size(); ++source)
+        simulation.apply(MakeMask{static_cast<MaskSource>(source), 0, 40, 5});
     simulation.follow_sections({{{0, 100}, {300, 300}}});
     for (const char* assignment :
          {"water.rain=100", "water.rain_over=mask", "water.order=1", "erosion.on=true", "erosion.over=mask",
