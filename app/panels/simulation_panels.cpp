@@ -23,6 +23,8 @@ void draw_water_panel(PanelContext& context) {
 
 void draw_erosion_panel(PanelContext& context) {
     draw_section(context.session, context.requests, "erosion");
+    heading("Maps");
+    draw_section(context.session, context.requests, "maps");
 }
 
 void draw_view_panel(PanelContext& context) {

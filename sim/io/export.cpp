@@ -95,25 +95,10 @@ void write_integers(const fs::path& path, const Heightmap& heightmap, Range rang
     write_atomically(path, std::as_bytes(std::span(values)));
 }
 
-// Columns and rows of samples that an engine takes for such a terrain.
-glm::ivec2 samples_for_engine(const Grid& grid, const ExportSettings& settings) {
-    // Godot's Terrain3D takes any size, and one spacing for both ways.
-    if (settings.kind == ExportKind::godot)
-        return {grid.nx, static_cast<int>(std::lround(grid.height_m() / grid.dx)) + 1};
-    const auto a_tile = [&](int count, int tiles) {
-        const double samples = static_cast<double>(count - 1) / tiles + 1;
-        return engine_samples(settings.kind, static_cast<int>(std::lround(samples))) - 1;
-    };
-    glm::ivec2 tile(a_tile(grid.nx, settings.tiles.x), a_tile(grid.ny, settings.tiles.y));
-    // Unity's tiles are square.
-    if (settings.kind == ExportKind::unity) tile = glm::ivec2(std::max(tile.x, tile.y));
-    return tile * settings.tiles + 1;
-}
-
 // The ground with samples as the engine takes them, in so many tiles.
 Heightmap for_engine(const Document& document, const ExportSettings& settings) {
     const Grid& grid = document.state.grid;
-    const glm::ivec2 samples = samples_for_engine(grid, settings);
+    const glm::ivec2 samples = samples_for_engine(grid, settings.kind, settings.tiles);
     TerrainState ground = bedrock_terrain(grid, output_of(document.state, settings.layer));
     ground = resampled(ground, samples.x, samples.y);
     Heightmap heightmap;
@@ -177,6 +162,20 @@ int engine_samples(ExportKind engine, int samples) {
         return std::abs(std::log(static_cast<double>(a) / samples)) <
                std::abs(std::log(static_cast<double>(b) / samples));
     });
+}
+
+glm::ivec2 samples_for_engine(const Grid& grid, ExportKind engine, glm::ivec2 tiles) {
+    // Godot's Terrain3D takes any size, and one spacing for both ways.
+    if (engine == ExportKind::godot)
+        return {grid.nx, static_cast<int>(std::lround(grid.height_m() / grid.dx)) + 1};
+    const auto a_tile = [&](int count, int across) {
+        const double samples = static_cast<double>(count - 1) / across + 1;
+        return engine_samples(engine, static_cast<int>(std::lround(samples))) - 1;
+    };
+    glm::ivec2 tile(a_tile(grid.nx, tiles.x), a_tile(grid.ny, tiles.y));
+    // Unity's tiles are square.
+    if (engine == ExportKind::unity) tile = glm::ivec2(std::max(tile.x, tile.y));
+    return tile * tiles + 1;
 }
 
 std::vector<std::pair<int, int>> split_samples(int samples, int tiles) {
@@ -269,7 +268,7 @@ std::vector<std::string> losses(const TerrainState& state, const ExportSettings&
         lost.push_back(fmt::format("not written: {}; a Talus document (Save as) keeps all", layers));
     const std::vector<float> heights = output_of(state, settings.layer);
     if (is_engine(settings.kind)) {
-        const glm::ivec2 samples = samples_for_engine(state.grid, settings);
+        const glm::ivec2 samples = samples_for_engine(state.grid, settings.kind, settings.tiles);
         if (samples != glm::ivec2(state.grid.nx, state.grid.ny))
             lost.push_back(fmt::format("{} x {} samples are resampled to sizes that it takes: {} x {}",
                                        state.grid.nx, state.grid.ny, samples.x, samples.y));

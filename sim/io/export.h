@@ -52,6 +52,9 @@ std::vector<std::string> losses(const TerrainState& state, const ExportSettings&
 /// Columns (or rows) of samples that an engine takes nearest to this many, from its documentation.
 int engine_samples(ExportKind engine, int samples);
 
+/// Columns and rows of samples that an engine takes for such a terrain in so many tiles.
+glm::ivec2 samples_for_engine(const Grid& grid, ExportKind engine, glm::ivec2 tiles = glm::ivec2(1));
+
 /// First sample and number of samples of each of so many tiles along an axis of so many samples; neighbours
 /// share one.
 std::vector<std::pair<int, int>> split_samples(int samples, int tiles);

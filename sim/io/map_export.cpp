@@ -59,13 +59,6 @@ void write_grey(const fs::path& path, const Grid& grid, const std::vector<std::u
     write_encoded(path, OIIO::ImageSpec(grid.nx, grid.ny, 1, OIIO::TypeDesc::UINT8), bytes.data());
 }
 
-// With as many samples as an engine takes.
-TerrainState for_engine(const TerrainState& state, ExportKind engine) {
-    const int columns = engine_samples(engine, state.grid.nx);
-    const int rows = engine_samples(engine, state.grid.ny);
-    return resampled(state, columns, rows);
-}
-
 // Gives the values at the ends of its scale.
 Range write_values(const TerrainState& state, const fs::path& of_all, const fs::path& path,
                    const std::string& map, json& said) {
@@ -140,7 +133,11 @@ std::vector<std::vector<std::uint16_t>> weights_of(const std::vector<std::vector
 Exported export_maps(const TerrainState& state, const ExportSettings& settings) {
     check_maps(settings);
     const bool as_it_is = settings.samples_for == ExportKind::heightmap;
-    const TerrainState for_it = as_it_is ? TerrainState() : for_engine(state, settings.samples_for);
+    TerrainState for_it;
+    if (!as_it_is) {
+        const glm::ivec2 samples = samples_for_engine(state.grid, settings.samples_for);
+        for_it = resampled(state, samples.x, samples.y);
+    }
     const TerrainState& written = as_it_is ? state : for_it;
     const Grid& grid = written.grid;
     Exported exported;

@@ -3,14 +3,16 @@
 namespace talus {
 
 const std::vector<Parameter>& map_parameters() {
-    static const std::vector<Parameter> table = {
-        toggle("maps.on", true,
-               "Flow, wear and deposition are counted in every sample. Off: they stay as they are.")};
+    static const std::vector<Parameter> table = {choice(
+        "maps.count", "with erosion", {"with erosion", "always", "never"},
+        "When flow, wear and deposition are counted in every sample: while erosion is on, always, or never. "
+        "Otherwise they stay as they are. Counting makes a tick about a fifth slower.")};
     return table;
 }
 
 bool counts_maps(const Parameters& parameters) {
-    return parameters.toggle("maps.on");
+    const std::string& when = parameters.choice("maps.count");
+    return when == "always" || (when == "with erosion" && parameters.toggle("erosion.on"));
 }
 
 }  // namespace talus

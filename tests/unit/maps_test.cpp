@@ -64,9 +64,9 @@ INSTANTIATE_TEST_SUITE_P(Maps, MapsOfEitherOrder, testing::Values(1, 2));
 // stays.
 TEST_P(MapsOfEitherOrder, FlowThroughTheEdgeIsTheWaterThatLeft) {
     const gpu::Context context;
-    Parameters all =
-        parameters_with({"time.tick_s=5", "water.rain=400", "water.boundary.north=wall",
-                         "water.boundary.south=wall", "water.boundary.west=wall", "thermal.on=false"});
+    Parameters all = parameters_with({"time.tick_s=5", "water.rain=400", "water.boundary.north=wall",
+                                      "water.boundary.south=wall", "water.boundary.west=wall",
+                                      "thermal.on=false", "maps.count=always"});
     all.set("water.order", GetParam());
     Simulation simulation(slope_to_the_east({90, 40, 6, 5}), all);
     play(simulation, 120);
@@ -82,9 +82,9 @@ TEST_P(MapsOfEitherOrder, FlowThroughTheEdgeIsTheWaterThatLeft) {
 // samples.
 TEST_P(MapsOfEitherOrder, FlowOfARiverPassesEachOfItsColumns) {
     const gpu::Context context;
-    Parameters all =
-        parameters_with({"time.tick_s=4", "water.boundary.north=wall", "water.boundary.south=wall",
-                         "water.boundary.west=inflow", "water.inflow=150", "thermal.on=false"});
+    Parameters all = parameters_with({"time.tick_s=4", "water.boundary.north=wall",
+                                      "water.boundary.south=wall", "water.boundary.west=inflow",
+                                      "water.inflow=150", "thermal.on=false", "maps.count=always"});
     all.set("water.order", GetParam());
     const Grid grid{120, 30, 5, 5};
     TerrainState start = slope_to_the_east(grid);
@@ -165,7 +165,7 @@ TEST_P(MapsOfEitherOrder, AreNotCountedWhereTheyAreOff) {
             parameters_with({"time.tick_s=2", "water.rain=300", "erosion.on=true", "erosion.erodibility=20",
                              "erosion.acceleration=30", "thermal.repose_deg=24"});
         all.set("water.order", GetParam());
-        all.set("maps.on", counted);
+        all.set("maps.count", std::string(counted ? "with erosion" : "never"));
         Simulation simulation(start, all);
         Dab dab;
         dab.x_m = dab.y_m = 1000;
@@ -187,11 +187,12 @@ TEST_P(MapsOfEitherOrder, AreNotCountedWhereTheyAreOff) {
     EXPECT_EQ(differing_bits(on.suspended, off.suspended), 0U);
 
     // Turned off on the way, they stay as they are.
-    Parameters all = parameters_with({"time.tick_s=2", "water.rain=300", "thermal.repose_deg=24"});
+    Parameters all =
+        parameters_with({"time.tick_s=2", "water.rain=300", "thermal.repose_deg=24", "maps.count=always"});
     Simulation simulation(start, all);
     play(simulation, 5);
     const TerrainState before = simulation.read();
-    simulation.apply(SetParameter{"maps.on", false});
+    simulation.apply(SetParameter{"maps.count", std::string("never")});
     play(simulation, 5);
     const TerrainState after = simulation.read();
     EXPECT_EQ(differing_bits(before.flow, after.flow), 0U);
