@@ -224,11 +224,12 @@ Command convert_command(CLI::App& app, Texts& t) {
         ->add_option(
             "--maps", options->maps,
             "names as of --layer, with commas between: each in a file of its own, OUT_NAME, and their "
-            "ranges in OUT.json; with --for unreal or unity as weights that sum to one")
+            "ranges in OUT.json; with --for unreal, unity or godot as weights, unless --weights is 0")
         ->delimiter(',')
         ->type_name("NAME,…");
-    command->add_option("--weights", options->weight_bits,
-                        "8 or 16: maps as weights of so many bits, which sum to one with a map of the rest");
+    command->add_option(
+        "--weights", options->weight_bits,
+        "8 or 16: maps as weights of so many bits, which sum to one with a map of the rest; 0: values");
     command->add_option("--mesh-error", options->mesh_error_m,
                         "error that a mesh is simplified to, metres, 1 unless given");
     add_import(*command, t);

@@ -43,7 +43,7 @@ Legends level_legend(const View& view, const ViewSettings& settings, glm::dvec2)
 // So many powers of ten below the end of its scale.
 Legends flow_legend(const View& view, const ViewSettings& settings, glm::dvec2) {
     const double end = std::log10(view.numbers[0].in(settings));
-    return {{"Flow so far, log10", end - view.numbers[1].in(settings), end, "m³", Scale::map}};
+    return {{"Flow so far", end - view.numbers[1].in(settings), end, "log10 m³", Scale::map}};
 }
 
 Legends cells_legend(const View&, const ViewSettings& settings, glm::dvec2) {
@@ -66,7 +66,7 @@ Parameter depth() {
 // What was taken, or laid down, by one of those who do, or by all.
 View worn_view(const std::string& name, const std::string& title) {
     return {.name = name,
-            .numbers = {{"worn_scale_m", number("render.worn_m", 2, 1e-6, 1e5, "m",
+            .numbers = {{"worn_scale_m", number("render.worn_m", 10, 1e-6, 1e5, "m",
                                                 "End of the scale of the views of wear and deposition.")},
                         {"worn_by", choice("render.worn_by", "all", {"all", "water", "slopes", "hand"},
                                            "Whose wear and deposition they show.")}},

@@ -92,8 +92,8 @@ struct ConvertOptions {
     std::string kind;  ///< one of export_kind_names(); empty: by the output's ending
     glm::ivec2 tiles{1};
     double mesh_error_m = 1;
-    std::vector<std::string> maps;  ///< these instead, each in a file of its own
-    int weight_bits = 0;            ///< of maps; 0: values
+    std::vector<std::string> maps;   ///< these instead, each in a file of its own
+    std::optional<int> weight_bits;  ///< of maps; 0: values; unless given, 8 for an engine
 };
 void convert(const ConvertOptions& options);
 

@@ -33,26 +33,26 @@ io::ExportSettings settings_of(const ConvertOptions& options) {
     return settings;
 }
 
-// Of maps instead of a layer. An engine takes weights.
-void be_of_maps(io::ExportSettings& settings, const ConvertOptions& options) {
-    if (settings.kind == io::ExportKind::mesh || settings.kind == io::ExportKind::normal_map ||
-        settings.tiles != glm::ivec2(1) || settings.range_m)
+// Of maps instead of a layer. An engine takes weights, unless values are asked for.
+io::ExportSettings maps_of(const ConvertOptions& options, io::ExportSettings settings) {
+    if (!options.layer.empty() || settings.tiles != glm::ivec2(1) || options.kind == "mesh" ||
+        options.kind == "normal map")
         throw Error(
-            "--maps are written in one piece, each over its own range: leave out --tiles, --range and --for "
-            "mesh or "
-            "'normal map'");
-    const bool for_engine = settings.kind >= io::ExportKind::unreal;
+            "--maps are written in one piece: leave out --layer, --tiles, and --for mesh or 'normal map'");
+    const bool for_engine = io::is_engine(settings.kind);
     settings.samples_for = for_engine ? settings.kind : io::ExportKind::heightmap;
     settings.kind = io::ExportKind::maps;
     settings.maps = options.maps;
-    settings.weight_bits = for_engine && options.weight_bits == 0 ? 8 : options.weight_bits;
+    settings.weight_bits = options.weight_bits.value_or(for_engine ? 8 : 0);
+    return settings;
 }
 
 }  // namespace
 
 void convert(const ConvertOptions& options) {
     io::ExportSettings settings = settings_of(options);
-    if (!options.maps.empty()) be_of_maps(settings, options);
+    if (!options.maps.empty()) settings = maps_of(options, settings);
+    if (options.weight_bits && options.maps.empty()) throw Error("--weights is of maps: name them by --maps");
     check_folder(options.output);
     const io::Document document = open_document(options.input, options.import);
     for (const std::string& note : document.notes) say("note: " + note);

@@ -65,6 +65,54 @@ void say_notes(const Scene& scene) {
     for (const std::string& note : scene.document.notes) say("note: " + note);
 }
 
+// The recording of a run, if there is one. Should it fail, the run goes on, and its outputs are written.
+class RunRecording {
+  public:
+    RunRecording(const RecordingOptions& options, const Scene& scene, Simulation& simulation,
+                 const gpu::Device& device, std::int64_t ticks) {
+        if (options.files.empty() && options.image.empty() && options.film.empty()) return;
+        timed([&] { recording_.emplace(options, scene, simulation, device, ticks); });
+    }
+    void record() {
+        if (recording_) attempt([&] { recording_->record(); });
+    }
+    void finish() {
+        if (recording_) attempt([&] { recording_->finish(); });
+        if (recording_)
+            say(fmt::format("{} records were written, every {:g} s", recording_->count(),
+                            recording_->every_s()));
+    }
+    /// Empty: none.
+    const std::string& failure() const { return failure_; }
+    /// What it took.
+    double wall_s() const { return wall_s_; }
+    double cpu_s() const { return cpu_s_; }
+
+  private:
+    template <typename Do>
+    void timed(Do&& act) {
+        const auto start = Clock_::now();
+        const double cpu_start = process_cpu_s();
+        act();
+        wall_s_ += seconds_since(start);
+        cpu_s_ += process_cpu_s() - cpu_start;
+    }
+    template <typename Do>
+    void attempt(Do&& act) {
+        try {
+            timed(act);
+        } catch (const Error& error) {
+            failure_ = error.what();
+            recording_.reset();
+        }
+    }
+
+    std::optional<Recording> recording_;
+    std::string failure_;
+    double wall_s_ = 0;
+    double cpu_s_ = 0;
+};
+
 // Files and picture whose names number them are written on the way, the others at the end.
 void record_series(RunOptions& options) {
     Outputs& outputs = options.outputs;
@@ -110,22 +158,16 @@ void run(const RunOptions& asked) {
     if (!gauges.all().empty()) gauges.record(simulation.terrain(), simulation.clock().simulated_s);
     std::optional<SectionTable> sections;
     if (!options.sections.empty()) sections.emplace(simulation, options.sections);
-    const bool records = !options.recording.files.empty() || !options.recording.image.empty() ||
-                         !options.recording.film.empty();
-    std::optional<Recording> recording;
-    if (records) recording.emplace(options.recording, scene, simulation, context.device(), ticks);
+    RunRecording recording(options.recording, scene, simulation, context.device(), ticks);
     RunProgress progress(ticks);
     for (std::int64_t done = 0; done < ticks; ++done) {
         simulation.apply(Ticks{1});
-        if (recording) recording->record();
+        recording.record();
         if (sections) sections->record(simulation);
         if (!gauges.all().empty()) gauges.record(simulation.terrain(), simulation.clock().simulated_s);
         progress.show(done + 1);
     }
-    if (recording) {
-        recording->finish();
-        say(fmt::format("{} records were written, every {:g} s", recording->count(), recording->every_s()));
-    }
+    recording.finish();
     if (!gauges.all().empty()) {
         io::write_atomically(options.gauge_table, gauges.to_csv());
         say(fmt::format("what the gauges showed is in {}", options.gauge_table));
@@ -134,12 +176,23 @@ void run(const RunOptions& asked) {
         io::write_atomically(options.section_table, sections->to_csv());
         say(fmt::format("what passed the sections is in {}", options.section_table));
     }
-    const RunFigures figures{context.device(), ticks, seconds_since(start), process_cpu_s() - cpu_start};
-    write_outputs(options.outputs, scene, simulation, figures);
+    const RunFigures figures{context.device(), ticks, seconds_since(start) - recording.wall_s(),
+                             process_cpu_s() - cpu_start - recording.cpu_s()};
+    std::string failures = recording.failure();
+    try {
+        write_outputs(options.outputs, scene, simulation, figures);
+    } catch (const Error& error) {
+        failures += (failures.empty() ? "" : "; ") + std::string(error.what());
+    }
+    if (!failures.empty()) throw Error(failures);
 }
 
 void replay(const ReplayOptions& options) {
     check_outputs(options.outputs);
+    for (const std::string& file : options.outputs.files)
+        if (is_series(file))
+            throw Error(
+                fmt::format("'{}' numbers files, which 'talus run --every' writes: give one name", file));
     const JournalFile journal = read_journal(io::read_text(options.journal), options.journal);
     const gpu::Context context(options.gpu);
     say(gpu::describe(context.device()));

@@ -6,11 +6,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <utility>
+#include <cstring>
+#include <string>
 
 #include "sim/error.h"
 #include "sim/io/endings.h"
@@ -26,47 +26,60 @@ void close_end(int& end) {
     end = -1;
 }
 
+// ffmpeg's name of the film's format; empty: it is none that is written.
+std::string format_of_film(const fs::path& path) {
+    const std::string ending = io::ending_of(path);
+    return ending == ".mp4" ? "mp4" : ending == ".mkv" ? "matroska" : ending == ".webm" ? "webm" : "";
+}
+
 }  // namespace
 
-Film::Film(fs::path path, glm::ivec2 size) : path_(std::move(path)), part_(path_) {
-    const std::string ending = io::ending_of(path_);
-    if (ending != ".mp4" && ending != ".mkv" && ending != ".webm")
-        throw Error(fmt::format("cannot write the film '{}': its ending must be .mp4, .mkv or .webm",
-                                path_.string()));
-    if (!fs::is_directory(fs::absolute(path_).parent_path()))
-        throw Error(fmt::format("cannot write the film '{}': there is no folder '{}'", path_.string(),
-                                fs::absolute(path_).parent_path().string()));
-    part_.replace_extension(".part" + ending);
+void check_film(const fs::path& path) {
+    if (format_of_film(path).empty())
+        throw Error(
+            fmt::format("cannot write the film '{}': its ending must be .mp4, .mkv or .webm", path.string()));
+    const fs::path folder = fs::absolute(path).parent_path();
+    if (!fs::is_directory(folder))
+        throw Error(fmt::format("cannot write the film '{}': there is no folder '{}'", path.string(),
+                                folder.string()));
+}
+
+Film::Film(const fs::path& path, glm::ivec2 size) : path_((check_film(path), path)), file_(path) {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-        throw Error("no pipe to ffmpeg can be opened, too many files are open");
+        throw Error(fmt::format("cannot write the film '{}': {}", path_.string(), std::strerror(errno)));
     pipe_ = ends[1];
     posix_spawn_file_actions_t actions;
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+    const std::string pixels = fmt::format("{}x{}", size.x, size.y);
+    const std::string output = "file:" + file_.temporary().string();
+    const std::string format = format_of_film(path_);
     // Encoders want even sides.
-    std::vector<std::string> words = {"ffmpeg",
-                                      "-y",
-                                      "-loglevel",
-                                      "error",
-                                      "-f",
-                                      "rawvideo",
-                                      "-pixel_format",
-                                      "rgb24",
-                                      "-video_size",
-                                      fmt::format("{}x{}", size.x, size.y),
-                                      "-framerate",
-                                      "25",
-                                      "-i",
-                                      "-",
-                                      "-vf",
-                                      "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-                                      "-pix_fmt",
-                                      "yuv420p",
-                                      "file:" + part_.string()};
+    const std::vector<std::string> words = {"ffmpeg",
+                                            "-y",
+                                            "-loglevel",
+                                            "error",
+                                            "-f",
+                                            "rawvideo",
+                                            "-pixel_format",
+                                            "rgb24",
+                                            "-video_size",
+                                            pixels,
+                                            "-framerate",
+                                            "25",
+                                            "-i",
+                                            "-",
+                                            "-vf",
+                                            "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                                            "-pix_fmt",
+                                            "yuv420p",
+                                            "-f",
+                                            format,
+                                            output};
     std::vector<char*> arguments;
     arguments.reserve(words.size() + 1);
-    for (std::string& word : words) arguments.push_back(word.data());
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     const int failed = ::posix_spawnp(&process_, "ffmpeg", &actions, nullptr, arguments.data(), environ);
     ::posix_spawn_file_actions_destroy(&actions);
@@ -74,22 +87,27 @@ Film::Film(fs::path path, glm::ivec2 size) : path_(std::move(path)), part_(path_
     if (failed == 0) return;
     process_ = -1;
     close_end(pipe_);
-    throw Error(
-        fmt::format("cannot write the film '{}': there is no program ffmpeg; install it (Debian: ffmpeg), or "
-                    "write numbered pictures",
-                    path_.string()));
+    const std::string why =
+        failed == ENOENT
+            ? "there is no program ffmpeg; install it (Debian: ffmpeg), or write numbered pictures"
+            : fmt::format("ffmpeg cannot be started: {}", std::strerror(failed));
+    throw Error(fmt::format("cannot write the film '{}': {}", path_.string(), why));
 }
 
 Film::~Film() {
     end_process();
-    std::error_code ignored;
-    fs::remove(part_, ignored);
 }
 
-void Film::end_process() {
+bool Film::end_process() {
     close_end(pipe_);
-    if (process_ > 0) ::waitpid(process_, &status_, 0);
+    if (process_ < 0) return false;
+    int status = 0;
+    pid_t ended = 0;
+    do ended = ::waitpid(process_, &status, 0);
+    while (ended < 0 && errno == EINTR);
+    const bool well = ended == process_ && WIFEXITED(status) && WEXITSTATUS(status) == 0;
     process_ = -1;
+    return well;
 }
 
 void Film::add(const std::vector<std::uint8_t>& rgb) {
@@ -107,17 +125,15 @@ void Film::add(const std::vector<std::uint8_t>& rgb) {
     }
     ::sigaction(SIGPIPE, &before, nullptr);
     if (done < rgb.size())
-        throw Error(fmt::format("ffmpeg takes no more pictures for the film '{}'", path_.string()));
+        throw Error(fmt::format("ffmpeg takes no more pictures for the film '{}': what it said stands above",
+                                path_.string()));
 }
 
 void Film::finish() {
-    end_process();
-    std::error_code failed;
-    const bool wrote = WIFEXITED(status_) && WEXITSTATUS(status_) == 0 && fs::exists(part_, failed);
-    if (wrote) fs::rename(part_, path_, failed);
-    if (!wrote || failed)
+    if (!end_process())
         throw Error(
             fmt::format("ffmpeg could not write the film '{}': what it said stands above", path_.string()));
+    file_.commit();
 }
 
 }  // namespace talus::app

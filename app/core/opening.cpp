@@ -42,6 +42,7 @@ using OpenTiles = std::function<std::optional<TiledTerrain>(const TiledRequest&)
 
 void limit_memory(const Parameters& view) {
     io::limit_read_memory(static_cast<std::size_t>(view.whole("tiles.host_mib")) << 20);
+    io::return_read_memory();
 }
 
 TiledRequest tiles_of(const SceneRequest& request) {

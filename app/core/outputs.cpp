@@ -59,9 +59,13 @@ void write_terrain(const std::string& path, const io::Document& document, const 
     io::write_heightmap(path, heightmap, range_m);
 }
 
+void bring_up(io::Document& document, const Simulation& simulation) {
+    document.state = simulation.read();
+    document.parameters = to_toml(simulation.parameters());
+}
+
 void write_outputs(const Outputs& outputs, Scene& scene, Simulation& simulation, const RunFigures& figures) {
-    scene.document.state = simulation.read();
-    scene.document.parameters = to_toml(simulation.parameters());
+    bring_up(scene.document, simulation);
     // One output that fails takes none of the others with it.
     std::string failures;
     const auto attempt = [&](const std::function<void()>& write) {

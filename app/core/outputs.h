@@ -28,6 +28,9 @@ void check_folder(const std::string& file);
 void write_terrain(const std::string& path, const io::Document& document, const std::string& layer,
                    std::optional<glm::dvec2> range_m);
 
+/// The document holds what the simulation does now: its state and parameters. Waits for the device.
+void bring_up(io::Document& document, const Simulation& simulation);
+
 /// Writes the files, the picture (first look, with the view's legend), the journal and the report of a
 /// finished run.
 void write_outputs(const Outputs& outputs, Scene& scene, Simulation& simulation, const RunFigures& figures);

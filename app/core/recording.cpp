@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <regex>
 
 #include "app/core/flight.h"
@@ -19,23 +20,38 @@ namespace {
 
 constexpr std::int64_t most_records = 1'000'000;
 
-const std::regex& number_pattern() {
-    static const std::regex pattern("%(0([1-9]))?d");
-    return pattern;
+// How often something is due that is due first at 0 s, in a time. Ticks need not divide it, and sums of them
+// round.
+std::int64_t times_due(double elapsed_s, double every_s, double tick_s) {
+    return static_cast<std::int64_t>(std::floor((elapsed_s + 1e-6 * tick_s) / every_s)) + 1;
 }
+
+// All that looks like the number of a series, and what is one.
+const std::regex any_number("%[0-9]*d");
+const std::regex series_number("%(0([1-9]))?d");
 
 }  // namespace
 
 bool is_series(const std::string& path) {
-    const auto first = std::sregex_iterator(path.begin(), path.end(), number_pattern());
-    return std::distance(first, std::sregex_iterator()) == 1;
+    const std::string name = std::filesystem::path(path).filename().string();
+    const auto numbers =
+        std::distance(std::sregex_iterator(name.begin(), name.end(), any_number), std::sregex_iterator());
+    if (numbers == 0) return false;
+    if (numbers > 1 || !std::regex_search(name, series_number))
+        throw Error(
+            fmt::format("'{}' cannot be numbered: its name must have one %d, or one like %05d", path));
+    return true;
 }
 
 std::string one_of_series(const std::string& path, std::int64_t number) {
+    const std::filesystem::path whole(path);
+    const std::string name = whole.filename().string();
     std::smatch found;
-    if (!std::regex_search(path, found, number_pattern())) return path;
+    if (!std::regex_search(name, found, series_number)) return path;
     const int digits = found[2].matched ? std::stoi(found[2].str()) : 1;
-    return found.prefix().str() + fmt::format("{:0{}}", number, digits) + found.suffix().str();
+    return (whole.parent_path() /
+            (found.prefix().str() + fmt::format("{:0{}}", number, digits) + found.suffix().str()))
+        .string();
 }
 
 void check_recording(const RecordingOptions& options) {
@@ -50,6 +66,7 @@ void check_recording(const RecordingOptions& options) {
         throw Error(
             fmt::format("'{}' numbers files, but --every does not say after how many seconds each is due",
                         options.files.empty() ? options.image : options.files.front()));
+    if (!options.film.empty()) check_film(options.film);
     if (!options.keys.empty() && options.image.empty() && options.film.empty())
         throw Error("--keys moves the camera of --film or of numbered pictures: give one of them");
     const glm::ivec2 size = options.size;
@@ -61,15 +78,19 @@ void check_recording(const RecordingOptions& options) {
 Recording::Recording(const RecordingOptions& options, const Scene& scene, Simulation& simulation,
                      const gpu::Device& device, std::int64_t ticks)
     : options_(options),
-      scene_(scene),
       simulation_(simulation),
+      document_(scene.document),
       start_s_(simulation.clock().simulated_s),
-      every_s_(options.every_s.value_or(simulation.parameters().number("time.tick_s"))) {
-    const double records =
-        std::floor(static_cast<double>(ticks) * simulation.parameters().number("time.tick_s") / every_s_) + 1;
+      tick_s_(simulation.parameters().number("time.tick_s")),
+      every_s_(options.every_s.value_or(tick_s_)) {
+    document_.state = TerrainState();
+    if (every_s_ < tick_s_)
+        throw Error(fmt::format("--every {} is less than a tick, it must be at least time.tick_s = {} s",
+                                every_s_, tick_s_));
+    const std::int64_t records = times_due(static_cast<double>(ticks) * tick_s_, every_s_, tick_s_);
     if (records > most_records)
-        throw Error(fmt::format("--every {} would write {:.3g} times, at most {} are written", every_s_,
-                                records, most_records));
+        throw Error(fmt::format("--every {} would write {} times, at most {} are written", every_s_, records,
+                                most_records));
     if (!options.image.empty() || !options.film.empty()) {
         pictures_ = std::make_unique<RunPictures>(scene, simulation, device, options.size);
         if (options.keys.empty())
@@ -83,17 +104,15 @@ Recording::Recording(const RecordingOptions& options, const Scene& scene, Simula
 }
 
 void Recording::record() {
-    // Ticks need not divide what lies between records.
-    const double due_s = start_s_ + static_cast<double>(count_) * every_s_;
-    if (simulation_.clock().simulated_s >= due_s - 1e-9 * std::max(1.0, due_s)) write();
+    if (times_due(simulation_.clock().simulated_s - start_s_, every_s_, tick_s_) > count_) write();
 }
 
 void Recording::write() {
     if (!options_.files.empty()) {
-        io::Document document = scene_.document;
-        document.state = simulation_.read();
+        bring_up(document_, simulation_);
         for (const std::string& file : options_.files)
-            write_terrain(one_of_series(file, count_), document, options_.layer, std::nullopt);
+            write_terrain(one_of_series(file, count_), document_, options_.layer, std::nullopt);
+        document_.state = TerrainState();
     }
     if (pictures_) {
         const render::Camera& camera = way_[std::min(static_cast<std::size_t>(count_), way_.size() - 1)];

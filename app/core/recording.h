@@ -20,22 +20,26 @@ struct RecordingOptions {
     glm::ivec2 size{1280, 720};      ///< of pictures and film
 };
 
-/// Whether a file's name numbers a series: it has one %d, or %05d and the like.
+/// Whether a file's name (not its folder's) numbers a series: it has one %d, or one like %05d. Throws
+/// talus::Error where it has another number, or several.
 bool is_series(const std::string& path);
-/// The name of one of the series.
+/// The path of one of the series.
 std::string one_of_series(const std::string& path, std::int64_t number);
 /// Throws talus::Error, before any work is done, where such a recording cannot be made.
 void check_recording(const RecordingOptions& options);
 
+/// Writes files, pictures and a film of a run while it goes on.
 class Recording {
   public:
-    /// Of ticks from now on, and writes the first of each. Simulation and scene must outlive it.
+    /// Of so many ticks from now on; writes the first of each. Options, scene and simulation must outlive it.
+    /// Throws talus::Error where records are due more often than ticks end, or what is due cannot be written.
     Recording(const RecordingOptions& options, const Scene& scene, Simulation& simulation,
               const gpu::Device& device, std::int64_t ticks);
-    /// After each tick.
+    /// After each tick: writes what is due. Throws talus::Error where that cannot be written.
     void record();
-    /// After the last one. Completes the film.
+    /// After the last one. Completes the film. Throws talus::Error where that cannot be.
     void finish();
+    /// How often it wrote.
     std::int64_t count() const { return count_; }
     double every_s() const { return every_s_; }
 
@@ -43,9 +47,10 @@ class Recording {
     void write();
 
     const RecordingOptions& options_;
-    const Scene& scene_;
     Simulation& simulation_;
+    io::Document document_;  // without its state
     double start_s_;
+    double tick_s_;
     double every_s_;
     std::int64_t count_ = 0;
     std::unique_ptr<RunPictures> pictures_;  // none: neither pictures nor a film

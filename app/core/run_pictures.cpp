@@ -31,7 +31,7 @@ RunPictures::RunPictures(const Scene& scene, Simulation& simulation, const gpu::
                          glm::ivec2 size)
     : size_(size), samples_(scene.view.whole("render.samples")) {
     const render::ViewSettings settings = render::view_settings(scene.view, simulation.parameters());
-    const std::vector<float> ground_m = simulation.read().ground();
+    const std::vector<float> ground_m = simulation.terrain().ground.read_all<float>();
     const auto [low, high] = std::minmax_element(ground_m.begin(), ground_m.end());
     first_look_ =
         render::overview(simulation.terrain().grid(), *low, *high,

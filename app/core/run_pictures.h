@@ -21,7 +21,8 @@ class RunPictures {
     glm::ivec2 size() const { return size_; }
     /// The first look at the terrain as it was when this was made.
     const render::Camera& first_look() const { return first_look_; }
-    /// The terrain as it is now. Rows of RGB from the top.
+    /// The terrain as it is now. Rows of RGB from the top. Throws talus::Error where a photo's tile cannot be
+    /// read.
     std::vector<std::uint8_t> take(const render::Camera& camera);
 
   private:

@@ -160,7 +160,7 @@ void draw_export_dialog(PanelContext& context) {
             if (kind == io::ExportKind::maps && settings.maps.empty())
                 settings.maps = {"ground", "flow", "wear", "deposition", "slope"};
         }
-        if (i % 3 != 2) ImGui::SameLine();
+        if (i % 3 != 2 && i + 1 < kinds.size()) ImGui::SameLine();
     }
     ImGui::TextWrapped("%s", what_it_is(settings.kind).c_str());
     ImGui::Spacing();
@@ -171,7 +171,7 @@ void draw_export_dialog(PanelContext& context) {
     ImGui::PushItemWidth(12 * ImGui::GetFontSize());
     if (settings.kind == io::ExportKind::maps)
         choose_maps(settings);
-    else if (settings.kind != io::ExportKind::normal_map && settings.kind != io::ExportKind::mesh)
+    else
         choose_layer(settings);
     if (settings.kind == io::ExportKind::mesh) {
         ImGui::InputDouble("m of error", &settings.mesh_error_m, 0, 0, "%.6g");

@@ -15,6 +15,4 @@ vec2 worn_at(vec2 place) {
     return vec2(sum.x + sum.y, sum.z + sum.w);
 }
 
-vec3 worn_colour(float metres, float lit) {
-    return metres > 1e-3 * worn_scale_m ? colour_map(metres / worn_scale_m) * lit : bare * lit;
-}
+vec3 worn_colour(float metres, float lit) { return colour_map(metres / worn_scale_m) * lit; }

@@ -19,10 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_engine(ExportKind kind) {
-    return kind >= ExportKind::unreal;
-}
-
 // The endings that a kind can have.
 std::vector<std::string> endings_of(ExportKind kind) {
     switch (kind) {
@@ -99,11 +95,13 @@ void write_integers(const fs::path& path, const Heightmap& heightmap, Range rang
 Heightmap for_engine(const Document& document, const ExportSettings& settings) {
     const Grid& grid = document.state.grid;
     const glm::ivec2 samples = samples_for_engine(grid, settings.kind, settings.tiles);
-    TerrainState ground = bedrock_terrain(grid, output_of(document.state, settings.layer));
-    ground = resampled(ground, samples.x, samples.y);
+    // The ground goes as one surface, other layers each in its way.
+    const bool is_ground = settings.layer == "ground";
+    const TerrainState taken = resampled(
+        is_ground ? bedrock_terrain(grid, document.state.ground()) : document.state, samples.x, samples.y);
     Heightmap heightmap;
-    heightmap.grid = ground.grid;
-    heightmap.heights = ground.ground();
+    heightmap.grid = taken.grid;
+    heightmap.heights = output_of(taken, settings.layer);
     return heightmap;
 }
 
@@ -146,6 +144,10 @@ const std::vector<std::string>& export_kind_names() {
     static const std::vector<std::string> names = {"heightmap", "mesh",  "normal map", "maps",
                                                    "unreal",    "unity", "godot"};
     return names;
+}
+
+bool is_engine(ExportKind kind) {
+    return kind == ExportKind::unreal || kind == ExportKind::unity || kind == ExportKind::godot;
 }
 
 int engine_samples(ExportKind engine, int samples) {
@@ -281,8 +283,8 @@ std::vector<std::string> losses(const TerrainState& state, const ExportSettings&
     Heightmap heightmap;
     heightmap.heights = heights;
     const Range range = range_for(heightmap, settings.range_m);
-    lost.push_back(
-        fmt::format("heights are rounded to 16 bits, steps of {:.3g} m", (range.y - range.x) / 65535));
+    lost.push_back(fmt::format("values are rounded to 16 bits, steps of {:.3g} {}",
+                               (range.y - range.x) / 65535, output_unit(settings.layer)));
     const auto outside =
         std::count_if(heights.begin(), heights.end(), [&](float h) { return h < range.x || h > range.y; });
     if (outside > 0)

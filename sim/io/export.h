@@ -12,6 +12,7 @@ namespace talus::io {
 /// What other programs get of a terrain.
 enum class ExportKind { heightmap, mesh, normal_map, maps, unreal, unity, godot };
 const std::vector<std::string>& export_kind_names();
+bool is_engine(ExportKind kind);
 
 /// How it is written. The endings: heightmaps as write_heightmap takes them; .obj for a mesh; .png for a
 /// normal map; .png or .r16 for Unreal, .raw or .r16 for Unity, .r16 or .exr for Godot.

@@ -23,11 +23,19 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
+// Whether any layer is there that the map is made of.
+bool is_there(const TerrainState& state, const std::string& map) {
+    const std::vector<std::string> numbers = numbers_of_output(map);
+    return numbers.empty() || std::any_of(numbers.begin(), numbers.end(), [&](const std::string& number) {
+               return !words_of(state, *number_named(number)->layer).empty();
+           });
+}
+
 // Where the samples of no other map are.
 constexpr const char* rest_name = "rest";
 
 void check_maps(const ExportSettings& settings) {
-    if (settings.maps.empty()) throw Error("no maps are named, give one or more");
+    if (settings.maps.empty()) throw Error("no maps are named: give one or more of --maps, or tick them");
     const std::vector<std::string> names = output_names();
     std::set<std::string> seen;
     for (const std::string& map : settings.maps) {
@@ -154,7 +162,9 @@ Exported export_maps(const TerrainState& state, const ExportSettings& settings) 
             json& said = add(map);
             const Range range = write_values(written, settings.path, exported.files.back(), map, said);
             exported.values.emplace_back(
-                map, fmt::format("{:.6g} to {:.6g} {}", range.x, range.y, output_unit(map)));
+                map, is_there(written, map)
+                         ? fmt::format("{:.6g} to {:.6g} {}", range.x, range.y, output_unit(map))
+                         : "0 throughout: the terrain has no such layer");
         }
     } else {
         const int sum = (1 << settings.weight_bits) - 1;

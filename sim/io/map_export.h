@@ -8,8 +8,9 @@
 namespace talus::io {
 
 /// Writes the maps of the settings, whose kind is maps, and one JSON with their names, units, files, and the
-/// values of the smallest and largest integer. Tells of each what it holds. Throws talus::Error that names
-/// what cannot be written, before anything is.
+/// values of the smallest and largest integer. Tells of each what it holds. Throws talus::Error where the
+/// settings cannot be, before anything is written, and where a file cannot be written; then those before it
+/// are there, and no new JSON.
 Exported export_maps(const TerrainState& state, const ExportSettings& settings);
 
 /// A map's values as shares, 0 to 1, of what it can be: flow by its logarithm, over four powers of ten below

@@ -472,6 +472,9 @@ ReadSamples TiledFile::make_reader() const {
 
 void limit_read_memory(std::size_t bytes) {
     GDALSetCacheMax64(static_cast<GIntBig>(bytes));
+}
+
+void return_read_memory() {
 #ifdef M_MMAP_THRESHOLD
     // Blocks of rasters come and go on several threads. From the heap they leave holes, together as large as
     // all that is kept; so each has pages of its own, which go back to the system.

@@ -110,6 +110,9 @@ std::filesystem::path overviews_path(const std::filesystem::path& raster);
 
 /// Memory that reading may keep of rasters, all files and threads together, bytes.
 void limit_read_memory(std::size_t bytes);
+/// From now on what reading lets go of goes back to the system at once. It takes time: for who reads as long
+/// as a window is open, not for who writes one file.
+void return_read_memory();
 /// Memory that it keeps of them now, bytes.
 std::size_t read_memory_bytes();
 

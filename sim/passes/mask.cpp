@@ -24,9 +24,9 @@ std::vector<std::string> numbers_of(MaskSource source) {
         case MaskSource::flow:
             return {"flow"};
         case MaskSource::wear:
-            return {"wear_by_water", "wear_by_slopes", "wear_by_hand"};
+            return numbers_of_output("wear");
         case MaskSource::deposition:
-            return {"deposition_by_water", "deposition_by_slopes", "deposition_by_hand"};
+            return numbers_of_output("deposition");
         case MaskSource::regolith:
             return {"regolith"};
         default:
@@ -34,7 +34,7 @@ std::vector<std::string> numbers_of(MaskSource source) {
     }
 }
 
-// A number of a layer in its image. Bedrock and regolith, the first of all layers, share theirs.
+// A number of a layer in its image. Bedrock and regolith share theirs.
 struct ImageNumber {
     const LayerDescription& layer;
     bool two_words;
@@ -46,8 +46,7 @@ ImageNumber image_number(const std::string& name) {
     const PlacedNumber number = number_named(name).value();
     const LayerDescription& layer = *number.layer;
     if (layer.is_optional()) return {layer, number.number->two_words, number.word, layer.words()};
-    const auto behind = static_cast<int>(&layer - layers().data()) * layer.words();
-    return {layer, number.number->two_words, behind + number.word, 4};
+    return {layer, number.number->two_words, layer.solid_word + number.word, 4};
 }
 
 // The layer's image; null: the terrain has none.

@@ -30,10 +30,9 @@ class WaterPass : public Pass {
         solver(terrain);
         const bool counts = counts_maps(at.parameters);
         if (counts) terrain.add(&Terrain::flow);
-        if (at.parameters.toggle("erosion.on")) {
-            terrain.add(&Terrain::suspended);
-            if (counts) terrain.add(&Terrain::worn_by_water);
-        }
+        if (at.parameters.toggle("erosion.on")) terrain.add(&Terrain::suspended);
+        // A load settles where erosion is off too.
+        if (counts && terrain.suspended) terrain.add(&Terrain::worn_by_water);
     }
 
     bool advance(Terrain& terrain, const Moment& at, int& substeps) override {

@@ -110,7 +110,8 @@ const std::vector<LayerDescription>& layers() {
         {.name = "bedrock", .numbers = {{"bedrock", "m", true, height}}, .samples = &TerrainState::bedrock},
         {.name = "regolith",
          .numbers = {{"regolith", "m", true, amount}},
-         .samples = &TerrainState::regolith},
+         .samples = &TerrainState::regolith,
+         .solid_word = 2},
         {.name = "water",
          .numbers = {{"water", "m", true, amount},
                      {"discharge_x", "m²/s", false, amount, "discharge.x"},
@@ -194,6 +195,12 @@ std::vector<std::string> output_names() {
     return names;
 }
 
+std::vector<std::string> numbers_of_output(const std::string& name) {
+    if (name == "wear" || name == "deposition")
+        return {name + "_by_water", name + "_by_slopes", name + "_by_hand"};
+    return number_named(name) ? std::vector<std::string>{name} : std::vector<std::string>();
+}
+
 std::string output_unit(const std::string& name) {
     if (name == "slope") return "°";
     if (name == "curvature") return "1/km";
@@ -208,23 +215,20 @@ std::vector<float> output_of(const TerrainState& state, const std::string& name)
         for (std::size_t i = 0; i < state.water.size(); ++i) values[i] += state.water[i].x;
         return values;
     }
-    // No layer of a state without samples either: that asks whether there is such an output.
     if (name == "slope") return slopes_deg(state.grid, state.ground());
     if (name == "curvature") return curvatures_per_km(state.grid, state.ground());
-    std::vector<std::string> names = {name};
-    if (name == "wear" || name == "deposition")
-        names = {name + "_by_water", name + "_by_slopes", name + "_by_hand"};
+    const std::vector<std::string> numbers = numbers_of_output(name);
+    if (numbers.empty())
+        throw Error(fmt::format("--layer '{}' is not a layer, it must be one of: {}", name,
+                                fmt::join(output_names(), ", ")));
     std::vector<double> sums(state.bedrock.size());
-    for (const std::string& one : names) {
-        const std::optional<PlacedNumber> number = number_named(one);
-        if (!number)
-            throw Error(fmt::format("--layer '{}' is not a layer, it must be one of: {}", name,
-                                    fmt::join(output_names(), ", ")));
-        const std::span<const float> words = words_of(state, *number->layer);
-        const auto size = static_cast<std::size_t>(number->layer->words());
-        auto at = static_cast<std::size_t>(number->word);
+    for (const std::string& one : numbers) {
+        const PlacedNumber number = number_named(one).value();
+        const std::span<const float> words = words_of(state, *number.layer);
+        const auto size = static_cast<std::size_t>(number.layer->words());
+        auto at = static_cast<std::size_t>(number.word);
         for (std::size_t i = 0; at < words.size(); ++i, at += size)
-            sums[i] += number->number->two_words ? static_cast<double>(words[at]) + words[at + 1] : words[at];
+            sums[i] += number.number->two_words ? static_cast<double>(words[at]) + words[at + 1] : words[at];
     }
     return {sums.begin(), sums.end()};
 }

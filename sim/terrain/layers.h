@@ -42,7 +42,8 @@ struct LayerDescription {
     Samples samples;
     /// Its image on the device; null: a part of Terrain::solid, which is always there.
     std::optional<DeviceLayer> Terrain::*image = nullptr;
-    int ghosts = 0;         ///< rows and columns of samples beyond each edge of the map, on the device
+    int solid_word = 0;  ///< of bedrock and regolith: the float of Terrain::solid's texel that it begins at
+    int ghosts = 0;      ///< rows and columns of samples beyond each edge of the map, on the device
     bool has_back = false;  ///< passes read a front image and write a back one
     /// An image that is there wherever this one is; null: none.
     std::optional<DeviceLayer> Terrain::*needs = nullptr;
@@ -77,6 +78,8 @@ void make_layer(TerrainState& state, const LayerDescription& layer, std::size_t 
 /// Names of single-layer outputs: ground, level (of ground and water), slope (degrees), curvature (1/km),
 /// wear and deposition (by all together), and every number of every layer.
 std::vector<std::string> output_names();
+/// The numbers of layers that an output is, or is the sum of; none: it is of the ground or the level.
+std::vector<std::string> numbers_of_output(const std::string& name);
 /// Its unit; empty: it has none.
 std::string output_unit(const std::string& name);
 /// Its values, 0 where the layer is not there. Throws talus::Error that lists the names.

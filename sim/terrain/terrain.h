@@ -51,7 +51,8 @@ class Terrain {
     std::optional<DeviceLayer> suspended;   ///< none: nothing was ever eroded by water
     std::optional<DeviceLayer> painted;     ///< none: nothing was painted
     std::optional<DeviceLayer> flow;        ///< none: no water flowed, or it is not counted
-    std::optional<DeviceLayer> worn_by_water;
+    std::optional<DeviceLayer>
+        worn_by_water;  ///< none: it wore nothing, or it is not counted; as those below
     std::optional<DeviceLayer> worn_by_slopes;
     std::optional<DeviceLayer> worn_by_hand;
     std::vector<float> bed_beyond;  ///< as in TerrainState; nothing changes it

@@ -287,6 +287,7 @@ class Flight {
 
 void bench_flight(const FlightRun& run) {
     io::limit_read_memory(static_cast<std::size_t>(run.host_mib) << 20);
+    io::return_read_memory();
     const app::TiledTerrain terrain = app::open_tiled({run.file, {}}, app::on_terminal());
     const Grid& grid = terrain.tree.grid();
     Flight flight(terrain, run);

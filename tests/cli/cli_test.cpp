@@ -459,7 +459,30 @@ TEST_F(Program, RecordsOnItsWay) {
     EXPECT_NE(refusal(run + "--image v_%d.png").find("--every does not say"), std::string::npos);
     EXPECT_NE(refusal(run + "--keys keys.toml").find("--keys"), std::string::npos);
     EXPECT_NE(refusal(run + "--every 1 --image v_%d.png --film-size 9x9").find("9x9"), std::string::npos);
-    EXPECT_NE(refusal(run + "--every 1e-9 --image v_%d.png").find("1e-09"), std::string::npos);
+    EXPECT_NE(refusal(run + "--every 0.5 --image v_%d.png").find("time.tick_s = 0.7"), std::string::npos);
+    for (const char* name : {"v_%5d.png", "v_%d_%d.png", "v_%010d.png"})
+        EXPECT_NE(refusal(run + "--every 1 --image " + name).find("cannot be numbered"), std::string::npos)
+            << name;
+    EXPECT_NE(refusal("replay x.journal --out d_%05d.tif").find("--every"), std::string::npos);
+    // A folder's name numbers nothing; no tick, and there is the start.
+    fs::create_directories(path("50%done"));
+    EXPECT_EQ(
+        talus(
+            "run --preset dam-break --size 65x49 --ticks 0 --every 2 --out 50%done/d_%d.exr --keys keys.toml "
+            "--image k_%d.png --film-size 64x64")
+            .code,
+        0);
+    EXPECT_TRUE(fs::exists(path("50%done/d_0.exr")) && fs::exists(path("k_0.png")));
+    // Documents on the way are those of runs that end there; what cannot be written takes nothing else with
+    // it.
+    hash(run + "--every 7 --out d_%d.exr --set water.manning=0.05");
+    EXPECT_EQ(hash("run --in d_1.exr --ticks 5"),
+              hash("run --preset dam-break --size 65x49 --set time.tick_s=0.7 --set "
+                   "water.manning=0.05 --ticks 15"));
+    fs::create_directories(path("e_1.tif"));
+    EXPECT_NE(refusal(run + "--every 7 --out e_%d.tif --out kept.tif --report kept.json").find("e_1.tif"),
+              std::string::npos);
+    EXPECT_TRUE(fs::exists(path("kept.tif")) && fs::exists(path("kept.json")));
 }
 
 // With a program in ffmpeg's place that keeps what it is given.
@@ -475,7 +498,6 @@ TEST_F(Program, FilmsByFfmpeg) {
     EXPECT_EQ(hash(run + "--film out.mp4", with), hash(run));
     EXPECT_EQ(fs::file_size(path("out.mp4")), 5U * 160 * 90 * 3)
         << "a picture at the start and after each tick";
-    EXPECT_FALSE(fs::exists(path("out.part.mp4")));
     const std::string before = bytes_of("out.mp4");
 
     // What fails leaves what was there.
@@ -484,7 +506,8 @@ TEST_F(Program, FilmsByFfmpeg) {
     be_ffmpeg("exit 1\n");
     EXPECT_NE(refusal(run + "--film out.mp4", with).find("'out.mp4'"), std::string::npos);
     EXPECT_EQ(bytes_of("out.mp4"), before);
-    EXPECT_FALSE(fs::exists(path("out.part.mp4")));
+    for (const fs::directory_entry& entry : fs::directory_iterator(path("")))
+        EXPECT_NE(entry.path().filename().string().front(), '.') << "left behind: " << entry.path();
     EXPECT_NE(refusal(run + "--film out.mp4", "PATH=/nowhere").find("no program ffmpeg"), std::string::npos);
     EXPECT_NE(refusal(run + "--film out.gif", with).find(".mp4"), std::string::npos);
     EXPECT_NE(refusal(run + "--film no/such/out.mp4", with).find("no/such"), std::string::npos);
@@ -508,6 +531,11 @@ TEST_F(Program, WritesMapsTogether) {
     ASSERT_EQ(talus("convert a.exr wear.tif --layer wear_by_slopes").code, 0);
     EXPECT_NE(refusal("convert a.exr land.png --maps flow,lava").find("'lava'"), std::string::npos);
     EXPECT_NE(refusal("convert a.exr land.png --maps flow --tiles 2x2").find("--tiles"), std::string::npos);
+    EXPECT_NE(refusal("convert a.exr land.png --weights 8").find("--maps"), std::string::npos);
+    // Without what counts them they are 0, and that is said; a file's own heights may be told.
+    EXPECT_NE(
+        talus("convert land_slope.png flat.tif --maps flow,slope --range 0,900").output.find("no such layer"),
+        std::string::npos);
     EXPECT_NE(refusal("convert a.exr land.png --maps flow --weights 9").find("9 bits"), std::string::npos);
     EXPECT_NE(refusal("convert a.exr land.tif --maps flow --weights 8").find(".png"), std::string::npos);
 }

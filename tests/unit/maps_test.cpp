@@ -77,9 +77,7 @@ TEST_P(MapsOfEitherOrder, FlowThroughTheEdgeIsTheWaterThatLeft) {
     EXPECT_LT(flow_of_columns(end, 40, 41), 0.6 * ledger.water_out);
 }
 
-// Over any ground: as much leaves the samples of a basin as comes in by rain and springs and from samples
-// beside, which is what leaves those; so the flow of all is what leaves the map and what passes between
-// samples.
+// A steady river brings its discharge through every column that it crosses.
 TEST_P(MapsOfEitherOrder, FlowOfARiverPassesEachOfItsColumns) {
     const gpu::Context context;
     Parameters all = parameters_with({"time.tick_s=4", "water.boundary.north=wall",
@@ -154,6 +152,50 @@ TEST_P(MapsOfEitherOrder, WearAndDepositionAreTheChangeOfTheGround) {
                 undone.worn_by_hand.empty());
     while (simulation.can_redo()) simulation.redo();
     EXPECT_EQ(state_hash(simulation.read()), hash);
+}
+
+// Settling goes on when erosion is turned off, the tool erode works by hand, and so does a blur by the mask.
+TEST_P(MapsOfEitherOrder, CountAllThatMovesTheGround) {
+    const gpu::Context context;
+    Parameters all =
+        parameters_with({"time.tick_s=2", "water.rain=300", "erosion.on=true", "erosion.erodibility=20",
+                         "erosion.acceleration=30", "thermal.on=false", "maps.count=never"});
+    all.set("water.order", GetParam());
+    const Grid grid{100, 90, 20, 20};
+    Simulation simulation(bedrock_terrain(grid, generate_heights(grid, {"mountains", 5, 900})), all);
+    play(simulation, 10);
+    simulation.apply(SetParameter{"erosion.on", false});
+    simulation.apply(SetParameter{"maps.count", std::string("always")});
+    const auto expect_counted = [&](const TerrainState& before, const TerrainState& after,
+                                    const char* agent) {
+        const double area_m2 = grid.dx * grid.dy;
+        const auto gain = [&](const std::string& what) {
+            return (sum_of_output(after, what + agent) - sum_of_output(before, what + agent)) * area_m2;
+        };
+        const double moved = gain("wear_by_") + gain("deposition_by_");
+        EXPECT_GT(moved, 10) << agent;
+        EXPECT_NEAR(gain("deposition_by_") - gain("wear_by_"), ground_m3(after) - ground_m3(before),
+                    1e-5 * moved)
+            << agent;
+    };
+    const TerrainState loaded = simulation.read();
+    ASSERT_FALSE(loaded.suspended.empty());
+    play(simulation, 5);
+    const TerrainState settled = simulation.read();
+    expect_counted(loaded, settled, "water");
+    for (int i = 0; i < 5; ++i) {
+        Dab dab;
+        dab.x_m = 900 + 20 * i;
+        dab.y_m = 900;
+        dab.radius_m = 200;
+        dab.effect = ErodeDab{5000, 2, 3000, i == 0, i == 4};
+        simulation.apply(dab);
+    }
+    const TerrainState eroded = simulation.read();
+    expect_counted(settled, eroded, "hand");
+    simulation.apply(MakeMask{MaskSource::slope, 20, 90, 5});
+    simulation.apply(Blur{60, false, true, nullptr});
+    expect_counted(eroded, simulation.read(), "hand");
 }
 
 TEST_P(MapsOfEitherOrder, AreNotCountedWhereTheyAreOff) {

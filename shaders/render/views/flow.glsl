@@ -6,5 +6,5 @@ uniform real flow_decades;    // powers of ten from its beginning to there
 vec3 view_colour(ViewPoint point) {
     float share = layer_at(layer, point.place, 0).x / flow_scale_m3;
     float part = 1.0 + 0.30102999566 * log2(max(share, 1e-30)) / flow_decades;
-    return part > 0.0 ? colour_map(part) * point.lit : bare * point.lit;
+    return colour_map(part) * point.lit;
 }
