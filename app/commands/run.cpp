@@ -14,6 +14,7 @@
 #include "app/core/sources.h"
 #include "app/core/wave_note.h"
 #include "sim/error.h"
+#include "sim/gpu/fence.h"
 #include "sim/io/atomic_file.h"
 #include "sim/terrain/state_hash.h"
 
@@ -65,7 +66,30 @@ void say_notes(const Scene& scene) {
     for (const std::string& note : scene.document.notes) say("note: " + note);
 }
 
-// The recording of a run, if there is one. Should it fail, the run goes on, and its outputs are written.
+// What a run writes beside its terrain: what fails takes none of the others with it.
+class Failures {
+  public:
+    template <typename Do>
+    bool attempt(Do&& act) {
+        try {
+            act();
+            return true;
+        } catch (const Error& error) {
+            text_ += (text_.empty() ? "" : "; ") + std::string(error.what());
+            return false;
+        }
+    }
+    /// Throws talus::Error of all that failed.
+    void tell() const {
+        if (!text_.empty()) throw Error(text_);
+    }
+    const std::string& text() const { return text_; }
+
+  private:
+    std::string text_;
+};
+
+// The recording of a run, if there is one. Should it fail, the run goes on without it.
 class RunRecording {
   public:
     RunRecording(const RecordingOptions& options, const Scene& scene, Simulation& simulation,
@@ -73,42 +97,37 @@ class RunRecording {
         if (options.files.empty() && options.image.empty() && options.film.empty()) return;
         timed([&] { recording_.emplace(options, scene, simulation, device, ticks); });
     }
-    void record() {
-        if (recording_) attempt([&] { recording_->record(); });
+    void record(Failures& failures) {
+        if (!recording_ || !goes_on_ || !recording_->is_due()) return;
+        goes_on_ = failures.attempt([&] { timed([&] { recording_->write(); }); });
+        if (!goes_on_) say("note: the recording ends here: " + failures.text());
     }
-    void finish() {
-        if (recording_) attempt([&] { recording_->finish(); });
-        if (recording_)
+    // A film that ends early is completed all the same.
+    void finish(Failures& failures) {
+        if (!recording_) return;
+        const bool done = failures.attempt([&] { timed([&] { recording_->finish(); }); });
+        if (done)
             say(fmt::format("{} records were written, every {:g} s", recording_->count(),
                             recording_->every_s()));
     }
-    /// Empty: none.
-    const std::string& failure() const { return failure_; }
-    /// What it took.
+    // What it took.
     double wall_s() const { return wall_s_; }
     double cpu_s() const { return cpu_s_; }
 
   private:
     template <typename Do>
     void timed(Do&& act) {
+        // The device first does the ticks that it was sent.
+        gpu::Fence::now().wait();
         const auto start = Clock_::now();
         const double cpu_start = process_cpu_s();
         act();
         wall_s_ += seconds_since(start);
         cpu_s_ += process_cpu_s() - cpu_start;
     }
-    template <typename Do>
-    void attempt(Do&& act) {
-        try {
-            timed(act);
-        } catch (const Error& error) {
-            failure_ = error.what();
-            recording_.reset();
-        }
-    }
 
     std::optional<Recording> recording_;
-    std::string failure_;
+    bool goes_on_ = true;
     double wall_s_ = 0;
     double cpu_s_ = 0;
 };
@@ -158,38 +177,34 @@ void run(const RunOptions& asked) {
     if (!gauges.all().empty()) gauges.record(simulation.terrain(), simulation.clock().simulated_s);
     std::optional<SectionTable> sections;
     if (!options.sections.empty()) sections.emplace(simulation, options.sections);
+    Failures failures;
     RunRecording recording(options.recording, scene, simulation, context.device(), ticks);
     RunProgress progress(ticks);
     for (std::int64_t done = 0; done < ticks; ++done) {
         simulation.apply(Ticks{1});
-        recording.record();
+        recording.record(failures);
         if (sections) sections->record(simulation);
         if (!gauges.all().empty()) gauges.record(simulation.terrain(), simulation.clock().simulated_s);
         progress.show(done + 1);
     }
-    recording.finish();
-    if (!gauges.all().empty()) {
-        io::write_atomically(options.gauge_table, gauges.to_csv());
+    recording.finish(failures);
+    if (!gauges.all().empty() &&
+        failures.attempt([&] { io::write_atomically(options.gauge_table, gauges.to_csv()); }))
         say(fmt::format("what the gauges showed is in {}", options.gauge_table));
-    }
-    if (sections) {
-        io::write_atomically(options.section_table, sections->to_csv());
+    if (sections &&
+        failures.attempt([&] { io::write_atomically(options.section_table, sections->to_csv()); }))
         say(fmt::format("what passed the sections is in {}", options.section_table));
-    }
     const RunFigures figures{context.device(), ticks, seconds_since(start) - recording.wall_s(),
                              process_cpu_s() - cpu_start - recording.cpu_s()};
-    std::string failures = recording.failure();
-    try {
-        write_outputs(options.outputs, scene, simulation, figures);
-    } catch (const Error& error) {
-        failures += (failures.empty() ? "" : "; ") + std::string(error.what());
-    }
-    if (!failures.empty()) throw Error(failures);
+    failures.attempt([&] { write_outputs(options.outputs, scene, simulation, figures); });
+    failures.tell();
 }
 
 void replay(const ReplayOptions& options) {
     check_outputs(options.outputs);
-    for (const std::string& file : options.outputs.files)
+    std::vector<std::string> files = options.outputs.files;
+    files.push_back(options.outputs.image);
+    for (const std::string& file : files)
         if (is_series(file))
             throw Error(
                 fmt::format("'{}' numbers files, which 'talus run --every' writes: give one name", file));

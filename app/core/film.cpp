@@ -9,9 +9,10 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <string>
+#include <system_error>
 
+#include "app/core/outputs.h"
 #include "sim/error.h"
 #include "sim/io/endings.h"
 
@@ -38,16 +39,15 @@ void check_film(const fs::path& path) {
     if (format_of_film(path).empty())
         throw Error(
             fmt::format("cannot write the film '{}': its ending must be .mp4, .mkv or .webm", path.string()));
-    const fs::path folder = fs::absolute(path).parent_path();
-    if (!fs::is_directory(folder))
-        throw Error(fmt::format("cannot write the film '{}': there is no folder '{}'", path.string(),
-                                folder.string()));
+    check_folder(path.string());
 }
 
-Film::Film(const fs::path& path, glm::ivec2 size) : path_((check_film(path), path)), file_(path) {
+Film::Film(const fs::path& path, glm::ivec2 size) : path_(path), file_(path) {
+    check_film(path);
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-        throw Error(fmt::format("cannot write the film '{}': {}", path_.string(), std::strerror(errno)));
+        throw Error(fmt::format("cannot write the film '{}': {}", path_.string(),
+                                std::generic_category().message(errno)));
     pipe_ = ends[1];
     posix_spawn_file_actions_t actions;
     ::posix_spawn_file_actions_init(&actions);
@@ -56,30 +56,30 @@ Film::Film(const fs::path& path, glm::ivec2 size) : path_((check_film(path), pat
     const std::string output = "file:" + file_.temporary().string();
     const std::string format = format_of_film(path_);
     // Encoders want even sides.
-    const std::vector<std::string> words = {"ffmpeg",
-                                            "-y",
-                                            "-loglevel",
-                                            "error",
-                                            "-f",
-                                            "rawvideo",
-                                            "-pixel_format",
-                                            "rgb24",
-                                            "-video_size",
-                                            pixels,
-                                            "-framerate",
-                                            "25",
-                                            "-i",
-                                            "-",
-                                            "-vf",
-                                            "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-                                            "-pix_fmt",
-                                            "yuv420p",
-                                            "-f",
-                                            format,
-                                            output};
+    std::vector<std::string> words = {"ffmpeg",
+                                      "-y",
+                                      "-loglevel",
+                                      "error",
+                                      "-f",
+                                      "rawvideo",
+                                      "-pixel_format",
+                                      "rgb24",
+                                      "-video_size",
+                                      pixels,
+                                      "-framerate",
+                                      "25",
+                                      "-i",
+                                      "-",
+                                      "-vf",
+                                      "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                                      "-pix_fmt",
+                                      "yuv420p",
+                                      "-f",
+                                      format,
+                                      output};
     std::vector<char*> arguments;
     arguments.reserve(words.size() + 1);
-    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     const int failed = ::posix_spawnp(&process_, "ffmpeg", &actions, nullptr, arguments.data(), environ);
     ::posix_spawn_file_actions_destroy(&actions);
@@ -90,7 +90,7 @@ Film::Film(const fs::path& path, glm::ivec2 size) : path_((check_film(path), pat
     const std::string why =
         failed == ENOENT
             ? "there is no program ffmpeg; install it (Debian: ffmpeg), or write numbered pictures"
-            : fmt::format("ffmpeg cannot be started: {}", std::strerror(failed));
+            : fmt::format("ffmpeg cannot be started: {}", std::generic_category().message(failed));
     throw Error(fmt::format("cannot write the film '{}': {}", path_.string(), why));
 }
 

@@ -1,7 +1,6 @@
 #include "app/core/recording.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +10,6 @@
 #include "app/core/flight.h"
 #include "app/core/outputs.h"
 #include "sim/error.h"
-#include "sim/io/endings.h"
-#include "sim/io/heightmap_formats.h"
 #include "sim/io/image_file.h"
 
 namespace talus::app {
@@ -20,24 +17,27 @@ namespace {
 
 constexpr std::int64_t most_records = 1'000'000;
 
-// How often something is due that is due first at 0 s, in a time. Ticks need not divide it, and sums of them
-// round.
-std::int64_t times_due(double elapsed_s, double every_s, double tick_s) {
-    return static_cast<std::int64_t>(std::floor((elapsed_s + 1e-6 * tick_s) / every_s)) + 1;
+// How often something is due that is due first at 0 s, in so many ticks. They need not divide what lies
+// between.
+std::int64_t times_due(std::int64_t ticks, double tick_s, double every_s) {
+    return static_cast<std::int64_t>(std::floor((static_cast<double>(ticks) + 1e-6) * tick_s / every_s)) + 1;
 }
 
-// All that looks like the number of a series, and what is one.
-const std::regex any_number("%[0-9]*d");
-const std::regex series_number("%(0([1-9]))?d");
+const std::regex& series_number() {
+    static const std::regex pattern("%(0([1-9]))?d");
+    return pattern;
+}
 
 }  // namespace
 
 bool is_series(const std::string& path) {
     const std::string name = std::filesystem::path(path).filename().string();
+    // All that looks like a number.
+    static const std::regex any_number("%[0-9]*d");
     const auto numbers =
         std::distance(std::sregex_iterator(name.begin(), name.end(), any_number), std::sregex_iterator());
     if (numbers == 0) return false;
-    if (numbers > 1 || !std::regex_search(name, series_number))
+    if (numbers > 1 || !std::regex_search(name, series_number()))
         throw Error(
             fmt::format("'{}' cannot be numbered: its name must have one %d, or one like %05d", path));
     return true;
@@ -47,7 +47,7 @@ std::string one_of_series(const std::string& path, std::int64_t number) {
     const std::filesystem::path whole(path);
     const std::string name = whole.filename().string();
     std::smatch found;
-    if (!std::regex_search(name, found, series_number)) return path;
+    if (!std::regex_search(name, found, series_number())) return path;
     const int digits = found[2].matched ? std::stoi(found[2].str()) : 1;
     return (whole.parent_path() /
             (found.prefix().str() + fmt::format("{:0{}}", number, digits) + found.suffix().str()))
@@ -80,17 +80,18 @@ Recording::Recording(const RecordingOptions& options, const Scene& scene, Simula
     : options_(options),
       simulation_(simulation),
       document_(scene.document),
-      start_s_(simulation.clock().simulated_s),
+      start_ticks_(simulation.clock().ticks),
       tick_s_(simulation.parameters().number("time.tick_s")),
       every_s_(options.every_s.value_or(tick_s_)) {
     document_.state = TerrainState();
     if (every_s_ < tick_s_)
         throw Error(fmt::format("--every {} is less than a tick, it must be at least time.tick_s = {} s",
                                 every_s_, tick_s_));
-    const std::int64_t records = times_due(static_cast<double>(ticks) * tick_s_, every_s_, tick_s_);
+    const std::int64_t records = times_due(ticks, tick_s_, every_s_);
     if (records > most_records)
-        throw Error(fmt::format("--every {} would write {} times, at most {} are written", every_s_, records,
-                                most_records));
+        throw Error(fmt::format(
+            "a record every {} s would be written {} times, at most {} are: give a larger --every", every_s_,
+            records, most_records));
     if (!options.image.empty() || !options.film.empty()) {
         pictures_ = std::make_unique<RunPictures>(scene, simulation, device, options.size);
         if (options.keys.empty())
@@ -103,8 +104,8 @@ Recording::Recording(const RecordingOptions& options, const Scene& scene, Simula
     write();
 }
 
-void Recording::record() {
-    if (times_due(simulation_.clock().simulated_s - start_s_, every_s_, tick_s_) > count_) write();
+bool Recording::is_due() const {
+    return times_due(simulation_.clock().ticks - start_ticks_, tick_s_, every_s_) > count_;
 }
 
 void Recording::write() {

@@ -35,8 +35,10 @@ class Recording {
     /// Throws talus::Error where records are due more often than ticks end, or what is due cannot be written.
     Recording(const RecordingOptions& options, const Scene& scene, Simulation& simulation,
               const gpu::Device& device, std::int64_t ticks);
-    /// After each tick: writes what is due. Throws talus::Error where that cannot be written.
-    void record();
+    /// After each tick: whether the next record is due.
+    bool is_due() const;
+    /// Writes it. Throws talus::Error where that cannot be.
+    void write();
     /// After the last one. Completes the film. Throws talus::Error where that cannot be.
     void finish();
     /// How often it wrote.
@@ -44,12 +46,10 @@ class Recording {
     double every_s() const { return every_s_; }
 
   private:
-    void write();
-
     const RecordingOptions& options_;
     Simulation& simulation_;
     io::Document document_;  // without its state
-    double start_s_;
+    std::int64_t start_ticks_;
     double tick_s_;
     double every_s_;
     std::int64_t count_ = 0;

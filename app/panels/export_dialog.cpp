@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "app/panels/panels.h"
@@ -76,9 +77,10 @@ void follow_losses(const Session& session, ExportDialog& dialog) {
     dialog.lost = io::losses(*dialog.state, settings);
 }
 
-// One of several, by its place among them.
-int choose(const char* label, const std::vector<std::string>& choices, int chosen) {
+// One of several, by its place among them. `open`: becomes true while its list is; Escape is the list's then.
+int choose(const char* label, const std::vector<std::string>& choices, int chosen, bool& open) {
     if (ImGui::BeginCombo(label, choices[static_cast<std::size_t>(chosen)].c_str())) {
+        open = true;
         close_on_escape();
         for (std::size_t i = 0; i < choices.size(); ++i)
             if (ImGui::Selectable(choices[i].c_str(), static_cast<int>(i) == chosen))
@@ -95,15 +97,15 @@ std::string in_words(std::string name) {
     return name;
 }
 
-void choose_layer(io::ExportSettings& settings) {
+void choose_layer(io::ExportSettings& settings, bool& open) {
     const std::vector<std::string> names = output_names();
     std::vector<std::string> words(names.size());
     std::transform(names.begin(), names.end(), words.begin(), in_words);
     const auto at = std::find(names.begin(), names.end(), settings.layer) - names.begin();
-    settings.layer = names[static_cast<std::size_t>(choose("layer", words, static_cast<int>(at)))];
+    settings.layer = names[static_cast<std::size_t>(choose("layer", words, static_cast<int>(at), open))];
 }
 
-void choose_maps(io::ExportSettings& settings) {
+void choose_maps(io::ExportSettings& settings, bool& open) {
     constexpr int columns = 3;
     if (ImGui::BeginTable("maps", columns)) {
         for (const std::string& map : output_names()) {
@@ -122,15 +124,16 @@ void choose_maps(io::ExportSettings& settings) {
     }
     const int weights = choose(
         "as", {"values", "weights of 8 bits, which sum to one", "weights of 16 bits, which sum to one"},
-        settings.weight_bits / 8);
+        settings.weight_bits / 8, open);
     settings.weight_bits = 8 * weights;
-    const bool for_unreal = settings.samples_for == io::ExportKind::unreal;
-    const bool for_unity = settings.samples_for == io::ExportKind::unity;
-    const int taken = choose("samples", {"as the terrain has", "as Unreal takes them", "as Unity takes them"},
-                             for_unreal ? 1 : (for_unity ? 2 : 0));
-    settings.samples_for = taken == 1   ? io::ExportKind::unreal
-                           : taken == 2 ? io::ExportKind::unity
-                                        : io::ExportKind::heightmap;
+    constexpr std::array<io::ExportKind, 4> taken_by = {io::ExportKind::heightmap, io::ExportKind::unreal,
+                                                        io::ExportKind::unity, io::ExportKind::godot};
+    const auto at = std::find(taken_by.begin(), taken_by.end(), settings.samples_for) - taken_by.begin();
+    const int taken =
+        choose("samples",
+               {"as the terrain has", "as Unreal takes them", "as Unity takes them", "as Godot takes them"},
+               static_cast<int>(at), open);
+    settings.samples_for = taken_by[static_cast<std::size_t>(taken)];
 }
 
 }  // namespace
@@ -169,10 +172,11 @@ void draw_export_dialog(PanelContext& context) {
     if (ImGui::InputText("##path", &path)) settings.path = path;
     note_widget("export path");
     ImGui::PushItemWidth(12 * ImGui::GetFontSize());
+    bool choosing = false;
     if (settings.kind == io::ExportKind::maps)
-        choose_maps(settings);
+        choose_maps(settings, choosing);
     else
-        choose_layer(settings);
+        choose_layer(settings, choosing);
     if (settings.kind == io::ExportKind::mesh) {
         ImGui::InputDouble("m of error", &settings.mesh_error_m, 0, 0, "%.6g");
     } else if (settings.kind != io::ExportKind::maps) {
@@ -210,7 +214,7 @@ void draw_export_dialog(PanelContext& context) {
     ImGui::EndDisabled();
     ImGui::SameLine();
     // While it is written, that is given up.
-    if (button("Cancel export") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+    if (button("Cancel export") || (!choosing && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))) {
         if (writes)
             context.requests.cancel_work = true;
         else

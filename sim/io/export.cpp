@@ -91,17 +91,18 @@ void write_integers(const fs::path& path, const Heightmap& heightmap, Range rang
     write_atomically(path, std::as_bytes(std::span(values)));
 }
 
-// The ground with samples as the engine takes them, in so many tiles.
+// A layer with samples as the engine takes them, in so many tiles.
 Heightmap for_engine(const Document& document, const ExportSettings& settings) {
     const Grid& grid = document.state.grid;
     const glm::ivec2 samples = samples_for_engine(grid, settings.kind, settings.tiles);
-    // The ground goes as one surface, other layers each in its way.
-    const bool is_ground = settings.layer == "ground";
+    // Ground and level go as one surface, so that lakes stay level; other layers each in its way.
+    const bool is_surface = settings.layer == "ground" || settings.layer == "level";
     const TerrainState taken = resampled(
-        is_ground ? bedrock_terrain(grid, document.state.ground()) : document.state, samples.x, samples.y);
+        is_surface ? bedrock_terrain(grid, output_of(document.state, settings.layer)) : document.state,
+        samples.x, samples.y);
     Heightmap heightmap;
     heightmap.grid = taken.grid;
-    heightmap.heights = output_of(taken, settings.layer);
+    heightmap.heights = is_surface ? taken.ground() : output_of(taken, settings.layer);
     return heightmap;
 }
 
@@ -250,7 +251,15 @@ Exported export_terrain(const Document& document, const ExportSettings& settings
 std::vector<std::string> losses(const TerrainState& state, const ExportSettings& settings) {
     std::vector<std::string> lost;
     const std::string ending = ending_of(settings.path);
-    if (settings.kind == ExportKind::maps) {
+    const bool is_of_maps = settings.kind == ExportKind::maps;
+    const ExportKind engine = is_of_maps ? settings.samples_for : settings.kind;
+    if (is_engine(engine)) {
+        const glm::ivec2 samples = samples_for_engine(state.grid, engine, settings.tiles);
+        if (samples != glm::ivec2(state.grid.nx, state.grid.ny))
+            lost.push_back(fmt::format("{} x {} samples are resampled to sizes that it takes: {} x {}",
+                                       state.grid.nx, state.grid.ny, samples.x, samples.y));
+    }
+    if (is_of_maps) {
         const HeightmapFormat* format = format_of(settings.path);
         if (settings.weight_bits > 0)
             lost.push_back(fmt::format("maps become shares of {} steps", (1 << settings.weight_bits) - 1));
@@ -265,16 +274,11 @@ std::vector<std::string> losses(const TerrainState& state, const ExportSettings&
     layer(std::any_of(state.regolith.begin(), state.regolith.end(), [](glm::vec2 r) { return r.x > 0; }),
           "which part of the ground is regolith");
     for (const LayerDescription& one : talus::layers())
-        if (one.is_optional()) layer(!words_of(state, one).empty(), one.name.c_str());
+        if (one.is_optional() && one.name != settings.layer)
+            layer(!words_of(state, one).empty(), one.name.c_str());
     if (!layers.empty())
         lost.push_back(fmt::format("not written: {}; a Talus document (Save as) keeps all", layers));
     const std::vector<float> heights = output_of(state, settings.layer);
-    if (is_engine(settings.kind)) {
-        const glm::ivec2 samples = samples_for_engine(state.grid, settings.kind, settings.tiles);
-        if (samples != glm::ivec2(state.grid.nx, state.grid.ny))
-            lost.push_back(fmt::format("{} x {} samples are resampled to sizes that it takes: {} x {}",
-                                       state.grid.nx, state.grid.ny, samples.x, samples.y));
-    }
     const HeightmapFormat* format = format_of(settings.path);
     // Unity's .raw holds integers too.
     const bool integers = (format && format->rounds) || ending == ".raw";
@@ -283,13 +287,14 @@ std::vector<std::string> losses(const TerrainState& state, const ExportSettings&
     Heightmap heightmap;
     heightmap.heights = heights;
     const Range range = range_for(heightmap, settings.range_m);
-    lost.push_back(fmt::format("values are rounded to 16 bits, steps of {:.3g} {}",
-                               (range.y - range.x) / 65535, output_unit(settings.layer)));
+    const std::string unit = output_unit(settings.layer).empty() ? "" : " " + output_unit(settings.layer);
+    lost.push_back(
+        fmt::format("values are rounded to 16 bits, steps of {:.3g}{}", (range.y - range.x) / 65535, unit));
     const auto outside =
         std::count_if(heights.begin(), heights.end(), [&](float h) { return h < range.x || h > range.y; });
     if (outside > 0)
         lost.push_back(
-            fmt::format("{} samples beyond {:.6g} to {:.6g} m are cut off", outside, range.x, range.y));
+            fmt::format("{} samples beyond {:.6g} to {:.6g}{} are cut off", outside, range.x, range.y, unit));
     return lost;
 }
 

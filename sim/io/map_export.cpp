@@ -34,6 +34,8 @@ bool is_there(const TerrainState& state, const std::string& map) {
 // Where the samples of no other map are.
 constexpr const char* rest_name = "rest";
 
+constexpr const char* absent = "0 throughout: the terrain has no such layer";
+
 void check_maps(const ExportSettings& settings) {
     if (settings.maps.empty()) throw Error("no maps are named: give one or more of --maps, or tick them");
     const std::vector<std::string> names = output_names();
@@ -164,7 +166,7 @@ Exported export_maps(const TerrainState& state, const ExportSettings& settings) 
             exported.values.emplace_back(
                 map, is_there(written, map)
                          ? fmt::format("{:.6g} to {:.6g} {}", range.x, range.y, output_unit(map))
-                         : "0 throughout: the terrain has no such layer");
+                         : absent);
         }
     } else {
         const int sum = (1 << settings.weight_bits) - 1;
@@ -179,7 +181,8 @@ Exported export_maps(const TerrainState& state, const ExportSettings& settings) 
             write_grey(exported.files.back(), grid, weights[k], settings.weight_bits);
             const double mean =
                 std::accumulate(weights[k].begin(), weights[k].end(), 0.0) / grid.count() / sum;
-            exported.values.emplace_back(map, fmt::format("{:.3g} on average", mean));
+            const bool there = k == settings.maps.size() || is_there(written, map);
+            exported.values.emplace_back(map, there ? fmt::format("{:.3g} on average", mean) : absent);
         }
     }
     fs::path said = settings.path;

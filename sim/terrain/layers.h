@@ -78,7 +78,8 @@ void make_layer(TerrainState& state, const LayerDescription& layer, std::size_t 
 /// Names of single-layer outputs: ground, level (of ground and water), slope (degrees), curvature (1/km),
 /// wear and deposition (by all together), and every number of every layer.
 std::vector<std::string> output_names();
-/// The numbers of layers that an output is, or is the sum of; none: it is of the ground or the level.
+/// The numbers of layers that an output is, or is the sum of; none: it is of the ground or the level, or
+/// there is no such output.
 std::vector<std::string> numbers_of_output(const std::string& name);
 /// Its unit; empty: it has none.
 std::string output_unit(const std::string& name);

@@ -454,6 +454,13 @@ TEST_F(Program, RecordsOnItsWay) {
     hash(run + "--every 7 --image fly_%d.png --keys keys.toml --film-size 160x90");
     EXPECT_NE(bytes_of("fly_0.png"), bytes_of("view_0.png"));
 
+    // Sums of ticks round; what is due is not.
+    hash(
+        "run --preset still --size 16x16 --set time.tick_s=0.1 --ticks 36000 --every 60 --out s_%d.r32 "
+        "--set water.on=false "
+        "--set thermal.on=false");
+    EXPECT_TRUE(fs::exists(path("s_60.r32")));
+    EXPECT_FALSE(fs::exists(path("s_61.r32")));
     EXPECT_NE(refusal(run + "--every 2").find("--every writes nothing"), std::string::npos);
     EXPECT_NE(refusal(run + "--every 0 --image v_%d.png").find("--every 0"), std::string::npos);
     EXPECT_NE(refusal(run + "--image v_%d.png").find("--every does not say"), std::string::npos);

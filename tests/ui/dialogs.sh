@@ -124,6 +124,12 @@ click maps
 await_widget "map deposition"
 click "map deposition"
 click "map curvature"
+# Escape closes the list alone.
+click as
+frames 3
+xdotool key Escape
+frames 3
+await_widget Write
 import -window root 3_maps.png
 type_over "export path" "$PWD/land.png"
 click Write

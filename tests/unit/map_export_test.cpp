@@ -162,6 +162,32 @@ TEST_F(MapExports, WeightsAreTheirShares) {
     EXPECT_EQ(io::shares_of("flow", std::vector<float>(9, 0.0F))[3], 0);
 }
 
+// For an engine ground and level are resampled as surfaces, layers as they are: a lake stays level, and flow
+// is nowhere below 0 and passes its narrower samples.
+TEST_F(MapExports, LayersForEnginesStayWhatTheyAre) {
+    TerrainState state = worked_on();
+    for (std::size_t i = 0; i < state.grid.count(); ++i)
+        state.water.emplace_back(std::max(0.0F, 200 - state.bedrock[i].x), 0, 0, 0);
+    io::Document document;
+    document.state = state;
+    io::ExportSettings settings;
+    settings.kind = io::ExportKind::unreal;
+    settings.path = folder_ / "lake.r16";
+    settings.layer = "level";
+    const io::Exported lake = io::export_terrain(document, settings);
+    EXPECT_NEAR(lake.range_m.x, 200, 1e-3);
+    EXPECT_NEAR(lake.range_m.y, 201, 1e-3) << "one step of a level that is the same everywhere";
+    settings.layer = "flow";
+    const io::Exported flow = io::export_terrain(document, settings);
+    const std::vector<float> there = output_of(state, "flow");
+    const auto high = std::max_element(there.begin(), there.end());
+    EXPECT_GE(flow.range_m.x, 0);
+    // 127 samples in the place of 70 and of 50; none need lie at the largest.
+    const double share = flow.range_m.y / (*high * std::sqrt(69.0 * 49 / (126 * 126)));
+    EXPECT_GT(share, 0.5);
+    EXPECT_LE(share, 1 + 1e-6);
+}
+
 TEST_F(MapExports, RefuseWhatTheyCannotWrite) {
     const TerrainState state = worked_on();
     const auto refused = [&](const fs::path& path, const std::vector<std::string>& maps, int bits,
