@@ -36,7 +36,7 @@ std::vector<std::string> numbers_of(MaskSource source) {
 
 // A number of a layer in its image. Bedrock and regolith share theirs.
 struct ImageNumber {
-    const LayerDescription& layer;
+    const LayerDescription* layer;
     bool two_words;
     int word;
     int texel_words;
@@ -44,9 +44,9 @@ struct ImageNumber {
 
 ImageNumber image_number(const std::string& name) {
     const PlacedNumber number = number_named(name).value();
-    const LayerDescription& layer = *number.layer;
-    if (layer.is_optional()) return {layer, number.number->two_words, number.word, layer.words()};
-    return {layer, number.number->two_words, layer.solid_word + number.word, 4};
+    const bool two_words = number.number->two_words;
+    if (number.layer->is_optional()) return {number.layer, two_words, number.word, number.layer->words()};
+    return {number.layer, two_words, number.layer->solid_word + number.word, 4};
 }
 
 // The layer's image; null: the terrain has none.
@@ -67,7 +67,7 @@ gpu::Program& Mask::program_of(MaskSource source) {
         const ImageNumber first = image_number(numbers.front());
         defines.push_back(fmt::format("LAYERS {}", numbers.size()));
         defines.emplace_back(first.texel_words == 2 ? "LAYER_FORMAT rg32f" : "LAYER_FORMAT rgba32f");
-        defines.push_back(fmt::format("LAYER_GHOSTS {}", first.layer.ghosts));
+        defines.push_back(fmt::format("LAYER_GHOSTS {}", first.layer->ghosts));
         defines.push_back(fmt::format("LAYER_WORD {}", first.word));
         defines.push_back(fmt::format("LAYER_WORDS {}", first.two_words ? 2 : 1));
         defines.emplace_back(source == MaskSource::arrival ? "ABSENT_LAYER 1e30" : "ABSENT_LAYER 0");
@@ -90,7 +90,7 @@ void Mask::make(Terrain& terrain, const MaskSettings& settings) {
     const std::vector<std::string> numbers = numbers_of(settings.source);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const ImageNumber number = image_number(numbers[i]);
-        const gpu::Texture* image = image_of(terrain, number.layer);
+        const gpu::Texture* image = image_of(terrain, *number.layer);
         if (image) layers_there |= 1 << i;
         const gpu::Texture& stand_in = number.texel_words == 2 ? terrain.start : terrain.solid.front;
         program.bind_image(images[i], image ? *image : stand_in);
