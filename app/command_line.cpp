@@ -56,6 +56,16 @@ Command run_command(CLI::App& app, Texts& t) {
             "--drive", t.drives,
             "section.name=FILE.csv: the number follows the table, rows of time_s,value; may be repeated")
         ->allow_extra_args(false);
+    std::vector<std::string> painted;
+    for (const PaintedNumberDescription& number : painted_numbers()) painted.push_back(number.name);
+    command
+        ->add_option(
+            "--raster", t.rasters,
+            fmt::format(
+                "NUMBER=FILE: it is as a raster says, where that says anything; NUMBER is one of {}; may "
+                "be repeated",
+                fmt::join(painted, ", ")))
+        ->allow_extra_args(false);
     add_texture(*command, t);
     command
         ->add_option("--every", options->recording.every_s,
@@ -102,8 +112,14 @@ Command run_command(CLI::App& app, Texts& t) {
                     options->springs.push_back({v[0], v[1], v[2]});
                 }
                 for (const std::string& text : t.drives) {
-                    const auto [name, file] = drive_from(text);
+                    const auto [name, file] = named_file(
+                        "--drive", text, "section.name=FILE.csv, e.g. water.rain_mm_per_h=rain.csv");
                     options->tables.push_back({file, {name, io::read_time_series(file)}});
+                }
+                for (const std::string& text : t.rasters) {
+                    const auto [name, file] =
+                        named_file("--raster", text, "NUMBER=FILE, e.g. manning=roughness.tif");
+                    options->rasters.push_back({painted_number_named(name).name, file});
                 }
                 options->outputs.json = t.json;
                 run(*options);

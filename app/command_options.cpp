@@ -78,13 +78,11 @@ std::optional<glm::dvec3> point_from(const char* option, const std::string& text
     return glm::dvec3(v[0], v[1], v[2]);
 }
 
-std::pair<std::string, std::string> drive_from(const std::string& text) {
+std::pair<std::string, std::string> named_file(const std::string& option, const std::string& text,
+                                               const std::string& example) {
     const auto equals = text.find('=');
     if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
-        throw Error(
-            fmt::format("--drive '{}' cannot be read, write it as section.name=FILE.csv, e.g. "
-                        "water.rain_mm_per_h=rain.csv",
-                        text));
+        throw Error(fmt::format("{} '{}' cannot be read, write it as {}", option, text, example));
     return {text.substr(0, equals), text.substr(equals + 1)};
 }
 

@@ -16,7 +16,7 @@ namespace talus::app {
 struct Texts {
     std::string file, preset, input, size, spacing, range, raw, eye, target, fov, method, view, shader_dir,
         layer, samples, tolerances, texture, window_size, tiles, window, feather, film_size;
-    std::vector<std::string> assignments, gauges, springs, drives, sections;
+    std::vector<std::string> assignments, gauges, springs, drives, rasters, sections;
     std::optional<int> gpu;
     bool require_hardware = false;
     bool json = false;
@@ -37,8 +37,9 @@ glm::ivec2 size_from(const std::string& text, const char* option = "--size");
 /// "x,y,z"; none where the text is empty. Throws talus::Error that names the option.
 std::optional<glm::dvec3> point_from(const char* option, const std::string& text);
 
-/// The parameter and the file of "section.name=FILE.csv". Throws talus::Error that names the option.
-std::pair<std::string, std::string> drive_from(const std::string& text);
+/// The name and the file of "name=FILE". Throws talus::Error that names the option and the example.
+std::pair<std::string, std::string> named_file(const std::string& option, const std::string& text,
+                                               const std::string& example);
 
 // Declare options that several commands have.
 void add_gpu(CLI::App& app, Texts& t);

@@ -52,6 +52,10 @@ struct WriteField {
     void operator()(const char* name, glm::dvec2 pair, double, double) const {
         line[name] = {pair.x, pair.y};
     }
+    void operator()(const char* name, const std::vector<glm::dvec3>& points, double, double) const {
+        line[name] = json::array();
+        for (const glm::dvec3& point : points) line[name].push_back({point.x, point.y, point.z});
+    }
     template <typename Choice>
     void operator()(const char* name, Choice choice, const std::vector<std::string>& names) const {
         line[name] = name_in(names, choice);
@@ -77,6 +81,10 @@ struct ReadField {
     }
     void operator()(const char* name, glm::dvec2& pair, double, double) const {
         if (all_numbers || line.contains(name)) pair = {line.at(name).at(0), line.at(name).at(1)};
+    }
+    void operator()(const char* name, std::vector<glm::dvec3>& points, double, double) const {
+        points.clear();
+        for (const json& point : line.at(name)) points.emplace_back(point.at(0), point.at(1), point.at(2));
     }
     template <typename Choice>
     void operator()(const char* name, Choice& choice, const std::vector<std::string>& names) const {
@@ -145,6 +153,9 @@ struct Writer {
                 {"join", name_in(mask_join_names(), make.join)},
                 {"inverted", make.inverted}};
     }
+    json operator()(const TakeRaster& take) const {
+        return {{"op", "raster"}, {"number", take.number}, {"source", to_json(take.source)}};
+    }
     json operator()(const Blur& blur) const {
         return {{"op", "blur"},
                 {"deviation_m", blur.deviation_m},
@@ -194,6 +205,9 @@ Operation to_operation(const json& line) {
                         line.at("fade"),
                         value_in<MaskJoin>(mask_join_names(), line.at("join"), "way to join masks"),
                         line.at("inverted")};
+    if (op == "raster")
+        return TakeRaster{painted_number_named(line.at("number")).name, to_source(line.at("source")),
+                          nullptr};
     if (op == "blur")
         return Blur{line.at("deviation_m"), line.at("of") == "mask", line.at("masked").get<bool>()};
     if (op == "dab") return to_dab(line);
@@ -241,6 +255,7 @@ std::string write_journal(const JournalStart& start, const Journal& journal) {
                   {"import", start.import_guess},
                   {"parameters", start.parameters},
                   {"hash", fmt::format("{:016x}", start.hash)}};
+    if (!start.events.empty()) first["events"] = start.events;
     if (!start.ended_tables.empty()) first["ended_tables"] = start.ended_tables;
     std::string text = first.dump(-1, ' ', false, json::error_handler_t::replace) + '\n';
     for (const Operation& operation : journal.operations())
@@ -263,6 +278,7 @@ JournalFile read_journal(const std::string& text, const std::string& source) {
             file.start.input = parsed.at("input");
             file.start.import_guess = parsed.at("import");
             file.start.parameters = parsed.at("parameters");
+            file.start.events = parsed.value("events", std::string());
             file.start.ended_tables = parsed.value("ended_tables", std::vector<std::string>());
             file.start.hash = std::stoull(parsed.at("hash").get<std::string>(), nullptr, 16);
         } catch (const std::exception& error) {

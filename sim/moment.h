@@ -17,6 +17,7 @@ struct Moment {
     Parameters parameters;
     std::vector<Spring> springs;
     std::vector<Drive> drives;
+    std::vector<Event> events;
     double edges_since_s = 0;
     double sea_m3 = 0;     ///< water that sea levels brought so far
     double booked_m3 = 0;  ///< solid that changes of porosity and acceleration, and blurs, brought so far

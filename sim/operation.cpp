@@ -20,6 +20,8 @@ struct Namer {
         const std::string& material = material_names()[static_cast<std::size_t>(dab.material)];
         if (dab.is_water()) return takes ? "take water" : "add water";
         if (dab.is_paint()) return (takes ? "wipe " : "paint ") + material;
+        if (const auto* path = dab.as<PathDab>())
+            return path_kind_names()[static_cast<std::size_t>(path->kind)];
         return brush_mode_names()[dab.effect.index()];
     }
     // Without the value: a slider that is dragged goes on under one name.
@@ -41,6 +43,9 @@ struct Namer {
     }
     std::string operator()(const MakeMask& make) const {
         return "mask: " + mask_source_names()[static_cast<std::size_t>(make.source)];
+    }
+    std::string operator()(const TakeRaster& take) const {
+        return fmt::format("{} from {}", take.number, file_name(take.source));
     }
     std::string operator()(const Blur& blur) const { return blur.of_mask ? "mask: blur" : "blur"; }
 };
@@ -90,6 +95,7 @@ void forget_made(Operation& operation) {
             if constexpr (requires { one.made.reset(); }) one.made.reset();
             if constexpr (requires { one.state.reset(); }) one.state.reset();
             if constexpr (requires { one.stamp.reset(); }) one.stamp.reset();
+            if constexpr (requires { one.values.reset(); }) one.values.reset();
         },
         operation);
 }

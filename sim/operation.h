@@ -97,9 +97,19 @@ struct Blur {
     }
 };
 
+/// A painted number becomes what a raster says, where that says anything (sim/terrain/painted_numbers.h).
+struct TakeRaster {
+    std::string number;
+    Source source;                                     ///< its hash is that of the values
+    std::shared_ptr<const std::vector<float>> values;  ///< of each sample; NaN: the raster says nothing there
+    bool operator==(const TakeRaster& other) const {
+        return number == other.number && source == other.source;
+    }
+};
+
 /// One recorded act. Replaying a list of them gives the same terrain.
 using Operation = std::variant<Ticks, Dab, SetParameter, PlaceSpring, DriveParameter, Resample, Crop, Turn,
-                               Import, ChooseStamp, MakeMask, Blur>;
+                               Import, ChooseStamp, MakeMask, Blur, TakeRaster>;
 
 /// What acts on the whole map make of a terrain, on the CPU alone. Throw talus::Error where that cannot be.
 TerrainState made_of(const Resample& to, const TerrainState& state);

@@ -26,7 +26,7 @@ PackedTerrain pack(const Terrain& terrain) {
     PackedTerrain packed;
     packed.grid = terrain.grid();
     packed.bed_beyond = terrain.bed_beyond;
-    packed.rain_painted = terrain.rain_painted;
+    packed.ever_painted = terrain.ever_painted;
     const gpu::Region all = terrain.ground.whole();
     packed.solid = packed_texels(terrain.solid.front, all);
     packed.start = packed_texels(terrain.start, all);
@@ -52,7 +52,7 @@ Terrain unpack(const PackedTerrain& packed) {
         DeviceLayer& image = *(terrain.*layers()[i].image);
         image.front.write(image.texels(all), packed.optional[i].unpack());
     }
-    terrain.rain_painted = packed.rain_painted;
+    terrain.ever_painted = packed.ever_painted;
     return terrain;
 }
 

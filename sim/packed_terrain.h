@@ -13,7 +13,7 @@ struct PackedTerrain {
     PackedBytes start;
     std::vector<PackedBytes> optional;  ///< as layers(); without bytes: not there, or of the solid
     std::vector<float> bed_beyond;      ///< as Terrain
-    bool rain_painted = false;          ///< as Terrain
+    std::array<bool, painted_number_count> ever_painted{};  ///< as Terrain
     std::size_t bytes() const;
 };
 

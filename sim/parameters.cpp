@@ -49,7 +49,8 @@ std::string unit_in_name(const std::string& unit) {
         {"m", "_m"},           {"mm", "_mm"},         {"s", "_s"},       {"m/s", "_m_per_s"},
         {"mm/s", "_mm_per_s"}, {"mm/h", "_mm_per_h"}, {"1/s", "_per_s"}, {"m/s²", "_m_per_s2"},
         {"m²/s", "_m2_per_s"}, {"m³/s", "_m3_per_s"}, {"Pa", "_pa"},     {"°", "_deg"},
-        {"px", "_px"},         {"px²", "_px2"},       {"MiB", "_mib"},
+        {"px", "_px"},         {"px²", "_px2"},       {"MiB", "_mib"},   {"%", "_percent"},
+        {"m/km", "_m_per_km"},
     };
     const auto found = names.find(unit);
     return found == names.end() ? "" : found->second;

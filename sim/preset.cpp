@@ -1,10 +1,13 @@
 #include "sim/preset.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <toml++/toml.h>
+#include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <optional>
 
 #include "sim/error.h"
 #include "sim/gpu/embedded_text.h"
@@ -36,6 +39,53 @@ void set_from(const toml::table& table, const std::string& prefix, Parameters& p
         else
             throw Error(fmt::format("{} must be a number, a text or true or false", full));
     }
+}
+
+double number_in(const toml::table& table, const char* key, std::optional<double> otherwise = std::nullopt) {
+    const toml::node* node = table.get(key);
+    const auto value = node ? node->value<double>() : otherwise;
+    if (!value) throw Error(fmt::format("{} must be there, as a number", key));
+    return *value;
+}
+
+glm::dvec2 place_in(const toml::table& table, const char* key) {
+    const toml::array* pair = table[key].as_array();
+    if (pair && pair->size() == 2) {
+        const auto x = (*pair)[0].value<double>();
+        const auto y = (*pair)[1].value<double>();
+        if (x && y) return {*x, *y};
+    }
+    throw Error(fmt::format("{} must be two numbers, east and north, m", key));
+}
+
+void refuse_other_keys(const toml::table& table, const std::vector<std::string_view>& known) {
+    for (const auto& [key, value] : table)
+        if (std::find(known.begin(), known.end(), key.str()) == known.end())
+            throw Error(
+                fmt::format("unknown key '{}', it must be one of: {}", key.str(), fmt::join(known, ", ")));
+}
+
+Event event_from(const toml::table& table) {
+    refuse_other_keys(table, {"at_s", "set", "breach"});
+    Event event;
+    event.at_s = number_in(table, "at_s");
+    const auto set = table["set"].value_exact<std::string>();
+    const toml::table* told = table["breach"].as_table();
+    if (set.has_value() == (told != nullptr))
+        throw Error("it must have either set, \"section.name=value\", or a table breach");
+    if (set) {
+        event.assignment = *set;
+        return event;
+    }
+    refuse_other_keys(*told, {"from_m", "to_m", "width_m", "crest_m", "bottom_m", "side_slope", "over_s"});
+    event.breach = Breach{.from_m = place_in(*told, "from_m"),
+                          .to_m = place_in(*told, "to_m"),
+                          .width_m = number_in(*told, "width_m"),
+                          .crest_m = number_in(*told, "crest_m"),
+                          .bottom_m = number_in(*told, "bottom_m"),
+                          .side_slope = number_in(*told, "side_slope", 1),
+                          .over_s = number_in(*told, "over_s", 0)};
+    return event;
 }
 
 Preset read(const std::string& name, const std::string& text, const std::string& source) {
@@ -77,6 +127,21 @@ void apply_preset(const Preset& preset, Parameters& parameters) {
     from_toml(preset.text, "preset " + preset.name, parameters);
 }
 
+std::vector<Event> events_of(const Preset& preset) {
+    const std::string source = "preset " + preset.name;
+    const toml::table table = parse(preset.text, source);
+    std::vector<Event> events;
+    const toml::array* told = table["event"].as_array();
+    if (!told) return events;
+    for (const toml::node& node : *told) try {
+            events.push_back(event_from(*node.as_table()));
+        } catch (const Error& error) {
+            throw Error(
+                fmt::format("{}: event {} cannot be read: {}", source, events.size() + 1, error.what()));
+        }
+    return events;
+}
+
 std::string to_toml(const Parameters& parameters) {
     std::string text;
     std::string section;
@@ -103,13 +168,14 @@ void from_toml(const std::string& text, const std::string& source, Parameters& p
     Parameters changed = parameters;
     for (const auto& [section, node] : table) {
         const std::string_view name = section.str();
+        if (name == "event" && node.is_array_of_tables()) continue;
         if (!node.is_table()) {
             if ((name == "title" || name == "description") && node.is_string()) continue;
             if (name == "title" || name == "description")
                 throw Error(fmt::format("{}: {} must be a text in quotes", source, name));
-            throw Error(
-                fmt::format("{}: unknown key '{}', only title, description and [sections] stand at the top",
-                            source, name));
+            throw Error(fmt::format(
+                "{}: unknown key '{}', only title, description, [sections] and [[event]] stand at the top",
+                source, name));
         }
         try {
             set_from(*node.as_table(), std::string(name), changed);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/parameters.h"
+#include "sim/terrain/terrain_state.h"
 
 namespace talus {
 
@@ -24,6 +25,10 @@ Preset find_preset(const std::string& name_or_path);
 /// Sets what the preset sets. Throws talus::Error that names the preset and the key when a key is unknown, or
 /// a value of the wrong type or out of range; the parameters are as they were then.
 void apply_preset(const Preset& preset, Parameters& parameters);
+
+/// The preset's events, tables [[event]] with at_s, and set ("section.name=value") or breach. Throws
+/// talus::Error that names the preset where one cannot be read.
+std::vector<Event> events_of(const Preset& preset);
 
 /// The parameters that were given, as TOML; and back.
 std::string to_toml(const Parameters& parameters);

@@ -11,9 +11,11 @@
 
 #include "sim/drives.h"
 #include "sim/error.h"
+#include "sim/events.h"
 #include "sim/passes/dab_region.h"
 #include "sim/passes/map_settings.h"
 #include "sim/passes/passes.h"
+#include "sim/terrain/layers.h"
 #include "sim/terrain/sea.h"
 #include "sim/terrain/springs.h"
 
@@ -36,6 +38,7 @@ Simulation::Simulation(const TerrainState& state, const Parameters& parameters, 
               .parameters = parameters,
               .springs = state.springs,
               .drives = state.drives,
+              .events = state.events,
               .edges_since_s = state.edges_since_s,
               .georeference = state.georeference},
       undo_(undo_bytes),
@@ -44,7 +47,9 @@ Simulation::Simulation(const TerrainState& state, const Parameters& parameters, 
         check_drive(moment_.parameters, drive);
         drive.parameter = moment_.parameters.declaration(drive.parameter).name;
     }
+    check_events(moment_.parameters, state.grid, moment_.events);
     fit(state.grid, moment_.parameters, moment_.drives);
+    fit_events(state.grid);
     observe();
     // What was saved midway holds what is left of its sea.
     if (state.clock.ticks == 0 && moment_.parameters.is_given("water.sea_level_m")) fill_sea_now();
@@ -205,8 +210,9 @@ void Simulation::act(const Crop& crop) {
 
 void Simulation::act(const Turn& turn) {
     Parameters parameters = moment_.parameters;
-    for (const auto& pass : passes_) pass->turn(parameters, turn.quarters);
-    replace_terrain(turn, turn.made ? *turn.made : made_of(turn, read()), parameters);
+    TerrainState next = turn.made ? *turn.made : made_of(turn, read());
+    for (const auto& pass : passes_) pass->turn(parameters, next.events, turn.quarters);
+    replace_terrain(turn, next, parameters);
 }
 
 void Simulation::act(const Import& import) {
@@ -215,6 +221,8 @@ void Simulation::act(const Import& import) {
     TerrainState next = *import.state;
     next.clock = moment_.clock;
     next.edges_since_s = moment_.edges_since_s;
+    next.events = moment_.events;
+    drop_breaches_beside(next.grid, next.events);
     if (moment_.parameters.is_given("water.sea_level_m") && next.water.empty())
         fill_sea(next, moment_.parameters.number("water.sea_level_m"));
     replace_terrain(import, next, moment_.parameters);
@@ -253,6 +261,23 @@ void Simulation::act(const Blur& blur) {
     });
 }
 
+void Simulation::act(const TakeRaster& take) {
+    if (!take.values) throw Error(fmt::format("'{}' was not read before it was taken", take.source.path));
+    const PaintedNumberDescription& number = painted_number_named(take.number);
+    TerrainState state;
+    state.grid = terrain_.grid();
+    terrain_.read(number.layer(), state);
+    try {
+        take_values(state, number, *take.values);
+    } catch (const Error& error) {
+        throw Error(fmt::format("'{}' {}", take.source.path, error.what()));
+    }
+    record(take, [&] {
+        if (keeps_undo_) undo_.keep_all(terrain_);
+        terrain_.write(number.layer().image, state);
+    });
+}
+
 void Simulation::replace_terrain(const Operation& operation, const TerrainState& next,
                                  Parameters parameters) {
     if (undo_.is_open())
@@ -263,6 +288,7 @@ void Simulation::replace_terrain(const Operation& operation, const TerrainState&
     for (const auto& pass : site.passes) pass->observe(site.terrain, moment_);
     const LedgerStart start = site.ledger->begin(site.terrain, solid_weights(parameters));
     std::vector<Spring> springs = next.springs;
+    std::vector<Event> events = next.events;
     std::optional<Georeference> georeference = next.georeference;
     record(operation, [&] {
         // What may fail comes first.
@@ -270,6 +296,7 @@ void Simulation::replace_terrain(const Operation& operation, const TerrainState&
         stand_on(std::move(site));
         moment_.parameters = std::move(parameters);
         moment_.springs = std::move(springs);
+        moment_.events = std::move(events);
         moment_.georeference = std::move(georeference);
         moment_.sea_m3 = 0;
         moment_.booked_m3 = 0;
@@ -279,6 +306,7 @@ void Simulation::replace_terrain(const Operation& operation, const TerrainState&
 
 void Simulation::stand_on(Site site) {
     asked_.sums.cancel();
+    forget_asked_sections();
     terrain_ = std::move(site.terrain);
     passes_ = std::move(site.passes);
     ledger_ = std::move(site.ledger);
@@ -311,11 +339,65 @@ void Simulation::follow_tables() {
     if (wakes) terrain_.tiles.mark_all();
 }
 
+// A time that whole ticks add up to may miss the event's by roundings.
+constexpr double event_rounding = 1e-9;
+
+void Simulation::fit_events(const Grid& grid) const {
+    Parameters then = moment_.parameters;
+    for (const Event& event : moment_.events) {
+        if (event.done || event.breach) continue;
+        then.set_assignment(event.assignment);
+        try {
+            Parameters fitted = then;
+            fit(grid, fitted, moment_.drives);
+        } catch (const Error& error) {
+            throw Error(fmt::format("the event at {}: {}", name_of(event), error.what()));
+        }
+    }
+}
+
+void Simulation::set_by_events() {
+    const double now_s = moment_.clock.simulated_s;
+    for (Event& event : moment_.events) {
+        if (event.done || event.breach || event.at_s > now_s * (1 + event_rounding)) continue;
+        const std::string name = event.assignment.substr(0, event.assignment.find('='));
+        Parameters changed = moment_.parameters;
+        changed.set_assignment(event.assignment);
+        std::vector<Drive> drives = moment_.drives;
+        place_drive(drives, {name, {}});
+        try {
+            fit(terrain_.grid(), changed, drives);
+        } catch (const Error& error) {
+            throw Error(fmt::format("the event at {}: {}", name_of(event), error.what()));
+        }
+        const SetsOff sets_off = changed.declaration(name).sets_off;
+        if (sets_off == SetsOff::solid_weights) reweigh(changed);
+        if (sets_off == SetsOff::edge_clock) moment_.edges_since_s = now_s;
+        moment_.parameters = std::move(changed);
+        moment_.drives = std::move(drives);
+        event.done = true;
+        // Rest was decided under the old values.
+        terrain_.tiles.mark_all();
+    }
+}
+
+void Simulation::breach_by_events() {
+    const double now_s = moment_.clock.simulated_s * (1 + event_rounding);
+    for (Event& event : moment_.events) {
+        if (event.done || !event.breach || event.at_s > now_s) continue;
+        const double share = share_at(event, now_s);
+        if (share > 0) act_by_pass(dab_of(*event.breach, share));
+        event.done = share >= 1;
+    }
+}
+
 void Simulation::begin_tick() {
     std::optional<Moment> before;
-    if ((keeps_undo_ && !undo_.is_open()) || !moment_.drives.empty()) before = moment_;
+    if ((keeps_undo_ && !undo_.is_open()) || !moment_.drives.empty() || !moment_.events.empty())
+        before = moment_;
     try {
         follow_tables();
+        set_by_events();
         for (const auto& pass : passes_) pass->prepare_tick(terrain_, moment_);
     } catch (...) {
         if (before) moment_ = std::move(*before);
@@ -329,6 +411,7 @@ void Simulation::begin_tick() {
         }
         undo_.keep_all(terrain_);
     }
+    breach_by_events();
     pass_ = 0;
     in_tick_ = true;
 }
@@ -446,15 +529,48 @@ void Simulation::book(Change&& change) {
 }
 
 void Simulation::follow_sections(const std::vector<Section>& sections) {
+    forget_asked_sections();
     for (const auto& pass : passes_) pass->follow_sections(terrain_, sections);
 }
 
-std::vector<double> Simulation::section_volumes_m3() const {
+std::vector<double> Simulation::section_volumes_of(std::span<const double> words) const {
     for (const auto& pass : passes_) {
-        std::vector<double> volumes = pass->section_volumes_m3(terrain_.grid());
+        std::vector<double> volumes = pass->section_volumes_m3(terrain_.grid(), words);
         if (!volumes.empty()) return volumes;
     }
     return {};
+}
+
+std::vector<double> Simulation::section_volumes_m3() const {
+    for (const auto& pass : passes_)
+        if (const std::optional<gpu::Buffer> words = pass->section_words())
+            return section_volumes_of(words->read_all<double>());
+    return section_volumes_of({});
+}
+
+void Simulation::ask_section_volumes() {
+    forget_asked_sections();
+    asked_sections_ = true;
+    for (const auto& pass : passes_)
+        if (std::optional<gpu::Buffer> words = pass->section_words()) section_words_.start(std::move(*words));
+}
+
+std::optional<std::vector<double>> Simulation::poll_section_volumes() {
+    if (!asked_sections_) return std::nullopt;
+    std::vector<double> words;
+    if (section_words_.pending()) {
+        const auto bits = section_words_.poll();
+        if (!bits) return std::nullopt;
+        words.resize(bits->size() / 2);
+        std::memcpy(words.data(), bits->data(), words.size() * sizeof(double));
+    }
+    asked_sections_ = false;
+    return section_volumes_of(words);
+}
+
+void Simulation::forget_asked_sections() {
+    section_words_.cancel();
+    asked_sections_ = false;
 }
 
 PassWork Simulation::work(const std::string& name) const {
@@ -467,6 +583,7 @@ TerrainState Simulation::with_moment(TerrainState layers) const {
     layers.clock = moment_.clock;
     layers.springs = moment_.springs;
     layers.drives = moment_.drives;
+    layers.events = moment_.events;
     layers.edges_since_s = moment_.edges_since_s;
     layers.georeference = moment_.georeference;
     return layers;

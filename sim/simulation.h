@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,7 @@ class Simulation {
     bool awaits_ledger() const { return asked_.sums.pending(); }
     const std::vector<Spring>& springs() const { return moment_.springs; }
     const std::vector<Drive>& drives() const { return moment_.drives; }
+    const std::vector<Event>& events() const { return moment_.events; }
     /// What dabs of a stamp press; none: nothing was chosen.
     const std::shared_ptr<const Stamp>& stamp() const { return moment_.stamp; }
     /// From now on the water that passes these sections is counted; it changes nothing. One that was there
@@ -83,6 +85,9 @@ class Simulation {
     /// What passed each so far, m³, to the right of its line as positive; undo takes it back. Waits for the
     /// device.
     std::vector<double> section_volumes_m3() const;
+    /// Asks for that without waiting, between ticks; poll_section_volumes() gives it once it is there.
+    void ask_section_volumes();
+    std::optional<std::vector<double>> poll_section_volumes();
     /// What the pass of this name did so far. Waits for the device. Throws talus::Error where there is none.
     PassWork work(const std::string& pass) const;
     /// The whole state. Waits for the device.
@@ -102,6 +107,7 @@ class Simulation {
     void act(const ChooseStamp& choose);
     void act(const MakeMask& make);
     void act(const Blur& blur);
+    void act(const TakeRaster& take);
     void act_by_pass(const PassAct& act);
     /// Does `change` as an entry of undo, or as part of the open one, and records the operation.
     template <typename Change>
@@ -130,6 +136,11 @@ class Simulation {
     /// the new level.
     bool withdraw_sea(const std::string& level);
     void begin_tick();
+    /// Throws talus::Error where a tick with what an event sets cannot be run.
+    void fit_events(const Grid& grid) const;
+    /// Does those events that are due: those of parameters, or the breaches.
+    void set_by_events();
+    void breach_by_events();
     /// Driven parameters take what their tables say of the tick that begins.
     void follow_tables();
 
@@ -153,6 +164,10 @@ class Simulation {
     LedgerReading reading_of(const AskedLedger& asked, const std::vector<glm::dvec4>& tile_sums) const;
     void copy_books(AskedLedger& asked);
     AskedLedger asked_;
+    std::vector<double> section_volumes_of(std::span<const double> words) const;
+    void forget_asked_sections();
+    bool asked_sections_ = false;
+    gpu::Readback section_words_;  // not started: nothing has passed any
 
     bool in_tick_ = false;
     std::size_t pass_ = 0;  // whose part of the tick it is

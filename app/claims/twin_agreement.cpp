@@ -120,6 +120,7 @@ maths::WaterTwin<Real> water_twin(const TerrainState& state, const WaterSettings
         for (const glm::vec4& texel : solid_of(state)) solid.emplace_back(texel);
         twin.carry(solid, std::vector<glm::vec<2, Real>>(state.grid.count(), glm::vec<2, Real>(0)));
     }
+    twin.cover_land(state.land_cover);
     twin.count_maps();
     return twin;
 }
@@ -149,6 +150,17 @@ WaterScene sloshing(const WaterCase& c) {
                                  TimeSeries({{0, 0}, {1, 0.6}, {2.2, -0.5}, {3, 0.2}, {8, 0}}), 0};
     }
     return scene;
+}
+
+// Roughness and infiltration of every share, and none in places.
+void cover_land(TerrainState& state, WaterSettings& settings) {
+    settings.manning_painted = settings.infiltration_painted = true;
+    for (std::size_t i = 0; i < state.grid.count(); ++i) {
+        const float rough = 0.25F * static_cast<float>(i % 5);
+        const float soaked = 0.5F * static_cast<float>(i / 3 % 3);
+        state.land_cover.emplace_back(0.01F * rough * static_cast<float>(i % 11), rough,
+                                      soaked * static_cast<float>(i % 7) * 900, soaked);
+    }
 }
 
 // In stretches of each edge, of both ghosts, of the further one or of the nearer one.
@@ -222,7 +234,9 @@ TwinAgreement water_against_twin(const WaterCase& c) {
     scene.settings.inflow_rise_s = 6;
     TerrainState start = scene.state();
     forget_some_bed_beyond(start);
-    if (c.manning_s_per_m13 > 0) {  // rain by a map
+    if (c.manning_s_per_m13 > 0) {  // rain, roughness and infiltration by maps
+        cover_land(start, scene.settings);
+        scene.settings.inflow_by_conveyance = true;
         scene.settings.rain_painted = scene.settings.rain_masked = true;
         for (std::size_t i = 0; i < start.grid.count(); ++i)
             start.painted.emplace_back(0, 0.01F * static_cast<float>(i % 100), i % 7 * 100, 0);
@@ -275,6 +289,7 @@ TwinAgreement sediment_against_twin(const WaterCase& c) {
         start.painted.emplace_back(0.01F * static_cast<float>(i % 100), 0.05F * static_cast<float>(i % 21), 0,
                                    0);
     }
+    if (c.order == 2) cover_land(start, scene.settings);
     start.springs = {{123, 77, 20}, {125, 77, 7}, {5, 400, 300}};  // two in one sample
     WaterRun run(start, scene.settings);
     run.springs = start.springs;

@@ -63,6 +63,11 @@ TerrainState WaterScene::state() const {
         }
     TerrainState result = bedrock_terrain(grid, beds);
     result.water = start;
+    for (int row = 0; manning && row < grid.ny; ++row)
+        for (int column = 0; column < grid.nx; ++column) {
+            const glm::dvec2 at = place(column, row);
+            result.land_cover.emplace_back(manning(at.x, at.y), 1, 0, 0);
+        }
     if (knows_bed_beyond)
         result.bed_beyond = bed_beyond_of(grid, [&](glm::ivec2 sample) {
             const glm::dvec2 at = place(sample.x, sample.y);
@@ -165,10 +170,12 @@ WaterScene thacker_planar(int n) {
     return scene;
 }
 
-WaterScene macdonald(int n) {
+WaterScene macdonald(int n, bool rough_in_places) {
     WaterScene scene = strip("MacDonald", n, 1000);
     const double q = 2;
-    const double manning = 0.033;
+    const auto manning = [=](double x) {
+        return rough_in_places ? 0.035 - 0.015 * std::cos(2 * std::numbers::pi * x / 1000) : 0.033;
+    };
     const auto depth = [](double x) {
         const double s = x / 1000 - 0.5;
         return std::cbrt(4 / g) * (1 + 0.5 * std::exp(-16 * s * s));
@@ -177,7 +184,7 @@ WaterScene macdonald(int n) {
         const double h = depth(x);
         const double s = x / 1000 - 0.5;
         const double h_x = std::cbrt(4 / g) * 0.5 * std::exp(-16 * s * s) * (-32 * s / 1000);
-        return (q * q / (g * h * h * h) - 1) * h_x - manning * manning * q * q / std::pow(h, 10.0 / 3);
+        return (q * q / (g * h * h * h) - 1) * h_x - manning(x) * manning(x) * q * q / std::pow(h, 10.0 / 3);
     };
     // The bed by Simpson's rule from the east.
     const auto bed = [=](double x) {
@@ -192,7 +199,9 @@ WaterScene macdonald(int n) {
     };
     scene.bed = [=](double x, double) { return bed(x); };
     scene.water = [=](double x, double, double t) { return glm::dvec3(depth(x), t > 0 ? q : 0, 0); };
-    scene.settings.manning_s_per_m13 = manning;
+    scene.settings.manning_s_per_m13 = manning(0);
+    scene.settings.manning_painted = rough_in_places;
+    if (rough_in_places) scene.manning = [=](double x, double) { return manning(x); };
     scene.settings.edges[static_cast<std::size_t>(Edge::west)] = EdgeKind::inflow;
     scene.settings.edges[static_cast<std::size_t>(Edge::east)] = EdgeKind::level;
     scene.settings.inflow_m3_per_s = q * scene.grid.ny * scene.grid.dy;

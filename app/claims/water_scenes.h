@@ -23,7 +23,8 @@ struct WaterScene {
     double end_s = 1;
     std::function<double(double, double)> bed;
     std::function<glm::dvec3(double, double, double)> water;
-    bool knows_bed_beyond = false;  ///< edges see the bed go on
+    bool knows_bed_beyond = false;                    ///< edges see the bed go on
+    std::function<double(double, double)> manning{};  ///< by the land cover; null: the settings'
 
     TerrainState state() const;
 };
@@ -34,8 +35,8 @@ WaterScene thacker_radial(int n);
 WaterScene thacker_planar(int n);
 
 /// A subcritical stream over a bed made for it, with Manning's friction (MacDonald 1997); its steady state is
-/// exact.
-WaterScene macdonald(int n);
+/// exact. `rough_in_places`: Manning's n goes from 0.02 to 0.05 along it, by the land cover.
+WaterScene macdonald(int n, bool rough_in_places = false);
 /// A solitary wave of 0.019 of the depth (1 m) before a beach of cot 19.85 whose shore is at x = 10 m.
 WaterScene solitary_on_beach(int n);
 /// A progressive wave in water of 7 m on a periodic square: waves_x and waves_y crests along its sides.

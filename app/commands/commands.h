@@ -19,14 +19,21 @@ struct TableOption {
     Drive drive;
 };
 
+/// A painted number as a raster has it.
+struct RasterOption {
+    std::string number;
+    std::string file;
+};
+
 struct RunOptions {
     gpu::ContextChoice gpu;
     SceneRequest scene;
     std::optional<std::int64_t> ticks;
     std::optional<double> time_s;
-    std::vector<Spring> springs;      ///< placed before the first tick
-    std::vector<TableOption> tables;  ///< followed from before the first tick
-    std::vector<glm::dvec2> gauges;   ///< places (m) whose water is written every tick
+    std::vector<Spring> springs;        ///< placed before the first tick
+    std::vector<TableOption> tables;    ///< followed from before the first tick
+    std::vector<RasterOption> rasters;  ///< taken before the first tick
+    std::vector<glm::dvec2> gauges;     ///< places (m) whose water is written every tick
     std::string gauge_table = "gauges.csv";
     std::vector<Section> sections;  ///< lines (m) whose discharge is written every tick
     std::string section_table = "sections.csv";

@@ -10,7 +10,7 @@
 #include "app/commands/commands.h"
 #include "app/core/gauges.h"
 #include "app/core/outputs.h"
-#include "app/core/section_table.h"
+#include "app/core/sections.h"
 #include "app/core/sources.h"
 #include "app/core/wave_note.h"
 #include "sim/error.h"
@@ -60,6 +60,15 @@ void follow_tables(Simulation& simulation, const std::vector<TableOption>& table
         } catch (const Error& error) {
             throw Error(fmt::format("'{}': {}", table.file, error.what()));
         }
+}
+
+void take_rasters(Simulation& simulation, const std::vector<RasterOption>& rasters) {
+    for (const RasterOption& raster : rasters) {
+        const ReadRaster read = read_raster(raster.number, raster.file, simulation.terrain().grid(),
+                                            simulation.moment_state().georeference);
+        for (const std::string& note : read.notes) say("note: " + note);
+        simulation.apply(read.take);
+    }
 }
 
 void say_notes(const Scene& scene) {
@@ -173,17 +182,19 @@ void run(const RunOptions& asked) {
     for (const glm::dvec2 place : options.gauges) gauges.place(place);
     Simulation simulation(scene.document.state, scene.simulation);
     for (const Spring& spring : options.springs) simulation.apply(spring);
+    take_rasters(simulation, options.rasters);
     follow_tables(simulation, options.tables);
     if (!gauges.all().empty()) gauges.record(simulation.terrain(), simulation.clock().simulated_s);
-    std::optional<SectionTable> sections;
-    if (!options.sections.empty()) sections.emplace(simulation, options.sections);
+    Sections sections;
+    for (const Section& section : options.sections) sections.place(simulation, section);
+    if (!sections.all().empty()) sections.record(simulation);
     Failures failures;
     RunRecording recording(options.recording, scene, simulation, context.device(), ticks);
     RunProgress progress(ticks);
     for (std::int64_t done = 0; done < ticks; ++done) {
         simulation.apply(Ticks{1});
         recording.record(failures);
-        if (sections) sections->record(simulation);
+        if (!sections.all().empty()) sections.record(simulation);
         if (!gauges.all().empty()) gauges.record(simulation.terrain(), simulation.clock().simulated_s);
         progress.show(done + 1);
     }
@@ -191,8 +202,8 @@ void run(const RunOptions& asked) {
     if (!gauges.all().empty() &&
         failures.attempt([&] { io::write_atomically(options.gauge_table, gauges.to_csv()); }))
         say(fmt::format("what the gauges showed is in {}", options.gauge_table));
-    if (sections &&
-        failures.attempt([&] { io::write_atomically(options.section_table, sections->to_csv()); }))
+    if (!sections.all().empty() &&
+        failures.attempt([&] { io::write_atomically(options.section_table, sections.to_csv()); }))
         say(fmt::format("what passed the sections is in {}", options.section_table));
     const RunFigures figures{context.device(), ticks, seconds_since(start) - recording.wall_s(),
                              process_cpu_s() - cpu_start - recording.cpu_s()};
@@ -220,7 +231,7 @@ void replay(const ReplayOptions& options) {
     RunProgress progress(static_cast<std::int64_t>(journal.operations.size()));
     std::int64_t done = 0;
     for (Operation operation : journal.operations) {
-        read_sources(operation);
+        read_sources(operation, simulation, !options.size);
         if (options.size) rescale(operation, ratio);
         if (const auto* turn = std::get_if<Turn>(&operation); turn && turn->quarters % 2 != 0)
             std::swap(ratio.x, ratio.y);

@@ -1,5 +1,6 @@
 #include "app/core/app_parameters.h"
 
+#include "app/core/path_draft.h"
 #include "app/tools/tools.h"
 #include "render/view.h"
 #include "sim/passes/brush.h"
@@ -13,9 +14,9 @@ std::vector<Parameter> app_parameters() {
         choice(
             "brush.tool", "raise", tool_names(),
             "What a stroke does. Flatten: to the height where it began; height: to brush.height_m; ramp: a "
-            "slope from where it begins to where it ends; water, rain, hardness and mask: put there, with "
-            "Ctrl "
-            "taken away; erode: rain that falls under the brush alone carves the ground. Ctrl turns raise "
+            "slope from where it begins to where it ends; water, rain, hardness, mask, roughness and "
+            "infiltration: put there, with Ctrl taken away; erode: rain that falls under the brush alone "
+            "carves the ground. Ctrl turns raise "
             "and lower, noise and stamps around; Shift smooths with any tool."),
         number("brush.radius_m", 250, 1e-2, 1e6, "m",
                "Reach of the brush; unless set, it follows the terrain's size, or over tiles the height."),
@@ -41,8 +42,15 @@ std::vector<Parameter> app_parameters() {
                "Tool height: the height that it brings the ground to; Ctrl and a click pick it."),
         number("brush.rain_mm_per_h", 100, 0, 1e4, "mm/h", "Rain that the tool rain paints.")
             .once("brush.rain"),
-        number("brush.value", 1, 0, 1, "", "Hardness or mask that the tools of this name paint.")};
+        number("brush.value", 1, 0, 1, "", "Hardness or mask that the tools of this name paint."),
+        number(
+            "brush.manning", 0.1, 0, description_of(PaintedNumber::manning).most, "s/m^(1/3)",
+            "Manning's n that the tool roughness paints: 0.03 a natural stream, 0.1 a wooded flood plain."),
+        number("brush.infiltration_mm_per_h", 20, 0, description_of(PaintedNumber::infiltration).most, "mm/h",
+               "Infiltration that its tool paints: 2 clay, 20 loam, 100 sand.")};
     for (const Tool& tool : tools()) all.insert(all.end(), tool.parameters.begin(), tool.parameters.end());
+    const std::vector<Parameter> paths = path_parameters();
+    all.insert(all.end(), paths.begin(), paths.end());
     const std::vector<Parameter> others = {
         whole("map.nx", 513, min_samples, max_samples, "samples",
               "Resample: columns; unless set, as many as there are."),

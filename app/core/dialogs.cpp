@@ -3,8 +3,8 @@
 namespace talus::app {
 
 bool PanelRequests::any() const {
-    return open || save || put_back || import || look_at || import_here || stamp || table || write || map ||
-           reset || undo || redo || framing || verify || !acts.empty() || answer;
+    return open || save || put_back || import || look_at || import_here || stamp || table || raster ||
+           write || map || reset || undo || redo || framing || verify || !acts.empty() || answer;
 }
 
 bool is_dialog_open(const PanelState& state) {

@@ -30,6 +30,7 @@ struct PanelRequests {
     std::optional<ImportWish> import_here;    ///< a file in place of the terrain
     std::optional<std::string> stamp;         ///< a file, as the stamp
     std::optional<std::string> table;         ///< a file, as the table of the number that is chosen
+    std::optional<std::string> raster;        ///< a file, as the raster of the painted number that is chosen
     std::optional<io::ExportSettings> write;  ///< files for other programs
     std::optional<Operation> map;             ///< an act on the whole map, which may take long
     bool reset = false;
@@ -48,7 +49,7 @@ struct PanelRequests {
 
 /// A dialog that picks a path; the window keeps one.
 struct FileDialog {
-    enum class Purpose { none, open, save, import, stamp, table, put_back };
+    enum class Purpose { none, open, save, import, stamp, table, raster, put_back };
     Purpose purpose = Purpose::none;
     std::string folder;
     std::string name;
@@ -128,8 +129,11 @@ struct PanelState {
     bool panels_shown = true;
     bool start_page = false;
     bool placing_gauge = false;
+    bool placing_section = false;
+    bool drawing_path = false;
     std::string table_of = "water.rain_mm_per_h";  ///< the number that is to follow a table
     bool table_begins_now = true;
+    std::string raster_of = "manning";             ///< the painted number that a raster is to bring
     std::map<std::string, TablePlot> table_plots;  ///< by the number that follows
     bool choosing_part = false;  ///< the next drag over tiles chooses the part that is cut out
     bool only_looks = false;     ///< the terrain is in tiles: what changes it is not there

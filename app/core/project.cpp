@@ -1,6 +1,7 @@
 #include "app/core/project.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -90,6 +91,7 @@ void Project::serve(const PanelRequests& asked) {
                            return DriveParameter{name, io::read_time_series(path).later_by(begins_s)};
                        });
     }
+    if (asked.raster) take_raster(*asked.raster);
     if (asked.write)
         when_replaceable(asked.write->path.string(),
                          [this, settings = *asked.write] { export_files(settings); });
@@ -281,17 +283,34 @@ void Project::act_on_map(const Operation& operation) {
     act_when_ready(name_of(operation), [operation, state] { return made_ready(operation, *state); });
 }
 
+void Project::take_raster(const std::string& path) {
+    const auto notes = std::make_shared<std::vector<std::string>>();
+    act_when_ready(
+        fmt::format("Reading {}", path),
+        [path, number = state_.raster_of, grid = session_.simulation().terrain().grid(),
+         georeference = session_.simulation().moment_state().georeference, notes] {
+            ReadRaster read = read_raster(number, path, grid, georeference);
+            *notes = std::move(read.notes);
+            return read.take;
+        },
+        [this, notes] {
+            if (!notes->empty()) voice_.tell(fmt::format("{}", fmt::join(*notes, "; ")));
+        });
+}
+
 // What takes long is made ready on a thread.
-void Project::act_when_ready(const std::string& name, const std::function<Operation()>& make) {
+void Project::act_when_ready(const std::string& name, const std::function<Operation()>& make,
+                             const std::function<void()>& then) {
     session_.check_editable();
     session_.end_stroke();
     session_.pause();
-    work_.start(name, [this, make, revision = session_.revision()](const Progress&) -> Work::Then {
-        return [this, operation = make(), revision]() mutable {
+    work_.start(name, [this, make, then, revision = session_.revision()](const Progress&) -> Work::Then {
+        return [this, operation = make(), then, revision]() mutable {
             // It was made of what was there then.
             if (makes_terrain(operation) && session_.revision() != revision) forget_made(operation);
             session_.apply(operation);
             voice_.changed();
+            if (then) then();
         };
     });
 }

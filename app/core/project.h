@@ -56,7 +56,10 @@ class Project {
     void look_at(const ImportWish& wish);
     void verify();
     void act_on_map(const Operation& operation);
-    void act_when_ready(const std::string& name, const std::function<Operation()>& make);
+    void take_raster(const std::string& path);
+    /// `then`: after it was done.
+    void act_when_ready(const std::string& name, const std::function<Operation()>& make,
+                        const std::function<void()>& then = nullptr);
     void reset();
     void remember(const std::string& path);
     void forget_recovered();

@@ -102,6 +102,7 @@ void Recovery::follow(const Simulation& simulation, const Scene& scene, const st
         state->clock = document_.state.clock;
         state->springs = document_.state.springs;
         state->drives = document_.state.drives;
+        state->events = document_.state.events;
         state->edges_since_s = document_.state.edges_since_s;
         state->georeference = document_.state.georeference;
         document_.state = std::move(*state);

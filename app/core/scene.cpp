@@ -9,6 +9,7 @@
 #include "render/view.h"
 #include "sim/drives.h"
 #include "sim/error.h"
+#include "sim/events.h"
 #include "sim/preset.h"
 #include "sim/simulation_parameters.h"
 #include "sim/terrain/generate.h"
@@ -65,6 +66,15 @@ void check_tables(io::Document& document, const Parameters& parameters, const st
         } catch (const Error& error) {
             throw Error(fmt::format("'{}': {}", file, error.what()));
         }
+}
+
+// Throws talus::Error, by what they come from, where an event cannot be.
+void checked_events(const std::string& source, const Scene& scene, std::vector<Event>& events) {
+    try {
+        check_events(scene.simulation, scene.document.state.grid, events);
+    } catch (const Error& error) {
+        throw Error(fmt::format("{}: {}", source, error.what()));
+    }
 }
 
 // Tables of the document in whose place the request sets something.
@@ -141,6 +151,20 @@ Scene make_scene(const SceneRequest& request) {
         scene.start.ended_tables = ended_tables(state, request, before, scene.simulation);
         begin_anew(state, before, scene.simulation, scene.start.ended_tables);
     }
+    std::vector<Event>& events = scene.document.state.events;
+    if (request.input.empty() || !request.preset.empty()) {
+        std::vector<Event> more = events_of(preset);
+        checked_events("preset " + preset.name, scene, more);
+        // Those that the document has from the same preset go on.
+        for (const Event& event : more)
+            if (std::none_of(events.begin(), events.end(), [&](const Event& there) {
+                    return there.at_s == event.at_s && there.assignment == event.assignment &&
+                           there.breach == event.breach;
+                }))
+                events.push_back(event);
+    }
+    checked_events("'" + request.input + "'", scene, events);
+    scene.start.events = to_text(events);
     scene.draping = open_draping(request.texture, scene.document.state.georeference);
     scene.start.input = request.input.empty() ? "" : std::filesystem::absolute(request.input).string();
     scene.start.import_guess = to_text(request.import);
@@ -166,6 +190,11 @@ Scene make_scene(const JournalFile& journal, const std::string& journal_path,
             begin_anew(document.state, parameters_of(document, journal.start.input), all,
                        journal.start.ended_tables);
     }
+    try {
+        document.state.events = events_from_text(journal.start.events);
+    } catch (const Error& error) {
+        throw Error(fmt::format("{}: {}", journal_path, error.what()));
+    }
     const std::uint64_t hash = state_hash(document.state);
     if (hash != journal.start.hash)
         throw Error(fmt::format(
@@ -178,7 +207,9 @@ Scene make_scene(const JournalFile& journal, const std::string& journal_path,
     if (size && journal.start.input.empty()) {
         const Grid other{size->x, size->y, grid.width_m() / (size->x - 1), grid.height_m() / (size->y - 1)};
         check_grid(other);
+        const std::vector<Event> events = document.state.events;
         document.state = generated(all, other);
+        document.state.events = events;
     } else if (size) {
         document.state = resampled(document.state, size->x, size->y);
     }

@@ -49,6 +49,8 @@ void Session::start(Scene scene) {
     follow_surroundings();
     wave_note_ = app::wave_note(scene_.document.state, simulation_->parameters());
     gauges_ = Gauges(grid());
+    sections_ = Sections();
+    path_draft_.clear();
     balances_.clear();
     saved_operations_.clear();
     recovered_ = false;
@@ -183,6 +185,8 @@ void Session::follow_terrain() {
     if (scene_.draping.photo && !scene_.draping.photo->is_placed()) scene_.draping.photo.reset();
     follow_surroundings();
     gauges_ = Gauges(grid());
+    sections_ = Sections();
+    path_draft_.clear();
     balances_.clear();
     activity_.forget();
     forget_rectangle();
@@ -484,7 +488,25 @@ void Session::balance() {
 
 void Session::follow_gauges() {
     // Within a tick the water is at no time of the clock's.
-    if (!simulation_->mid_tick()) gauges_.follow(simulation_->terrain(), simulation_->clock().simulated_s);
+    if (simulation_->mid_tick()) return;
+    gauges_.follow(simulation_->terrain(), simulation_->clock().simulated_s);
+    sections_.follow(*simulation_);
+}
+
+void Session::build_path() {
+    check_editable();
+    end_stroke();
+    pause();
+    std::optional<Dab> dab = path_draft_.dab(*simulation_, scene_.view);
+    if (!dab) throw Error("a path needs two points or more: click on the ground where it goes along");
+    dab->masked = scene_.view.choice("brush.over") == "mask";
+    apply(*dab);
+    path_draft_.set_built();
+}
+
+void Session::place_section(glm::dvec3 from, glm::dvec3 to) {
+    check_editable();
+    sections_.place(*simulation_, {from, to}, {from.z, to.z});
 }
 
 void Session::undo() {

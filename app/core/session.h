@@ -11,8 +11,10 @@
 #include "app/core/ground_samples.h"
 #include "app/core/overflight.h"
 #include "app/core/paged_photo.h"
+#include "app/core/path_draft.h"
 #include "app/core/scene.h"
 #include "app/core/sculpting.h"
+#include "app/core/sections.h"
 #include "app/core/surroundings.h"
 #include "app/core/tick_pacing.h"
 #include "render/outline.h"
@@ -186,10 +188,28 @@ class Session {
     const Activity::Counts& activity() const { return activity_.counts(); }
     void follow_activity() { activity_.follow(simulation_->terrain().tiles); }
 
+    /// A path that is being drawn.
+    PathDraft& path_draft() { return path_draft_; }
+    const PathDraft& path_draft() const { return path_draft_; }
+    /// Builds it, as an act of its own, by the mask where brushes act by it. Throws talus::Error where it has
+    /// less than two points.
+    void build_path();
+    /// Designs it anew where it, or the ground, has changed; while the ground moves, for the ground before.
+    /// Once a frame.
+    void follow_path() {
+        if (!overflight_)
+            path_draft_.follow(*simulation_, scene_.view,
+                               !playing && !stroking() && !simulation_->mid_tick());
+    }
+
     Gauges& gauges() { return gauges_; }
     const Gauges& gauges() const { return gauges_; }
     const render::Camera& camera() const { return camera_; }
-    /// Takes what gauges show, without waiting. Once a frame.
+    const Sections& sections() const { return sections_; }
+    /// A line between two places on the ground. Throws talus::Error where it cannot be one.
+    void place_section(glm::dvec3 from, glm::dvec3 to);
+    void remove_section(std::size_t index) { sections_.remove(*simulation_, index); }
+    /// Takes what gauges and sections show, without waiting. Once a frame.
     void follow_gauges();
 
   private:
@@ -224,6 +244,8 @@ class Session {
     Balances balances_;
     Activity activity_;
     Gauges gauges_{Grid()};
+    Sections sections_;
+    PathDraft path_draft_;
     std::string wave_note_;
     std::string path_;
     std::vector<Operation> saved_operations_;

@@ -8,6 +8,7 @@
 
 #include "sim/error.h"
 #include "sim/io/document.h"
+#include "sim/io/raster_values.h"
 #include "sim/terrain/state_hash.h"
 
 namespace talus::app {
@@ -23,7 +24,7 @@ std::pair<Source, TerrainState> read_source(const std::string& path, const std::
 void check_same(const Source& recorded, const Source& found) {
     if (recorded.hash != found.hash)
         throw Error(fmt::format(
-            "'{}' holds a terrain with hash {:016x} where the journal found {:016x}: it has changed since",
+            "'{}' holds what has hash {:016x} where the journal found {:016x}: it has changed since",
             recorded.path, found.hash, recorded.hash));
 }
 
@@ -43,7 +44,18 @@ ChooseStamp read_stamp(const std::string& path, const io::ImportSettings& import
     return {source, {}, stamp_in(state)};
 }
 
-void read_sources(Operation& operation) {
+ReadRaster read_raster(const std::string& number, const std::string& path, const Grid& grid,
+                       const std::optional<Georeference>& georeference) {
+    const std::string& name = painted_number_named(number).name;
+    io::RasterValues read = io::read_raster_values(path, grid, georeference);
+    const std::uint64_t hash = bytes_hash(std::as_bytes(std::span(read.values)));
+    return {{name,
+             {std::filesystem::absolute(path).string(), "", hash},
+             std::make_shared<const std::vector<float>>(std::move(read.values))},
+            std::move(read.notes)};
+}
+
+void read_sources(Operation& operation, const Simulation& simulation, bool as_recorded) {
     if (auto* import = std::get_if<Import>(&operation)) {
         auto [source, state] = read_source(import->source.path, import->source.import_guess);
         check_same(import->source, source);
@@ -52,6 +64,11 @@ void read_sources(Operation& operation) {
         const auto [source, state] = read_source(choose->source.path, choose->source.import_guess);
         check_same(choose->source, source);
         choose->stamp = stamp_in(state);
+    } else if (auto* take = std::get_if<TakeRaster>(&operation)) {
+        const ReadRaster found = read_raster(take->number, take->source.path, simulation.terrain().grid(),
+                                             simulation.moment_state().georeference);
+        if (as_recorded) check_same(take->source, found.take.source);
+        take->values = found.take.values;
     }
 }
 

@@ -1,9 +1,12 @@
 #pragma once
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/io/heightmap.h"
 #include "sim/operation.h"
+#include "sim/simulation.h"
 
 namespace talus::app {
 
@@ -12,9 +15,18 @@ Import read_import(const std::string& path, const io::ImportSettings& import);
 /// A file as the stamp.
 ChooseStamp read_stamp(const std::string& path, const io::ImportSettings& import);
 
-/// Reads what an operation of a journal needs from files, and checks that it is what it was. Throws
-/// talus::Error when it is not.
-void read_sources(Operation& operation);
+/// A raster as a painted number of this terrain, and what is to be noted of it.
+struct ReadRaster {
+    TakeRaster take;
+    std::vector<std::string> notes;
+};
+ReadRaster read_raster(const std::string& number, const std::string& path, const Grid& grid,
+                       const std::optional<Georeference>& georeference);
+
+/// Reads what an operation of a journal needs from files, for the terrain as it is now, and checks that it is
+/// what it was, but for rasters over another number of samples than was recorded. Throws talus::Error when it
+/// is not.
+void read_sources(Operation& operation, const Simulation& simulation, bool as_recorded = true);
 
 /// Adapts an operation to a replay with `ratio` times as many samples along each axis: multiplies its numbers
 /// of samples by `ratio`, and resamples an imported terrain.

@@ -9,6 +9,7 @@ void suggest_sizes(Parameters& view, const Grid& grid, glm::dvec2 bounds_m, bool
     view.suggest("brush.rate_m_per_s", extent / 160);
     view.suggest("camera.speed_m_per_s", extent / 12);
     view.suggest("erode.speed", 6 * std::min(grid.dx, grid.dy));
+    view.suggest("path.width_m", std::max(8.0, 3 * std::min(grid.dx, grid.dy)));
     view.suggest("noise.wavelength_m", extent / 12);
     if (!in_tiles) {
         view.suggest("map.nx", grid.nx);

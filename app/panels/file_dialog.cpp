@@ -25,6 +25,8 @@ const char* title_of(FileDialog::Purpose purpose) {
             return "Choose a stamp";
         case FileDialog::Purpose::table:
             return "Choose a table";
+        case FileDialog::Purpose::raster:
+            return "Choose a raster";
         default:
             return "Open";
     }
@@ -73,6 +75,8 @@ void accept(FileDialog& dialog, PanelRequests& requests) {
         requests.stamp = path;
     } else if (dialog.purpose == FileDialog::Purpose::table) {
         requests.table = path;
+    } else if (dialog.purpose == FileDialog::Purpose::raster) {
+        requests.raster = path;
     } else if (dialog.purpose == FileDialog::Purpose::import) {
         requests.look_at = {path};
     } else {

@@ -9,11 +9,13 @@
 namespace talus::app {
 namespace {
 
-// As many of a gauge's last readings as a plot has room for, one of several where there are more.
+// Values that a plot has room for.
+constexpr std::size_t plot_room = 512;
+
+// A gauge's readings, one of several where there are more.
 template <typename Value>
 std::vector<float> plotted(const Gauge& gauge, Value value) {
-    constexpr std::size_t room = 512;
-    const std::size_t stride = gauge.readings.size() / room + 1;
+    const std::size_t stride = gauge.readings.size() / plot_room + 1;
     std::vector<float> values;
     values.reserve(gauge.readings.size() / stride + 1);
     for (std::size_t i = 0; i < gauge.readings.size(); i += stride)
@@ -21,14 +23,25 @@ std::vector<float> plotted(const Gauge& gauge, Value value) {
     return values;
 }
 
-}  // namespace
+// Discharge and volume of one, row by row.
+template <typename Value>
+std::vector<float> plotted_rows(const PlacedSection& section, Value value) {
+    const std::size_t stride = section.volumes_m3.size() / plot_room + 1;
+    std::vector<float> values;
+    values.reserve(section.volumes_m3.size() / stride + 1);
+    for (std::size_t i = 0; i < section.volumes_m3.size(); i += stride)
+        values.push_back(static_cast<float>(value(section.first_row + i)));
+    return values;
+}
 
-void draw_gauges_panel(PanelContext& context) {
+void draw_gauges(PanelContext& context) {
     const Session& session = context.session;
     PanelRequests& requests = context.requests;
     bool& placing = context.state.placing_gauge;
-    if (button(placing ? "Click on the map…" : "Place a gauge", "by the next click on the ground"))
+    if (button(placing ? "Click on the map…" : "Place a gauge", "by the next click on the ground")) {
         placing = !placing;
+        context.state.placing_section = false;
+    }
     const std::vector<Gauge>& gauges = session.gauges().all();
     if (!gauges.empty()) {
         ImGui::SameLine();
@@ -49,6 +62,52 @@ void draw_gauges_panel(PanelContext& context) {
                   "m/s");
         ImGui::PopID();
     }
+}
+
+void draw_sections(PanelContext& context) {
+    const Session& session = context.session;
+    PanelRequests& requests = context.requests;
+    heading("Sections");
+    bool& placing = context.state.placing_section;
+    if (button(
+            placing ? "Drag over the map…" : "Draw a section",
+            "a line through which the water is counted: press where it begins, let go where it ends; to the "
+            "right of one who looks that way counts as positive")) {
+        placing = !placing;
+        context.state.placing_gauge = false;
+    }
+    const Sections& sections = session.sections();
+    if (!sections.all().empty()) {
+        ImGui::SameLine();
+        if (button("Save as sections.csv", "in the folder where Talus was started"))
+            requests.acts.emplace_back(
+                [](const Session& s) { io::write_atomically("sections.csv", s.sections().to_csv()); });
+    }
+    for (std::size_t i = 0; i < sections.all().size(); ++i) {
+        const PlacedSection& one = sections.all()[i];
+        ImGui::PushID(static_cast<int>(1000 + i));
+        ImGui::TextWrapped("%s", fmt::format("Section S{} from {:.0f}, {:.0f} to {:.0f}, {:.0f} m", i + 1,
+                                             one.section.from_m.x, one.section.from_m.y, one.section.to_m.x,
+                                             one.section.to_m.y)
+                                     .c_str());
+        const bool removed = ImGui::SmallButton("remove");
+        note_widget(fmt::format("remove section {}", i + 1));
+        if (removed) requests.acts.emplace_back([i](Session& s) { s.remove_section(i); });
+        plot_line("discharge",
+                  plotted_rows(one, [&](std::size_t row) { return sections.discharge_m3_per_s(one, row); }),
+                  "m³/s");
+        plot_line("volume",
+                  plotted_rows(one, [&](std::size_t row) { return one.volumes_m3[row - one.first_row]; }),
+                  "m³");
+        ImGui::PopID();
+    }
+}
+
+}  // namespace
+
+void draw_gauges_panel(PanelContext& context) {
+    draw_gauges(context);
+    draw_sections(context);
 }
 
 }  // namespace talus::app

@@ -17,18 +17,19 @@ struct SidePanel {
     bool only_looks = false;  ///< it is there too where the terrain can be looked at and not changed
     bool (*is_there)(const Session&) = nullptr;  ///< null: always
 };
-constexpr std::array<SidePanel, 14> side_panels = {{
+constexpr std::array<SidePanel, 15> side_panels = {{
     {"Simulation", "time, and slopes that slide", draw_simulation_panel},
     {"Water", "rain, sea, edges, waves", draw_water_panel},
     {"Erosion", "what water takes, carries and lays down", draw_erosion_panel},
-    {"Tables", "numbers that follow tables against time", draw_tables_panel},
+    {"Tables", "numbers that follow tables, rasters, events", draw_tables_panel},
     {"View", "what the colours show, sun, camera", draw_view_panel, true},
     {"Mask", "where brushes and simulations act", draw_mask_panel},
+    {"Paths", "roads, rivers, walls and ditches along a line of points", draw_paths_panel},
     {"Map", "size, place, heights and noise of the whole map", draw_map_panel},
     {"Cut out", "a part of a large terrain, to work in", draw_cut_out_panel, true, has_cut_out_panel},
     {"History", "what was done; back and forth", draw_history_panel},
     {"Ledger", "where all rock and water is", draw_ledger_panel},
-    {"Gauges", "the water at a place, against time", draw_gauges_panel},
+    {"Gauges", "the water at a place, and through a line, against time", draw_gauges_panel},
     {"Profiler", "what takes how long", draw_profiler_panel, true},
     {"Presets", "scenes to start from", draw_presets_panel, true},
     {"Log", "what was said", draw_log_panel, true},

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace talus::app {
 namespace {
@@ -46,6 +47,12 @@ struct Sign {
     std::string name;
 };
 
+// An end of a section, at the ground that was there when it was drawn.
+glm::dvec3 end_of(const PlacedSection& one, bool second) {
+    return second ? glm::dvec3(one.section.to_m, one.heights_m.y)
+                  : glm::dvec3(one.section.from_m, one.heights_m.x);
+}
+
 // The farthest first.
 std::vector<Sign> signs_of(const Session& session, const Picture& picture) {
     std::vector<Sign> signs;
@@ -55,6 +62,10 @@ std::vector<Sign> signs_of(const Session& session, const Picture& picture) {
         const auto foot = picture.place({gauges[i].place_m, gauges[i].readings.back().level_m()});
         if (foot) signs.push_back({*foot, fmt::format("{}", i + 1)});
     }
+    const std::vector<PlacedSection>& sections = session.sections().all();
+    for (std::size_t i = 0; i < sections.size(); ++i)
+        if (const auto foot = picture.place(end_of(sections[i], false)))
+            signs.push_back({*foot, fmt::format("S{}", i + 1)});
     std::sort(signs.begin(), signs.end(),
               [](const Sign& a, const Sign& b) { return a.foot.distance_m > b.foot.distance_m; });
     return signs;
@@ -64,7 +75,7 @@ void draw_sign(ImDrawList& list, const Sign& sign) {
     const ImVec2 at = sign.foot.at;
     list.AddLine(at, {at.x, at.y - 22}, dark, 2);
     list.AddCircleFilled({at.x, at.y - 28}, 9, yellow);
-    list.AddText({at.x - 4, at.y - 35}, dark, sign.name.c_str());
+    list.AddText({at.x - ImGui::CalcTextSize(sign.name.c_str()).x / 2, at.y - 35}, dark, sign.name.c_str());
 }
 
 // Places along the line between two points of the world.
@@ -76,6 +87,29 @@ std::vector<Place> along(const Picture& picture, glm::dvec3 begin, glm::dvec3 en
         if (const auto place = picture.place(glm::mix(begin, end, static_cast<double>(i) / pieces)))
             places.push_back(*place);
     return places;
+}
+
+// A path, at its height or that of the ground over it, in as many pieces as lie before the eye.
+std::vector<std::vector<Place>> pieces_of(const Picture& picture, const PathDesign& design) {
+    std::vector<std::vector<Place>> pieces(1);
+    for (std::size_t i = 0; i < design.path.points_m.size(); ++i) {
+        const glm::dvec3& point = design.path.points_m[i];
+        const auto place = picture.place({glm::dvec2(point), std::max(point.z, design.ground_m[i])});
+        if (place)
+            pieces.back().push_back(*place);
+        else if (!pieces.back().empty())
+            pieces.emplace_back();
+    }
+    return pieces;
+}
+
+// The points of a path that is being drawn, on the ground.
+std::vector<Place> dots_of(const PathDraft& path, const Picture& picture) {
+    std::vector<Place> dots;
+    for (std::size_t i = 0; i < std::min(path.points_m().size(), path.heights_m().size()); ++i)
+        if (const auto place = picture.place({path.points_m()[i], path.heights_m()[i]}))
+            dots.push_back(*place);
+    return dots;
 }
 
 // The least box with room around each.
@@ -108,28 +142,46 @@ void Marks::hide_behind(double distance_m) {
         &distances_m_.back());
 }
 
-void Marks::draw(Session& session, const PictureArea& area, glm::ivec2 drawn, glm::ivec2 window) {
+void Marks::draw(Session& session, const PictureArea& area, glm::ivec2 drawn, glm::ivec2 window,
+                 const Shown& shown) {
     const Picture picture(session.camera(), area);
     const std::vector<Sign> signs = signs_of(session, picture);
-    std::vector<Place> ramp;
+    std::vector<std::vector<Place>> lines;
     const auto& stroke = session.sculpting().stroke();
-    if (stroke && stroke->name() == "ramp") ramp = along(picture, stroke->begin(), stroke->at());
-    if (signs.empty() && ramp.empty()) return;
+    if (stroke && stroke->name() == "ramp") lines.push_back(along(picture, stroke->begin(), stroke->at()));
+    if (shown.section) lines.push_back(along(picture, shown.section->first, shown.section->second));
+    for (const PlacedSection& one : session.sections().all())
+        lines.push_back(along(picture, end_of(one, false), end_of(one, true)));
+    if (shown.path && session.path_draft().design())
+        for (std::vector<Place>& piece : pieces_of(picture, *session.path_draft().design()))
+            lines.push_back(std::move(piece));
+    const std::vector<Place> dots =
+        shown.path ? dots_of(session.path_draft(), picture) : std::vector<Place>();
+    if (signs.empty() && lines.empty() && dots.empty()) return;
 
     Box box;
     for (const Sign& sign : signs) box.add(sign.foot.at, 40);
-    for (const Place& place : ramp) box.add(place.at, 4);
+    for (const std::vector<Place>& line : lines)
+        for (const Place& place : line) box.add(place.at, 4);
+    for (const Place& dot : dots) box.add(dot.at, 8);
     depth_.draw(session.hits(), drawn,
                 {area.corner.x, window.y - area.corner.y - area.size.y, area.size.x, area.size.y},
                 box.region(window));
 
     distances_m_.clear();
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    for (std::size_t i = 1; i < ramp.size(); ++i) list.AddLine(ramp[i - 1].at, ramp[i].at, pale, 2);
-    for (std::size_t i = 1; i < ramp.size(); ++i) {
-        hide_behind(std::min(ramp[i - 1].distance_m, ramp[i].distance_m));
-        list.AddLine(ramp[i - 1].at, ramp[i].at, dark, 5);
-        list.AddLine(ramp[i - 1].at, ramp[i].at, yellow, 2);
+    for (const std::vector<Place>& line : lines)
+        for (std::size_t i = 1; i < line.size(); ++i) list.AddLine(line[i - 1].at, line[i].at, pale, 2);
+    for (const std::vector<Place>& line : lines)
+        for (std::size_t i = 1; i < line.size(); ++i) {
+            hide_behind(std::min(line[i - 1].distance_m, line[i].distance_m));
+            list.AddLine(line[i - 1].at, line[i].at, dark, 5);
+            list.AddLine(line[i - 1].at, line[i].at, yellow, 2);
+        }
+    for (const Place& dot : dots) {
+        hide_behind(dot.distance_m);
+        list.AddCircleFilled(dot.at, 6, dark);
+        list.AddCircleFilled(dot.at, 4.5F, yellow);
     }
     for (const Sign& sign : signs) {
         hide_behind(sign.foot.distance_m);

@@ -46,6 +46,8 @@ void draw_water_panel(PanelContext& context);
 void draw_erosion_panel(PanelContext& context);
 void draw_view_panel(PanelContext& context);
 void draw_mask_panel(PanelContext& context);
+/// Roads, rivers, walls and ditches: their points, how they will be, and the act that builds them.
+void draw_paths_panel(PanelContext& context);
 /// Acts on the whole map: its size and place, its heights, noise, another heightmap.
 void draw_map_panel(PanelContext& context);
 /// The part of a terrain in tiles that is cut out to be worked in, and the way back.
@@ -59,9 +61,11 @@ void draw_history_panel(PanelContext& context);
 /// The ledger of rock and water, followed while it is open: its last reading, its stores and what is missing
 /// against time, and a button to read it now.
 void draw_ledger_panel(PanelContext& context);
-/// Gauges: a button to place one by the next click, and for each its level and speed against time.
+/// Gauges and sections: buttons to place one by the next click or drag, and for each what it shows against
+/// time.
 void draw_gauges_panel(PanelContext& context);
-/// Tables against time: which number follows one, from which file, and where in it time is.
+/// Tables against time: which number follows one, from which file, and where in it time is. Rasters of
+/// painted numbers, and the scene's events.
 void draw_tables_panel(PanelContext& context);
 void draw_profiler_panel(PanelContext& context);
 void draw_presets_panel(PanelContext& context);

@@ -9,12 +9,19 @@
 namespace talus::app {
 namespace {
 
+// As part of a format: its percent signs doubled.
+std::string unit_in_format(const Parameter& p) {
+    std::string unit;
+    for (const char letter : p.unit) unit += letter == '%' ? "%%" : std::string(1, letter);
+    return unit;
+}
+
 bool edit_number(const Parameter& p, const char* id, double& real) {
     const double low = p.low;
     const double high = p.high;
     const bool wide = high / std::max(std::abs(low), 1e-9) > 1e4 || high - low > 1e3;
     // A number with an exponent is hard to read: from a thousand on it is whole.
-    const std::string format = (std::abs(real) >= 1000 ? "%.0f " : "%.4g ") + p.unit;
+    const std::string format = (std::abs(real) >= 1000 ? "%.0f " : "%.4g ") + unit_in_format(p);
     if (wide) {
         const auto speed = static_cast<float>(std::max(std::abs(real) * 0.01, 1e-4));
         return ImGui::DragScalar(id, ImGuiDataType_Double, &real, speed, &low, &high, format.c_str(),
@@ -29,7 +36,7 @@ bool edit(const Parameter& p, const char* id, Value& value) {
     if (auto* count = std::get_if<int>(&value)) {
         const int low = static_cast<int>(p.low);
         const int high = static_cast<int>(p.high);
-        const std::string format = "%d " + p.unit;
+        const std::string format = "%d " + unit_in_format(p);
         return ImGui::DragScalar(id, ImGuiDataType_S32, count, 0.2F, &low, &high, format.c_str(),
                                  ImGuiSliderFlags_AlwaysClamp);
     }

@@ -5,6 +5,8 @@
 
 #include "app/panels/panels.h"
 #include "sim/drives.h"
+#include "sim/events.h"
+#include "sim/terrain/painted_numbers.h"
 
 namespace talus::app {
 namespace {
@@ -97,6 +99,38 @@ void draw_table(PanelContext& context, const Drive& drive) {
     ImGui::PopID();
 }
 
+// What happens by itself, by the scene.
+void draw_events(const std::vector<Event>& events) {
+    if (events.empty()) return;
+    heading("Events");
+    for (const Event& event : events)
+        ImGui::TextWrapped("%s%s", name_of(event).c_str(), event.done ? " (done)" : "");
+}
+
+// A raster in place of what a brush would paint.
+void draw_rasters(PanelContext& context) {
+    heading("What differs from place to place");
+    ImGui::TextWrapped(
+        "What brushes paint can also come from a raster (GeoTIFF and others): where both say where they lie, "
+        "it is "
+        "laid there, else it is stretched over the terrain.");
+    const PaintedNumberDescription& chosen = painted_number_named(context.state.raster_of);
+    ImGui::SetNextItemWidth(-1);
+    const bool open = ImGui::BeginCombo("##painted", chosen.title.c_str(), ImGuiComboFlags_HeightLarge);
+    note_widget("number of the raster");
+    if (open) {
+        close_on_escape();
+        for (const PaintedNumberDescription& number : painted_numbers()) {
+            if (ImGui::Selectable(number.title.c_str(), number.name == chosen.name))
+                context.state.raster_of = number.name;
+            note_widget("raster of " + number.name);
+        }
+        ImGui::EndCombo();
+    }
+    if (button("Choose a raster…", "a file with one number a pixel, in the unit that the number has here"))
+        context.state.dialog.begin(FileDialog::Purpose::raster, context.session.path());
+}
+
 }  // namespace
 
 void draw_tables_panel(PanelContext& context) {
@@ -111,6 +145,8 @@ void draw_tables_panel(PanelContext& context) {
     if (button("Choose a table…", "a file of rows such as 600,12.5"))
         context.state.dialog.begin(FileDialog::Purpose::table, context.session.path());
     for (const Drive& drive : context.session.simulation().drives()) draw_table(context, drive);
+    draw_rasters(context);
+    draw_events(context.session.simulation().events());
 }
 
 }  // namespace talus::app

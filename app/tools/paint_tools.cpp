@@ -28,6 +28,14 @@ void hardness(const ToolUse& use, Dab& dab) {
     paint(use, dab, Material::hardness, "brush.value");
 }
 
+void roughness(const ToolUse& use, Dab& dab) {
+    paint(use, dab, Material::manning, "brush.manning");
+}
+
+void infiltration(const ToolUse& use, Dab& dab) {
+    paint(use, dab, Material::infiltration, "brush.infiltration_mm_per_h");
+}
+
 void mask(const ToolUse& use, Dab& dab) {
     paint(use, dab, Material::mask, "brush.value");
 }
@@ -55,6 +63,22 @@ Tool hardness_tool() {
             .how_to = wipes,
             .shape = hardness,
             .settings = {"brush.value", "brush.blend_per_s"},
+            .strength = "brush.blend_per_s"};
+}
+
+Tool roughness_tool() {
+    return {.name = "roughness",
+            .how_to = "Manning's n of the ground that water flows over. Ctrl gives it back to water.manning.",
+            .shape = roughness,
+            .settings = {"brush.manning", "brush.blend_per_s"},
+            .strength = "brush.blend_per_s"};
+}
+
+Tool infiltration_tool() {
+    return {.name = "infiltration",
+            .how_to = "Water that the ground takes in. Ctrl gives it back to water.infiltration_mm_per_h.",
+            .shape = infiltration,
+            .settings = {"brush.infiltration_mm_per_h", "brush.blend_per_s"},
             .strength = "brush.blend_per_s"};
 }
 

@@ -6,9 +6,9 @@ namespace talus::app {
 
 const std::vector<Tool>& tools() {
     static const std::vector<Tool> all = {
-        raise_tool(), lower_tool(), smooth_tool(),   flatten_tool(), height_tool(),
-        ramp_tool(),  noise_tool(), terrace_tool(),  stamp_tool(),   erode_tool(),
-        water_tool(), rain_tool(),  hardness_tool(), mask_tool(),
+        raise_tool(),    lower_tool(),   smooth_tool(),    flatten_tool(),      height_tool(), ramp_tool(),
+        noise_tool(),    terrace_tool(), stamp_tool(),     erode_tool(),        water_tool(),  rain_tool(),
+        hardness_tool(), mask_tool(),    roughness_tool(), infiltration_tool(),
     };
     return all;
 }

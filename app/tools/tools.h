@@ -64,5 +64,7 @@ Tool water_tool();
 Tool rain_tool();
 Tool hardness_tool();
 Tool mask_tool();
+Tool roughness_tool();
+Tool infiltration_tool();
 
 }  // namespace talus::app

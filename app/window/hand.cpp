@@ -32,7 +32,7 @@ void Hand::act(Session& session, glm::dvec2 mouse, double passed_s, glm::ivec2 s
     if (session.overflight())
         choose_part(session, may, errand.choosing_part);
     else
-        sculpt(session, passed_s, may, errand.placing_gauge);
+        sculpt(session, passed_s, may, errand);
 }
 
 // What was read of another terrain is not of this one.
@@ -41,6 +41,8 @@ void Hand::follow_terrain(const Session& session) {
     terrain_number_ = session.terrain_number();
     ground_.forget();
     last_ground_m_.reset();
+    section_from_.reset();
+    path_point_.reset();
     cursor_readback_.cancel();
     cursor_.reset();
     seen_.reset();
@@ -168,7 +170,42 @@ void Hand::choose_part(Session& session, const HandMay& may, bool& choosing_part
     part_from_m_.reset();
 }
 
-void Hand::sculpt(Session& session, double passed_s, const HandMay& may, bool& placing_gauge) {
+void Hand::draw_path(Session& session, bool held, bool presses) {
+    PathDraft& path = session.path_draft();
+    if (presses && cursor_) {
+        // Some pixels around a point are its own.
+        const double reach_m = 0.015 * glm::distance(session.camera().eye, *cursor_);
+        path_point_ = path.point_near(*cursor_, reach_m);
+        if (!path_point_) {
+            path.add(*cursor_);
+            path_point_ = path.points_m().size() - 1;
+        }
+        placed_ = true;
+    }
+    if (!held) path_point_.reset();
+    if (path_point_ && *path_point_ < path.points_m().size() && cursor_) path.move(*path_point_, *cursor_);
+}
+
+void Hand::draw_section(Session& session, const HandMay& may, bool held, bool presses, bool& placing) {
+    if (!placing || !may.use_mouse) section_from_.reset();
+    if (presses && placing && cursor_ && !section_from_ && !placed_) {
+        section_from_ = cursor_;
+        placed_ = true;
+    }
+    if (held || !section_from_) return;
+    const glm::dvec3 from = *std::exchange(section_from_, std::nullopt);
+    // A click alone draws nothing.
+    if (!cursor_ || glm::dvec2(*cursor_) == glm::dvec2(from)) return;
+    session.place_section(from, *cursor_);
+    placing = false;
+}
+
+std::optional<std::pair<glm::dvec3, glm::dvec3>> Hand::drawn_section() const {
+    if (!section_from_ || !cursor_) return std::nullopt;
+    return std::pair(*section_from_, *cursor_);
+}
+
+void Hand::sculpt(Session& session, double passed_s, const HandMay& may, const HandErrand& errand) {
     const bool held = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS && may.use_mouse;
     const auto down = [&](int left, int right) {
         return glfwGetKey(window_, left) == GLFW_PRESS || glfwGetKey(window_, right) == GLFW_PRESS;
@@ -177,12 +214,17 @@ void Hand::sculpt(Session& session, double passed_s, const HandMay& may, bool& p
                               down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT)};
     // A press counts from its second frame on: only then does the panel know whether it was meant for it.
     const bool presses = std::exchange(held_before_, held) && held;
-    if (presses && placing_gauge && cursor_) {
-        placing_gauge = false;
+    if (presses && errand.placing_gauge && cursor_) {
+        errand.placing_gauge = false;
         placed_ = true;
         session.gauges().place({cursor_->x, cursor_->y});
     }
-    // The click that placed a gauge, or picked a height, is no stroke.
+    draw_section(session, may, held, presses, errand.placing_section);
+    if (errand.drawing_path && !errand.placing_gauge && !errand.placing_section)
+        draw_path(session, held, presses && !placed_);
+    else
+        path_point_.reset();
+    // The click that placed a gauge or draws a section, or picked a height, is no stroke.
     placed_ = placed_ && held;
     if (presses && !session.stroking() && cursor_ && modifiers.inverted && !modifiers.smooth &&
         tool_named(session.view().choice("brush.tool")).picks_height) {

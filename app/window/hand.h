@@ -1,6 +1,7 @@
 #pragma once
 #include <glm/glm.hpp>
 #include <optional>
+#include <utility>
 
 #include "app/core/session.h"
 #include "app/window/ground_probe.h"
@@ -19,7 +20,9 @@ struct HandMay {
 /// What the next click or drag is for, until it is done; else it is the brush's.
 struct HandErrand {
     bool& placing_gauge;
-    bool& choosing_part;  ///< over tiles
+    bool& placing_section;  ///< from where a drag begins to where it ends
+    bool drawing_path;      ///< clicks put points, drags move them
+    bool& choosing_part;    ///< over tiles
 };
 
 /// A person's hand over the terrain: where the mouse's ray meets the ground, strokes of the brush, and the
@@ -38,6 +41,8 @@ class Hand {
     void turn_wheel(double steps) { wheel_ += steps; }
     /// Where the mouse is on the ground; none: beside it.
     const std::optional<glm::dvec3>& cursor() const { return cursor_; }
+    /// The line of a section that is being drawn.
+    std::optional<std::pair<glm::dvec3, glm::dvec3>> drawn_section() const;
     /// True while a read-back that it asked for is on its way.
     bool waits() const { return cursor_readback_.pending() || ground_.pending(); }
     bool camera_moved() const { return camera_moved_; }
@@ -48,7 +53,9 @@ class Hand {
     void read_cursor(const Session& session);
     void move_camera(Session& session, glm::dvec2 mouse, double passed_s, int height, const HandMay& may);
     void meet_ground(Session& session, render::Camera& camera, bool walking, double passed_s);
-    void sculpt(Session& session, double passed_s, const HandMay& may, bool& placing_gauge);
+    void sculpt(Session& session, double passed_s, const HandMay& may, const HandErrand& errand);
+    void draw_path(Session& session, bool held, bool presses);
+    void draw_section(Session& session, const HandMay& may, bool held, bool presses, bool& placing);
     void choose_part(Session& session, const HandMay& may, bool& choosing_part);
     void follow_terrain(const Session& session);
 
@@ -69,9 +76,11 @@ class Hand {
     double wheel_ = 0;
     double moving_s_ = 0;
     bool camera_moved_ = false;
-    std::optional<glm::dvec2> part_from_m_;  // where the drag began that chooses a part
-    bool placed_ = false;                    // a gauge, by the click that is held
-    bool held_before_ = false;               // the left button, in the frame before
+    std::optional<glm::dvec2> part_from_m_;   // where the drag began that chooses a part
+    std::optional<std::size_t> path_point_;   // that is held
+    std::optional<glm::dvec3> section_from_;  // where the drag began that draws a section
+    bool placed_ = false;                     // a gauge or a section, by the press that is held
+    bool held_before_ = false;                // the left button, in the frame before
 };
 
 }  // namespace talus::app

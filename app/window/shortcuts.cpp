@@ -95,7 +95,18 @@ void press_key(int key, int mods, Session& session, PanelState& state, PanelRequ
             break;
         case GLFW_KEY_ESCAPE:
             // An open menu or list of choices has it first.
-            if (!ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) state.start_page = false;
+            if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) break;
+            state.start_page = false;
+            state.placing_gauge = state.placing_section = state.drawing_path = false;
+            break;
+        case GLFW_KEY_ENTER:
+        case GLFW_KEY_KP_ENTER:
+            if (state.drawing_path && state.shown == "Paths")
+                requests.acts.emplace_back([](Session& s) { s.build_path(); });
+            break;
+        case GLFW_KEY_BACKSPACE:
+            if (state.drawing_path && state.shown == "Paths")
+                requests.acts.emplace_back([](Session& s) { s.path_draft().remove_last(); });
             break;
         case GLFW_KEY_LEFT_BRACKET:
             scale(session, "brush.radius_m", 1 / 1.15);

@@ -302,6 +302,8 @@ class Window {
         mouse_ = mouse;
         state_.only_looks = session_.overflight() != nullptr;
         state_.placing_gauge = state_.placing_gauge && !state_.only_looks;
+        state_.placing_section = state_.placing_section && !state_.only_looks && state_.shown == "Gauges";
+        const bool draws_path = state_.drawing_path && !state_.only_looks && state_.shown == "Paths";
         state_.choosing_part =
             state_.choosing_part && state_.only_looks && state_.panels_shown && state_.shown == "Cut out";
         follow_area(size);
@@ -316,7 +318,7 @@ class Window {
         const int dabs_before = session_.sculpting().dabs();
         attempt([&] {
             hand_.act(session_, mouse - glm::dvec2(area_.corner), passed_s, area_.size, may,
-                      {state_.placing_gauge, state_.choosing_part});
+                      {state_.placing_gauge, state_.placing_section, draws_path, state_.choosing_part});
         });
         if (stroked && !session_.stroking()) title();
         times.act_ms = since(now);
@@ -324,6 +326,7 @@ class Window {
         if (times.dabs > 0) times.waited_ms = 1000 * session_.sculpting().dabs_waited_s();
         if (session_.playing) attempt([&] { session_.play(passed_s, pacing_.ticks_budget_s()); });
         session_.follow_gauges();
+        attempt([&] { session_.follow_path(); });
         if (auto times_of = pass_times_.follow(state_.panels_shown && state_.shown == "Profiler", passed_s)) {
             state_.passes = std::move(times_of->passes);
             state_.passes_s = times_of->span_s;
@@ -356,7 +359,9 @@ class Window {
         // A shader that does not compile is told, and the last picture stays.
         try {
             render::Ring ring;
-            if (hand_.cursor() && !ImGui::GetIO().WantCaptureMouse && !session_.overflight())
+            const bool sculpts = !state_.placing_gauge && !state_.placing_section &&
+                                 !(state_.drawing_path && state_.shown == "Paths");
+            if (hand_.cursor() && sculpts && !ImGui::GetIO().WantCaptureMouse && !session_.overflight())
                 ring = session_.ring(*hand_.cursor());
             const render::Drawn drawn = session_.draw(settings_, drawn_size, ring);
             picture_drawn_ = true;
@@ -386,7 +391,8 @@ class Window {
         ImGui_ImplGlfw_NewFrame();
         if (input_.pass()) wake();
         ImGui::NewFrame();
-        marks_.draw(session_, area_, drawn_size, size);
+        marks_.draw(session_, area_, drawn_size, size,
+                    {hand_.drawn_section(), state_.panels_shown && state_.shown == "Paths"});
         StatusFigures figures{device_.renderer, glfwGetTime() < message_until_s_ ? message_ : "",
                               std::nullopt, frame_s_ * 1000, used};
         if (hand_.cursor()) figures.cursor_height_m = hand_.cursor()->z;

@@ -1,11 +1,13 @@
 // One dab of a brush on one sample. The including side gives real4 load_solid(int2), repeating the edge, real
 // load_stamp(int2), repeating the edge, what maths/brush_weight.glsl and maths/brush_noise.glsl need, and
+//   load_path as maths/path.glsl says
 //   samples   int2, columns and rows of the terrain
 //   dab_mode  int, of maths/brush_modes.glsl, which the including side includes
 // and the numbers of maths/dab_numbers.glsl.
 #include "maths/brush_noise.glsl"
 #include "maths/brush_weight.glsl"
 #include "maths/solid.glsl"
+#include "maths/path.glsl"
 
 real rise_to_target(real4 c) { return rise(c, real4(dab_target_m.x, dab_target_m.y, real(0), real(0))); }
 
@@ -64,6 +66,10 @@ real stamp_change(real4 c, real2 offset_m) {
 
 // Metres that the dab adds to the ground at the sample.
 real brush_change(int2 at, real4 c) {
+    if (dab_mode == brush_mode_path) {
+        precise real shaped = load_mask(at) * path_change(dab_offset_m(at), rise_to_target(c));
+        return shaped;
+    }
     real weight = brush_weight_at(at);
     if (weight == real(0)) return real(0);
     precise real change = weight * dab_amount_m;

@@ -8,6 +8,7 @@ const int brush_mode_noise = 5;
 const int brush_mode_terrace = 6;
 const int brush_mode_stamp = 7;
 const int brush_mode_erode = 8;
+const int brush_mode_path = 9;
 
 const int falloff_smooth = 0;  // by a cubic
 const int falloff_linear = 1;

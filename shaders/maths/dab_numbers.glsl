@@ -27,3 +27,9 @@ NUMBER(real2, stamp_columns)  // of them, a metre along the terrain's columns
 NUMBER(real2, stamp_rows)     // and along its rows
 NUMBER(real, stamp_zero)      // which of its heights, 0 to 1, stands on the ground
 NUMBER(int, stamp_mode)       // of maths/brush_modes.glsl
+NUMBER(int, path_points)      // of the line, at least 2
+NUMBER(real, path_half_width_m)
+NUMBER(real, path_cut_slope)  // of its sides where the ground is higher: rise over run
+NUMBER(real, path_fill_slope) // and where it is lower
+NUMBER(int, path_cuts)        // 1: it takes what is higher
+NUMBER(int, path_fills)       // 1: it fills what is lower

@@ -11,6 +11,12 @@ struct EdgePlace {
 // Round the map are edge_places() of them: the rows in the north and south, then the columns in the west and east.
 int edge_places() { return 2 * (samples.x + samples.y); }
 
+// The first of a side's places.
+int edge_first(int side) { return side < 2 ? side * samples.x : 2 * samples.x + (side - 2) * samples.y; }
+
+// The place at a column of the north or south, or at a row of the west or east.
+int edge_index(int side, int along) { return edge_first(side) + along; }
+
 EdgePlace edge_place(int index) {
     EdgePlace place;
     if (index < 2 * samples.x) {

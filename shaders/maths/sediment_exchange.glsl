@@ -9,11 +9,17 @@ const real sediment_most_change = real(0.1);
 const real sediment_densest = real(0.3);
 const real sediment_least = real(1e-9);
 
-// Shear stress of the water on its bed by Manning's law, Pa.
-real sediment_shear(real4 water) {
+// Density of water * gravity * Manning's n² where gravity * n² is so much, Pa s²/m^(5/3).
+real sediment_drag_of(real roughness) {
+    precise real drag = real(1000) * roughness;
+    return drag;
+}
+
+// Shear stress of the water on its bed by Manning's law, Pa, by that drag.
+real sediment_shear(real4 water, real drag) {
     real2 velocity = water_velocity(water.x, real2(water.z, water.w));
     precise real square = velocity.x * velocity.x + velocity.y * velocity.y;
-    precise real shear = (sediment_drag * square) * inverse_cube_root(max(water.x, water_film));
+    precise real shear = (drag * square) * inverse_cube_root(max(water.x, water_film));
     return water.x > water_film ? shear : real(0);
 }
 

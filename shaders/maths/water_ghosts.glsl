@@ -3,11 +3,8 @@
 //   real4 load_water(int2 at) and real load_bed(int2 at), ghost samples included
 //   real load_bed_beyond(int): the real bed at the nearer and the further ghost of each place, or unknown_bed
 #include "maths/bed_beyond.glsl"
+#include "maths/edge_kind_of.glsl"
 #include "maths/edge_places.glsl"
-
-int edge_kind_of(int side) {
-    return side < 2 ? (side == 0 ? edge_kind_north : edge_kind_south) : (side == 2 ? edge_kind_west : edge_kind_east);
-}
 
 // Water as an edge sees it. Rows run southwards, discharge north.
 EdgeSample edge_sample_at(int2 at, int2 outward) {

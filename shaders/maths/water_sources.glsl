@@ -1,9 +1,9 @@
 // Rain, evaporation and infiltration at one sample. Needs maths/two_sum.glsl and the numbers of
 // maths/water_numbers.glsl.
 
-// Metres that leave a sample in dt seconds: no more than it has.
-real water_loss(real4 water, real dt) {
-    precise real wanted = loss_m_per_s * dt;
+// Metres that leave a sample in dt seconds where so much evaporates and infiltrates, m/s: no more than it has.
+real water_loss(real4 water, real rate, real dt) {
+    precise real wanted = rate * dt;
     return min(wanted, water.x);
 }
 

@@ -10,6 +10,9 @@ layout(r32f) uniform readonly image2D bed;  // the ground before, which sediment
 #ifdef PAINTED
 layout(rgba32f) uniform readonly image2D painted;
 #endif
+#ifdef LAND_COVER
+layout(rgba32f) uniform readonly image2D land_cover;
+#endif
 layout(rgba32f) uniform image2D solid;
 #ifdef WEAR_MAP
 layout(rgba32f) uniform image2D worn;
@@ -32,6 +35,9 @@ precise real sediment_dt = clock_dt_s * real(water_eulers);
 #include "sim/cube_root_seed.glsl"
 #include "maths/water.glsl"
 #include "maths/ground_height.glsl"
+#ifdef LAND_COVER
+#include "maths/land_cover.glsl"
+#endif
 #include "maths/sediment_exchange.glsl"
 #ifdef WEAR_MAP
 #include "maths/rise.glsl"
@@ -44,6 +50,16 @@ bool differs(real4 a, real4 b) {
 
 bool is_edge(int2 at) {
     return at.x == 0 || at.y == 0 || at.x == samples.x - 1 || at.y == samples.y - 1;
+}
+
+// Of the water on its bed.
+real drag_at(int2 at) {
+#ifdef LAND_COVER
+    real4 cover = imageLoad(land_cover, at);
+    return cover.y == real(0) ? sediment_drag : sediment_drag_of(land_cover_roughness(cover));
+#else
+    return sediment_drag;
+#endif
 }
 
 real bed_at(int2 at) { return imageLoad(bed, at + water_ghosts).x; }
@@ -72,7 +88,7 @@ void main() {
         north = here;
         here = south;
         real4 water = imageLoad(water_in, at + water_ghosts);
-        real shear = sediment_shear(water);
+        real shear = sediment_shear(water, drag_at(at));
         SedimentSample before;
         before.load = imageLoad(load, at + water_ghosts).xy;
         // Where nothing is carried and nothing taken, nothing changes.

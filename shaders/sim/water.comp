@@ -26,6 +26,9 @@ layout(rg32f) uniform image2D load_out;
 layout(rg32f) uniform writeonly image2D load_out;
 #endif
 #endif
+#ifdef LAND_COVER
+layout(rgba32f) uniform readonly image2D land_cover;
+#endif
 #ifdef SOURCES
 layout(std430) buffer TileSources { dvec2 tile_sources[]; };  // metres of loss and of rain by the map, per tile and strip
 shared dvec2 column_sources[tile_samples];
@@ -46,6 +49,9 @@ const real water_friction = real(0);
 #include "maths/water.glsl"
 #include "maths/water_stage.glsl"
 #include "maths/water_sources.glsl"
+#ifdef LAND_COVER
+#include "maths/land_cover.glsl"
+#endif
 #ifdef FLOW_MAP
 #include "maths/water_flow.glsl"
 layout(rg32f) uniform image2D flow_map;
@@ -53,6 +59,8 @@ layout(rg32f) uniform image2D flow_map;
 #ifdef INFLOW
 #include "maths/edge_kinds.glsl"
 #include "maths/water_given_face.glsl"
+#include "maths/edge_places.glsl"
+#include "sim/water_inflow.glsl"
 #endif
 #ifdef SEDIMENT
 #include "maths/sediment_transport.glsl"
@@ -89,7 +97,7 @@ March march_from(int2 first) {
     m.slope = water_slope(m.south, m.cell, m.north);
     m.face_north = face_between(m.south, m.cell, m.slope, m.north, water_slope(m.cell, m.north, north_2), north_2);
 #ifdef INFLOW
-    m.face_north = water_given_face(m.face_north, first.y == 0, edge_kind_north, -clock_inflow);
+    m.face_north = water_given_face(m.face_north, first.y == 0, edge_kind_north, -inflow_at(edge_index(0, first.x)));
 #endif
 #ifdef SEDIMENT
     m.solid_here = load_concentration(first, m.cell.depth);
@@ -118,16 +126,16 @@ Across across(int2 at, WaterCell cell) {
     a.face_west = face_between(west_2, a.west, water_slope(west_2, a.west, turned), turned, slope, a.east);
     a.face_east = face_between(a.west, turned, slope, a.east, water_slope(turned, a.east, east_2), east_2);
 #ifdef INFLOW
-    a.face_west = water_given_face(a.face_west, at.x == 0, edge_kind_west, clock_inflow);
-    a.face_east = water_given_face(a.face_east, at.x == samples.x - 1, edge_kind_east, -clock_inflow);
+    a.face_west = water_given_face(a.face_west, at.x == 0, edge_kind_west, inflow_at(edge_index(2, at.y)));
+    a.face_east = water_given_face(a.face_east, at.x == samples.x - 1, edge_kind_east, -inflow_at(edge_index(3, at.y)));
 #endif
     return a;
 }
 
 #ifdef SOURCES
-// Rain and loss in dt seconds, which the sums take too. True where water is or was lost.
-bool add_sources(int2 at, real dt, inout real4 water, inout dvec2 sources) {
-    real loss = water_loss(water, dt);
+// Rain, and a loss of so much a second, in dt seconds, which the sums take too. True where either was.
+bool add_sources(int2 at, real loss_rate, real dt, inout real4 water, inout dvec2 sources) {
+    real loss = water_loss(water, loss_rate, dt);
 #ifdef RAIN_MAP
     real4 paint = imageLoad(painted, at);
     precise real rain = water_rain(clock_rain, paint.y, paint.z) * dt;
@@ -137,7 +145,7 @@ bool add_sources(int2 at, real dt, inout real4 water, inout dvec2 sources) {
     sources.x += double(loss);
 #endif
     water = water_with_sources(water, rain, loss);
-    return water.x > real(0) || loss > real(0);
+    return rain > real(0) || loss > real(0);
 }
 #endif
 
@@ -193,9 +201,14 @@ void main() {
             WaterSlope slope_south = water_slope(south_2, m.south, m.cell);
             WaterFace face_south = face_between(south_2, m.south, slope_south, m.cell, m.slope, m.north);
 #ifdef INFLOW
-            face_south = water_given_face(face_south, at.y == samples.y - 1, edge_kind_south, clock_inflow);
+            face_south = water_given_face(face_south, at.y == samples.y - 1, edge_kind_south, inflow_at(edge_index(1, at.x)));
 #endif
             Across a = across(at, m.cell);
+#ifdef LAND_COVER
+            real4 cover = imageLoad(land_cover, at);
+            precise real slows = clock_dt_s * land_cover_roughness(cover);
+            water_friction = slows;
+#endif
             WaterChange change = water_change(m.here.x, a.face_west, a.face_east, face_south, m.face_north);
 #if ORDER == 2 && STAGE == 2
             real4 start = imageLoad(water_out, at + water_ghosts);
@@ -206,7 +219,12 @@ void main() {
             // By its bits: a resting -0 becomes 0.
             bool moves = !change.rests || (floatBitsToUint(m.here.z) | floatBitsToUint(m.here.w)) != 0u;
 #ifdef SOURCES
-            bool changed = add_sources(at, dt, after, sources);
+#ifdef LAND_COVER
+            real loss_rate = land_cover_loss(cover);
+#else
+            real loss_rate = loss_m_per_s;
+#endif
+            bool changed = add_sources(at, loss_rate, dt, after, sources);
             moves = moves || changed;
 #endif
 #if STAGE == 2

@@ -25,7 +25,7 @@ const int water_order = ORDER;
 const real2 water_share = real2(0.0);
 real water_drain = clock_drain;
 const real water_friction = real(0);
-real edge_inflow = clock_inflow;
+real edge_inflow = real(0);  // of the place that is looked at
 real edge_wave_m = real(0);
 real edge_level_m = real(0);
 real edge_sea_m = real(0);
@@ -41,6 +41,7 @@ real4 load_water(int2 at) { return imageLoad(water_state, at + water_ghosts); }
 real load_bed_beyond(int at) { return bed_beyond[at]; }
 real load_bed(int2 at) { return imageLoad(bed, at + water_ghosts).x; }
 #include "maths/water_ghosts.glsl"
+#include "sim/water_inflow.glsl"
 
 void store_ghost(int2 at, int2 outward, EdgeSample ghost) {
     imageStore(water_state, at + water_ghosts, edge_water(ghost, outward));
@@ -80,6 +81,7 @@ void main() {
     barrier();
 
     for (int index = me; index < edge_places(); index += 256) {
+        edge_inflow = inflow_at(index);
         EdgeGhosts made = edge_ghosts(index);
         EdgePlace place = made.place;
         store_ghost(place.at + place.outward, place.outward, made.ghost);

@@ -20,6 +20,8 @@ const real water_friction = real(0);
 #include "sim/water_faces.glsl"
 #include "maths/edge_kinds.glsl"
 #include "maths/water_given_face.glsl"
+#include "maths/edge_places.glsl"
+#include "sim/water_inflow.glsl"
 
 // Between a row and that south of it: northwards.
 real discharge_between_rows(int2 north) {
@@ -30,8 +32,8 @@ real discharge_between_rows(int2 north) {
     WaterCell north_2 = load_cell(north + int2(0, -1), ignored);
     WaterFace face =
         face_between(south_2, south, water_slope(south_2, south, cell), cell, water_slope(south, cell, north_2), north_2);
-    face = water_given_face(face, north.y == -1, edge_kind_north, -clock_inflow);
-    return water_given_face(face, north.y == samples.y - 1, edge_kind_south, clock_inflow).mass;
+    face = water_given_face(face, north.y == -1, edge_kind_north, -inflow_at(edge_index(0, north.x)));
+    return water_given_face(face, north.y == samples.y - 1, edge_kind_south, inflow_at(edge_index(1, north.x))).mass;
 }
 
 // Between a column and that west of it: eastwards.
@@ -41,8 +43,8 @@ real discharge_between_columns(int2 east) {
     WaterCell cell = load_turned(east);
     WaterCell east_2 = load_turned(east + int2(1, 0));
     WaterFace face = face_between(west_2, west, water_slope(west_2, west, cell), cell, water_slope(west, cell, east_2), east_2);
-    face = water_given_face(face, east.x == 0, edge_kind_west, clock_inflow);
-    return water_given_face(face, east.x == samples.x, edge_kind_east, -clock_inflow).mass;
+    face = water_given_face(face, east.x == 0, edge_kind_west, inflow_at(edge_index(2, east.y)));
+    return water_given_face(face, east.x == samples.x, edge_kind_east, -inflow_at(edge_index(3, east.y))).mass;
 }
 
 void main() {

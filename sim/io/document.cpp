@@ -9,6 +9,7 @@
 
 #include "sim/drives.h"
 #include "sim/error.h"
+#include "sim/events.h"
 #include "sim/io/endings.h"
 #include "sim/io/picture.h"
 #include "sim/terrain/bed_beyond.h"
@@ -22,6 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* bed_beyond_attribute = "talus:bed_beyond";
 constexpr const char* drives_attribute = "talus:drives";
+constexpr const char* events_attribute = "talus:events";
 
 // x, y and rate of each, as save_document writes them.
 std::vector<Spring> springs_from(const fs::path& path, const std::string& text) {
@@ -169,6 +171,11 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
     state.springs = springs_from(path, spec.get_string_attribute("talus:springs"));
     for (const Spring& spring : state.springs) check_spring(state.grid, spring);
     state.drives = drives_from(path, spec.get_string_attribute(drives_attribute));
+    try {
+        state.events = events_from_text(spec.get_string_attribute(events_attribute));
+    } catch (const Error& error) {
+        throw Error(fmt::format("'{}': its attribute {}: {}", path.string(), events_attribute, error.what()));
+    }
     return document;
 }
 
@@ -237,6 +244,7 @@ void save_document(const fs::path& path, const Document& document) {
     for (const Drive& drive : state.drives)
         drives += fmt::format("{} {}\n", drive.parameter, to_text(drive.series));
     if (!drives.empty()) spec.attribute(drives_attribute, drives);
+    if (!state.events.empty()) spec.attribute(events_attribute, to_text(state.events));
     if (!document.parameters.empty()) spec.attribute("talus:parameters", document.parameters);
     if (document.state.georeference) {
         const auto& t = document.state.georeference->transform;

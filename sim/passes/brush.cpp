@@ -41,6 +41,7 @@ gpu::Program& Brush::program_of(BrushMode mode, bool worn) {
     if (found != programs_.end()) return found->second;
     std::vector<std::string> defines = {fmt::format("DAB_MODE {}", static_cast<int>(mode))};
     if (mode == BrushMode::erode) defines.emplace_back("ERODED 1");
+    if (mode == BrushMode::path) defines.emplace_back("PATH 1");
     if (worn) defines.emplace_back("WEAR_MAP 1");
     gpu::Program program({"sim/brush.comp"}, defines);
     return programs_.emplace(std::pair(mode, worn), std::move(program)).first->second;
@@ -81,6 +82,11 @@ void Brush::dab(Terrain& terrain, const Dab& dab, const gpu::Texture* stamp) {
         set_dab(program, terrain, numbers_);
         // A dab of another kind does not read it: any image will do.
         program.bind_image("stamp", stamp ? *stamp : terrain.ground);
+        if (!dab.as<PathDab>()) return;
+        const std::vector<glm::vec4> line = path_line(dab);
+        path_ = gpu::Buffer("dab path", line.size() * sizeof(glm::vec4));
+        path_.write_all(line);
+        program.bind_storage("PathPoints", path_);
     });
 }
 

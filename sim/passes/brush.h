@@ -51,6 +51,7 @@ class Brush {
 
     gpu::Buffer book_;  // metres of bedrock in and out, and of regolith, four doubles a tile
     gpu::UniformBlock<DabNumbers> numbers_{"dab numbers"};
+    gpu::Buffer path_;
     std::map<std::pair<BrushMode, bool>, gpu::Program> programs_;  // by mode and whether wear is counted
     bool counts_wear_ = false;
 };

@@ -19,6 +19,7 @@ struct BrushTwin {
 #undef NUMBER
     std::vector<real> masks;
     std::vector<real> stamp_heights;
+    std::vector<glm::vec4> path;  ///< as path_line() (sim/passes/dab_numbers.h)
     int2 samples{0};
     std::vector<real4> ground_samples;
     std::vector<real4> worn;  ///< wear and deposition as in TerrainState; empty: not counted
@@ -29,6 +30,10 @@ struct BrushTwin {
     real load_stamp(int2 at) const {
         const int2 inside = glm::clamp(at, int2(0), stamp_samples - 1);
         return stamp_heights[static_cast<std::size_t>(inside.y) * stamp_samples.x + inside.x];
+    }
+
+    real3 load_path(int i) const {
+        return real3(path[static_cast<std::size_t>(i)]);
     }
 
     real4 load_solid(int2 at) const {

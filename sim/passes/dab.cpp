@@ -16,7 +16,8 @@ static_assert(is_numbered<RaiseDab, glsl::brush_mode_raise> &&
               is_numbered<FlattenDab, glsl::brush_mode_flatten> &&
               is_numbered<RampDab, glsl::brush_mode_ramp> && is_numbered<NoiseDab, glsl::brush_mode_noise> &&
               is_numbered<TerraceDab, glsl::brush_mode_terrace> &&
-              is_numbered<StampDab, glsl::brush_mode_stamp> && is_numbered<ErodeDab, glsl::brush_mode_erode>);
+              is_numbered<StampDab, glsl::brush_mode_stamp> &&
+              is_numbered<ErodeDab, glsl::brush_mode_erode> && is_numbered<PathDab, glsl::brush_mode_path>);
 
 // The alternatives, one after the other, each with its defaults.
 template <std::size_t... At>
@@ -51,8 +52,11 @@ bool has_object(const DabEffect& effect) {
 }
 
 const std::vector<std::string>& material_names() {
-    static const std::vector<std::string> names = {"bedrock",  "regolith", "water",
-                                                   "hardness", "mask",     "rain"};
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all = {"bedrock", "regolith", "water"};
+        for (const PaintedNumberDescription& number : painted_numbers()) all.push_back(number.name);
+        return all;
+    }();
     return names;
 }
 
@@ -63,6 +67,11 @@ const std::vector<std::string>& falloff_curve_names() {
 
 const std::vector<std::string>& noise_kind_names() {
     static const std::vector<std::string> names = {"fbm", "ridged", "billow"};
+    return names;
+}
+
+const std::vector<std::string>& path_kind_names() {
+    static const std::vector<std::string> names = {"road", "river", "wall", "ditch", "breach"};
     return names;
 }
 
@@ -83,6 +92,16 @@ struct Check {
         (*this)(name + " (east)", pair.x, low, high);
         (*this)(name + " (north)", pair.y, low, high);
     }
+    void operator()(const std::string& name, const std::vector<glm::dvec3>& points, double low,
+                    double high) const {
+        if (points.size() < 2 || points.size() > PathDab::most_points)
+            throw Error(fmt::format("a dab's {} cannot be {} points, it must be 2 to {}", name, points.size(),
+                                    PathDab::most_points));
+        for (const glm::dvec3& point : points) {
+            (*this)(name, glm::dvec2(point), low, high);
+            (*this)(name + " (height)", point.z, -1e6, 1e6);
+        }
+    }
     template <typename Choice>
     void operator()(const std::string&, Choice, const std::vector<std::string>&) const {}
     void operator()(const std::string&, bool) const {}
@@ -93,10 +112,12 @@ struct Check {
 void check_dab(const Dab& dab) {
     visit_footprint(dab, Check());
     visit_own(dab, Check());
-    if (dab.is_paint() && !(dab.target_m >= 0 && dab.target_m <= most_painted(painted_layer(dab.material))))
-        throw Error(fmt::format("a dab of {} cannot paint {}, it must be 0 to {}",
-                                material_names()[static_cast<std::size_t>(dab.material)], dab.target_m,
-                                most_painted(painted_layer(dab.material))));
+    if (dab.is_paint()) {
+        const PaintedNumberDescription& number = description_of(painted_number(dab.material));
+        if (!(dab.target_m >= 0 && dab.target_m <= number.most))
+            throw Error(fmt::format("a dab of {} cannot paint {}, it must be 0 to {}", number.name,
+                                    dab.target_m, number.most));
+    }
     if (dab.masked && dab.is_paint() && dab.material == Material::mask)
         throw Error("a dab that paints the mask cannot be limited by it");
 }
@@ -110,8 +131,8 @@ Dab everywhere(const Grid& grid, Dab dab) {
     return dab;
 }
 
-PaintedLayer painted_layer(Material material) {
-    return static_cast<PaintedLayer>(static_cast<int>(material) - static_cast<int>(Material::hardness));
+PaintedNumber painted_number(Material material) {
+    return static_cast<PaintedNumber>(static_cast<int>(material) - static_cast<int>(Material::hardness));
 }
 
 }  // namespace talus

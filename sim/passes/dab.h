@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/terrain/grid.h"
-#include "sim/terrain/terrain_state.h"
+#include "sim/terrain/painted_numbers.h"
 
 namespace talus {
 
@@ -15,9 +15,19 @@ namespace glsl {
 #include "maths/brush_modes.glsl"
 }
 
-/// What raise adds; lower takes regolith before bedrock, or water alone. Hardness, mask and rain are painted:
-/// raise brings them nearer to the dab's target, lower to 0.
-enum class Material { bedrock = 0, regolith = 1, water = 2, hardness = 3, mask = 4, rain = 5 };
+/// What raise adds; lower takes regolith before bedrock, or water alone. The others are painted numbers
+/// (sim/terrain/painted_numbers.h): raise brings them nearer to the dab's target, lower to 0, or to what the
+/// parameters say.
+enum class Material {
+    bedrock = 0,
+    regolith = 1,
+    water = 2,
+    hardness = 3,
+    mask = 4,
+    rain = 5,
+    manning = 6,
+    infiltration = 7
+};
 /// Their names as parameters and journals have them.
 const std::vector<std::string>& material_names();
 /// How a dab fades from its middle to its edge: by a cubic, straight, like a ball, like a thorn.
@@ -38,13 +48,13 @@ const std::vector<std::string>& noise_kind_names();
 // values. A shader gets a field by a line of shaders/maths/dab_numbers.glsl named by effect and field:
 // ramp_rise_m.
 
-/// Adds the dab's material, or brings a painted layer nearer to its target.
+/// Adds the dab's material, or brings a painted number nearer to its target.
 struct RaiseDab {
     static constexpr const char* name = "raise";
     bool operator==(const RaiseDab&) const = default;
 };
 
-/// Takes it, or brings a painted layer nearer to 0.
+/// Takes it, or brings a painted number nearer to 0, or to what the parameters say.
 struct LowerDab {
     static constexpr const char* name = "lower";
     bool operator==(const LowerDab&) const = default;
@@ -163,9 +173,41 @@ struct ErodeDab {
     bool operator==(const ErodeDab&) const = default;
 };
 
+/// What a path is; the ground is shaped by the other fields of a PathDab alone.
+enum class PathKind { road, river, wall, ditch, breach };
+const std::vector<std::string>& path_kind_names();
+
+/// Shapes the ground along a line: a road, a river's bed, a wall, a ditch, a breach. The line's height holds
+/// across its width; beside it the sides rise or fall from there to the ground. The dab's centre is at the
+/// line's first point, its radius is how far from the line it reaches, its target a height near the line's,
+/// which floats measure the line's heights from.
+struct PathDab {
+    static constexpr const char* name = "path";
+    static constexpr bool has_object = true;
+    static constexpr std::size_t most_points = 8192;
+    PathKind kind = PathKind::road;
+    std::vector<glm::dvec3> points_m = {glm::dvec3(0), glm::dvec3(1, 0, 0)};  ///< east, north, height
+    double half_width_m = 4;
+    double cut_slope = 1;   ///< of its sides where the ground is higher: rise over run
+    double fill_slope = 1;  ///< and where it is lower
+    bool cuts = true;       ///< takes what is higher
+    bool fills = true;      ///< fills what is lower
+    template <typename Self, typename Visit>
+    static void visit_fields(Self& self, Visit&& visit) {
+        visit("kind", self.kind, path_kind_names());
+        visit("points_m", self.points_m, -1e9, 1e9);
+        visit("half_width_m", self.half_width_m, 0, 1e6);
+        visit("cut_slope", self.cut_slope, 1e-3, 1e6);
+        visit("fill_slope", self.fill_slope, 1e-3, 1e6);
+        visit("cuts", self.cuts);
+        visit("fills", self.fills);
+    }
+    bool operator==(const PathDab&) const = default;
+};
+
 /// One of them, in the order of their numbers in shaders/maths/brush_modes.glsl.
 using DabEffect = std::variant<RaiseDab, LowerDab, SmoothDab, FlattenDab, RampDab, NoiseDab, TerraceDab,
-                               StampDab, ErodeDab>;
+                               StampDab, ErodeDab, PathDab>;
 enum class BrushMode {
     raise = glsl::brush_mode_raise,
     lower = glsl::brush_mode_lower,
@@ -175,7 +217,8 @@ enum class BrushMode {
     noise = glsl::brush_mode_noise,
     terrace = glsl::brush_mode_terrace,
     stamp = glsl::brush_mode_stamp,
-    erode = glsl::brush_mode_erode
+    erode = glsl::brush_mode_erode,
+    path = glsl::brush_mode_path
 };
 /// Their names as journals have them.
 const std::vector<std::string>& brush_mode_names();
@@ -195,7 +238,7 @@ struct Dab {
     double blend =
         0;  ///< smooth, flatten, ramp, terrace, stamp, paint: share of the way in the middle, 0 … 1
     /// Flatten: the height to reach; ramp: at its beginning; terrace: of a step; stamp: that its zero
-    /// stands on; paint: the value, as PaintedLayer says.
+    /// stands on; paint: the value, as PaintedNumber says.
     double target_m = 0;
     /// What raise adds and lower takes; the other effects change the ground whatever it is.
     Material material = Material::bedrock;
@@ -216,7 +259,7 @@ struct Dab {
     glm::dvec2 way_m() const { return as<RampDab>() ? as<RampDab>()->way_m : glm::dvec2(0); }
     /// Whether the dab changes the water rather than the ground.
     bool is_water() const { return material == Material::water && brings_or_takes(); }
-    /// Whether it paints a layer rather than change the ground.
+    /// Whether it paints a number of a layer rather than change the ground.
     bool is_paint() const { return material >= Material::hardness && brings_or_takes(); }
     bool operator==(const Dab&) const = default;
 
@@ -275,8 +318,8 @@ bool has_object(const DabEffect& effect);
 /// Throws talus::Error that names the field when a dab cannot be made.
 void check_dab(const Dab& dab);
 
-/// The layer that a painted material paints.
-PaintedLayer painted_layer(Material material);
+/// The number that a painted material paints.
+PaintedNumber painted_number(Material material);
 
 /// A dab of everything: the same everywhere on the terrain.
 Dab everywhere(const Grid& grid, Dab dab);

@@ -55,7 +55,15 @@ DabNumbers dab_numbers(const Grid& grid, const Dab& dab, glm::ivec2 stamp_sample
     numbers.stamp_samples = stamp_samples;
     visit_own(dab, TakeField{numbers, brush_mode_names()[dab.effect.index()]});
     if (const auto* stamp = dab.as<StampDab>()) lay_stamp(*stamp, numbers);
+    if (const auto* path = dab.as<PathDab>()) numbers.path_points = static_cast<int>(path->points_m.size());
     return numbers;
+}
+
+std::vector<glm::vec4> path_line(const Dab& dab) {
+    std::vector<glm::vec4> line;
+    for (const glm::dvec3& point : dab.as<PathDab>()->points_m)
+        line.emplace_back(point.x - dab.x_m, dab.y_m - point.y, point.z - dab.target_m, 0);
+    return line;
 }
 
 }  // namespace talus

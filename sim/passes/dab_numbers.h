@@ -1,5 +1,6 @@
 #pragma once
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "shaders/maths/twin.h"
 #include "sim/passes/dab.h"
@@ -17,5 +18,8 @@ struct DabNumbers {
 
 /// `stamp_samples`: columns and rows of the stamp, for a dab of it.
 DabNumbers dab_numbers(const Grid& grid, const Dab& dab, glm::ivec2 stamp_samples = {2, 2});
+
+/// The points of a dab of a path, as shaders/maths/path.glsl has them; the fourth numbers are 0.
+std::vector<glm::vec4> path_line(const Dab& dab);
 
 }  // namespace talus

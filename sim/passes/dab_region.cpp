@@ -8,8 +8,16 @@ namespace talus {
 gpu::Region dab_region(const Grid& grid, const Dab& dab) {
     if (dab.as<ErodeDab>()) return erode_window(grid, dab);
     const auto whole = [](double v) { return static_cast<int>(std::clamp(v, -1e6, 1e6)); };
-    const glm::dvec2 low = glm::min(glm::dvec2(0), dab.way_m()) - dab.radius_m;
-    const glm::dvec2 high = glm::max(glm::dvec2(0), dab.way_m()) + dab.radius_m;
+    glm::dvec2 low = glm::min(glm::dvec2(0), dab.way_m());
+    glm::dvec2 high = glm::max(glm::dvec2(0), dab.way_m());
+    if (const auto* path = dab.as<PathDab>())
+        for (const glm::dvec3& point : path->points_m) {
+            const glm::dvec2 way = glm::dvec2(point) - glm::dvec2(dab.x_m, dab.y_m);
+            low = glm::min(low, way);
+            high = glm::max(high, way);
+        }
+    low -= dab.radius_m;
+    high += dab.radius_m;
     const int x0 = whole(std::ceil(grid.column_of(dab.x_m + low.x)));
     const int x1 = whole(std::floor(grid.column_of(dab.x_m + high.x)));
     const int y0 = whole(std::ceil(grid.row_of(dab.y_m + high.y)));

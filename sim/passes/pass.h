@@ -1,10 +1,13 @@
 #pragma once
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "sim/budget.h"
+#include "sim/gpu/buffer.h"
 #include "sim/moment.h"
 #include "sim/passes/dab.h"
 #include "sim/passes/mask_settings.h"
@@ -32,8 +35,8 @@ class Pass {
     /// be run with these parameters.
     virtual void fit(const Grid& /*grid*/, Parameters& /*parameters*/) const {}
     /// Turns parameters that name edges of the map with the terrain, by quarters of a circle,
-    /// counterclockwise.
-    virtual void turn(Parameters& /*parameters*/, int /*quarters*/) const {}
+    /// counterclockwise, and events that set them.
+    virtual void turn(Parameters& /*parameters*/, std::vector<Event>& /*events*/, int /*quarters*/) const {}
     /// Before a tick's first pass: adds the layers that this one will need in it.
     virtual void prepare_tick(Terrain& /*terrain*/, const Moment& /*at*/) {}
     /// Runs up to `substeps` sub-steps of its part of the tick, and lowers the number by those that it ran.
@@ -52,8 +55,13 @@ class Pass {
     /// From now on it counts what passes these sections, if that is its matter. Throws talus::Error where one
     /// lies off the map.
     virtual void follow_sections(const Terrain& /*terrain*/, const std::vector<Section>& /*sections*/) {}
-    /// The water that passed each so far, m³; empty: it counts none. Waits for the device.
-    virtual std::vector<double> section_volumes_m3(const Grid& /*grid*/) const { return {}; }
+    /// A copy of what it counted of them so far, words on the device; none: nothing.
+    virtual std::optional<gpu::Buffer> section_words() const { return std::nullopt; }
+    /// Of such words, the water that passed each, m³; empty: it counts none.
+    virtual std::vector<double> section_volumes_m3(const Grid& /*grid*/,
+                                                   std::span<const double> /*words*/) const {
+        return {};
+    }
 
     /// The list may grow by a tick or an act.
     virtual std::vector<Book> books() { return {}; }

@@ -19,20 +19,23 @@ Book Sediment::book() {
             }};
 }
 
-gpu::Program& Sediment::program_of(bool painted, bool worn) {
-    const auto found = programs_.find({painted, worn});
+gpu::Program& Sediment::program_of(bool painted, bool worn, bool land_cover) {
+    const std::array<bool, 3> wanted = {painted, worn, land_cover};
+    const auto found = programs_.find(wanted);
     if (found != programs_.end()) return found->second;
     std::vector<std::string> defines;
     if (painted) defines.emplace_back("PAINTED 1");
     if (worn) defines.emplace_back("WEAR_MAP 1");
+    if (land_cover) defines.emplace_back("LAND_COVER 1");
     gpu::Program program({"sim/sediment.comp"}, defines);
-    return programs_.emplace(std::pair(painted, worn), std::move(program)).first->second;
+    return programs_.emplace(wanted, std::move(program)).first->second;
 }
 
 void Sediment::exchange(Terrain& terrain, const gpu::Buffer& list, const gpu::Buffer& activity,
-                        const gpu::Buffer& clock, const gpu::Buffer& tick, bool counts_wear) {
-    const bool worn = counts_wear && terrain.worn_by_water;
-    gpu::Program& program = program_of(terrain.painted.has_value(), worn);
+                        const gpu::Buffer& clock, const gpu::Buffer& tick, SedimentMaps maps) {
+    const bool worn = maps.wear && terrain.worn_by_water;
+    gpu::Program& program = program_of(terrain.painted.has_value(), worn, maps.land_cover);
+    if (maps.land_cover) program.bind_image("land_cover", terrain.land_cover->front);
     if (worn) program.bind_image("worn", terrain.worn_by_water->front);
     program.bind_image("water_in", terrain.water->front);
     program.bind_image("load", terrain.suspended->front);

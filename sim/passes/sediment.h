@@ -1,6 +1,6 @@
 #pragma once
+#include <array>
 #include <map>
-#include <utility>
 
 #include "sim/budget.h"
 #include "sim/gpu/buffer.h"
@@ -11,6 +11,12 @@
 
 namespace talus {
 
+/// The maps that an exchange counts, or goes by, where the terrain has them.
+struct SedimentMaps {
+    bool wear = false;
+    bool land_cover = false;  ///< Manning's n differs from place to place
+};
+
 /// The exchange between bed and water after each of the water's sub-steps, and the books of solid that passes
 /// the edges. The transport itself is part of the water's stages (sim/passes/water.h).
 class Sediment {
@@ -20,9 +26,9 @@ class Sediment {
     /// Before each tick of the water.
     void begin_tick(const WaterSettings& water) { numbers.set(sediment_numbers(water)); }
     /// On the tiles of the list, for a sub-step of the water's clock. `activity`: the water's, which it wakes
-    /// where the bed moves. `tick`: the water's numbers. `counts_wear`: where the terrain has the layer.
+    /// where the bed moves. `tick`: the water's numbers.
     void exchange(Terrain& terrain, const gpu::Buffer& list, const gpu::Buffer& activity,
-                  const gpu::Buffer& clock, const gpu::Buffer& tick, bool counts_wear);
+                  const gpu::Buffer& clock, const gpu::Buffer& tick, SedimentMaps maps);
 
     /// Of solid that passed the edges.
     Book book();
@@ -32,10 +38,9 @@ class Sediment {
     gpu::UniformBlock<SedimentNumbers> numbers{"sediment numbers"};
 
   private:
-    gpu::Program& program_of(bool painted, bool worn);
+    gpu::Program& program_of(bool painted, bool worn, bool land_cover);
 
-    std::map<std::pair<bool, bool>, gpu::Program>
-        programs_;  // by painted hardness and whether wear is counted
+    std::map<std::array<bool, 3>, gpu::Program> programs_;  // by what program_of() asks for
     gpu::Program bed_program_;
 };
 

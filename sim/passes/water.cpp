@@ -41,6 +41,7 @@ Water::Water(const Terrain& terrain)
       bed_beyond_("water bed beyond", words_of_bed_beyond(terrain.grid()) * sizeof(float)),
       edge_books_("water edge books",
                   2 * static_cast<std::size_t>(terrain.grid().nx + terrain.grid().ny) * sizeof(glm::dvec2)),
+      inflow_shares_(terrain.grid()),
       sediment_(terrain.grid()) {
     clock_.fill(0);
     activity_.fill(0);
@@ -53,21 +54,25 @@ Water::Water(const Terrain& terrain)
 }
 
 gpu::Program& Water::stage_program(int stage, bool counts_flow) {
-    const bool friction = settings_.manning_s_per_m13 > 0;
+    const bool land_cover = has_land_cover(settings_);
+    const bool friction = settings_.manning_s_per_m13 > 0 || land_cover;
     const bool sources = has_sources(settings_, stage);
     const bool rain_map = has_rain_map(settings_);
     const bool inflow = has_inflow(settings_);
+    const bool conveyance = spreads_by_conveyance(settings_);
     const int key = settings_.order + 4 * stage + (friction ? 16 : 0) + (sources ? 32 : 0) +
                     (rain_map ? 64 : 0) + (settings_.sediment.carried ? 128 : 0) + (inflow ? 256 : 0) +
-                    (counts_flow ? 512 : 0);
+                    (counts_flow ? 512 : 0) + (land_cover ? 1024 : 0) + (conveyance ? 2048 : 0);
     auto found = stage_programs_.find(key);
     if (found == stage_programs_.end()) {
         std::vector<std::string> defines = {"ORDER " + std::to_string(settings_.order),
                                             "STAGE " + std::to_string(stage)};
         if (friction) defines.emplace_back("FRICTION 1");
+        if (land_cover) defines.emplace_back("LAND_COVER 1");
         if (sources) defines.emplace_back("SOURCES 1");
         if (rain_map) defines.emplace_back("RAIN_MAP 1");
         if (inflow) defines.emplace_back("INFLOW 1");
+        if (conveyance) defines.emplace_back("CONVEYANCE 1");
         if (settings_.sediment.carried) defines.emplace_back("SEDIMENT 1");
         if (counts_flow) defines.emplace_back("FLOW_MAP 1");
         found = stage_programs_.emplace(key, gpu::Program({"sim/water.comp"}, defines)).first;
@@ -86,16 +91,19 @@ void Water::bind_buffers(gpu::Program& program) const {
     program.bind_storage("TickSeries", series_);
     program.bind_storage("BedBeyond", bed_beyond_);
     program.bind_storage("EdgeBooks", edge_books_);
+    program.bind_storage("InflowShares", inflow_shares_.shares);
     program.bind_uniforms("WaterNumbers", numbers_);
 }
 
 gpu::Program& Water::edge_program() {
     const bool carried = settings_.sediment.carried;
-    const int key = settings_.order + (carried ? 16 : 0);
+    const bool conveyance = spreads_by_conveyance(settings_);
+    const int key = settings_.order + (carried ? 16 : 0) + (conveyance ? 32 : 0);
     auto found = edge_programs_.find(key);
     if (found == edge_programs_.end()) {
         std::vector<std::string> defines = {"ORDER " + std::to_string(settings_.order)};
         if (carried) defines.emplace_back("SEDIMENT 1");
+        if (conveyance) defines.emplace_back("CONVEYANCE 1");
         found = edge_programs_.emplace(key, gpu::Program({"sim/water_edges.comp"}, defines)).first;
     }
     return found->second;
@@ -112,7 +120,8 @@ void Water::begin_tick(Terrain& terrain, const WaterSettings& settings, const st
     const std::uint32_t none = 0;
     clock_.write(offsetof(WaterClock, clock_edge_fastest), std::as_bytes(std::span(&none, 1)));
 
-    series_.write_all(tick_series(settings, grid, tick_s, start_s));
+    const std::vector<float> series = tick_series(settings, grid, tick_s, start_s);
+    series_.write_all(series);
 
     std::vector<glm::vec4> placed;
     placed.reserve(springs.size());
@@ -121,7 +130,7 @@ void Water::begin_tick(Terrain& terrain, const WaterSettings& settings, const st
         placed.emplace_back(at.x, at.y, spring.rate_m3_per_s / (grid.dx * grid.dy), 0);
     }
     numbers_.set(water_numbers(grid, {terrain.tiles.columns(), terrain.tiles.rows()}, settings, tick_s,
-                               springs.size()));
+                               springs.size(), series));
     if (settings.sediment.carried) sediment_.begin_tick(settings);
     if (!placed.empty()) {
         if (springs_.bytes() != placed.size() * sizeof(glm::vec4))
@@ -144,6 +153,8 @@ void Water::begin_tick(Terrain& terrain, const WaterSettings& settings, const st
     bed.dispatch_indirect(active_.buffer);
     gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
                   gpu::Use::buffer_transfer});
+    if (spreads_by_conveyance(settings))
+        inflow_shares_.find(terrain, numbers_, clock_, settings.manning_painted);
 }
 
 void Water::substep(Terrain& terrain) {
@@ -157,7 +168,8 @@ void Water::substep(Terrain& terrain) {
             run_stage(terrain, stage);
         },
         [&] {
-            sediment_.exchange(terrain, active_.buffer, activity_, clock_, numbers_, settings_.counts_maps);
+            sediment_.exchange(terrain, active_.buffer, activity_, clock_, numbers_,
+                               {.wear = settings_.counts_maps, .land_cover = settings_.manning_painted});
         });
 }
 
@@ -179,13 +191,11 @@ void Water::fill_ghosts(Terrain& terrain, int stage) {
 }
 
 void Water::count_sections(const Terrain& terrain, int stage) {
-    gpu::Program* program = sections.program(settings_.order);
-    if (!program) return;
-    program->bind_image("water_in", stage == 1 ? terrain.water->front : terrain.water->back);
-    program->bind_image("bed_in", terrain.water_bed);
-    bind_buffers(*program);
-    program->dispatch(sections.groups());
-    gpu::barrier({gpu::Use::storage, gpu::Use::buffer_transfer});
+    sections.count(settings_.order, spreads_by_conveyance(settings_), [&](gpu::Program& program) {
+        program.bind_image("water_in", stage == 1 ? terrain.water->front : terrain.water->back);
+        program.bind_image("bed_in", terrain.water_bed);
+        bind_buffers(program);
+    });
 }
 
 // The first stage writes to the back images; the second one completes the front ones in place.
@@ -203,6 +213,7 @@ void Water::run_stage(Terrain& terrain, int stage) {
     if (settings_.sediment.carried) bind_pair(*terrain.suspended, "load_in", "load_out");
     program.bind_image("bed_in", terrain.water_bed);
     if (has_rain_map(settings_)) program.bind_image("painted", terrain.painted->front);
+    if (has_land_cover(settings_)) program.bind_image("land_cover", terrain.land_cover->front);
     program.dispatch_indirect(active_.buffer);
     gpu::barrier({gpu::Use::image, gpu::Use::sampler, gpu::Use::storage, gpu::Use::texture_transfer,
                   gpu::Use::buffer_transfer});

@@ -7,6 +7,7 @@
 #include "sim/gpu/program.h"
 #include "sim/gpu/readback.h"
 #include "sim/gpu/uniform_block.h"
+#include "sim/passes/inflow_shares.h"
 #include "sim/passes/pass_work.h"
 #include "sim/passes/sediment.h"
 #include "sim/passes/water_numbers.h"
@@ -64,8 +65,8 @@ class Water {
     gpu::Program step_program_;
     gpu::Program bed_program_;
     gpu::Program loaded_bed_program_;
-    std::map<int, gpu::Program> edge_programs_;   // by order and load
-    std::map<int, gpu::Program> stage_programs_;  // by order, stage, friction, sources, inflow, load, flow
+    std::map<int, gpu::Program> edge_programs_;   // by order, load and conveyance
+    std::map<int, gpu::Program> stage_programs_;  // by what stage_program() asks for
     TileList active_;
     gpu::UniformBlock<WaterNumbers> numbers_;
     gpu::Buffer clock_;
@@ -77,6 +78,8 @@ class Water {
     gpu::Buffer series_;
     gpu::Buffer bed_beyond_;
     gpu::Buffer edge_books_;
+
+    InflowShares inflow_shares_;
 
     Sediment sediment_;
 

@@ -11,8 +11,8 @@ struct WaterNumbers {
 #include "maths/water_numbers.glsl"
 #undef NUMBER
 };
-/// `tiles`: of the terrain, across and down.
+/// `tiles`: of the terrain, across and down. `series`: the tick's tables (sim/passes/tick_series.h).
 WaterNumbers water_numbers(const Grid& grid, glm::ivec2 tiles, const WaterSettings& settings, double tick_s,
-                           std::size_t springs);
+                           std::size_t springs, const std::vector<float>& series);
 
 }  // namespace talus

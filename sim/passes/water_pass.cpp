@@ -21,7 +21,15 @@ class WaterPass : public Pass {
 
     std::string name() const override { return "water"; }
 
-    void turn(Parameters& parameters, int quarters) const override { turn_edges(parameters, quarters); }
+    void turn(Parameters& parameters, std::vector<Event>& events, int quarters) const override {
+        turn_edges(parameters, quarters);
+        for (Event& event : events) {
+            const auto equals = event.assignment.find('=');
+            if (equals == std::string::npos) continue;
+            event.assignment = turned_edge_parameter(event.assignment.substr(0, equals), quarters) +
+                               event.assignment.substr(equals);
+        }
+    }
 
     void prepare_tick(Terrain& terrain, const Moment& at) override {
         flows_ = is_expected(terrain, at);
@@ -66,8 +74,12 @@ class WaterPass : public Pass {
         if (made_) made_->water.sections.follow(terrain.grid(), sections_);
     }
 
-    std::vector<double> section_volumes_m3(const Grid& grid) const override {
-        if (made_) return made_->water.sections.volumes_m3(grid);
+    std::optional<gpu::Buffer> section_words() const override {
+        return made_ ? made_->water.sections.copy_of_words() : std::nullopt;
+    }
+
+    std::vector<double> section_volumes_m3(const Grid& grid, std::span<const double> words) const override {
+        if (made_) return made_->water.sections.volumes_m3(grid, words);
         return std::vector<double>(sections_.size(), 0);
     }
 
@@ -94,7 +106,7 @@ class WaterPass : public Pass {
         const Parameters& parameters = at.parameters;
         if (!parameters.toggle("water.on")) return false;
         if (terrain.water || !at.springs.empty() || parameters.number("water.rain_mm_per_h") > 0) return true;
-        if (terrain.rain_painted) return true;
+        if (terrain.was_painted(PaintedNumber::rain)) return true;
         const WaterSettings settings = water_settings_of(parameters);
         return std::any_of(settings.edges.begin(), settings.edges.end(), [](EdgeKind kind) {
             return kind == EdgeKind::inflow || kind == EdgeKind::level || kind == EdgeKind::wave;
@@ -120,7 +132,12 @@ class WaterPass : public Pass {
         sediment.carried = terrain.suspended.has_value();
         if (sediment.masked && !terrain.painted)
             sediment.regolith_m_per_s_pa = sediment.bedrock_m_per_s_pa = 0;
-        settings.rain_painted = terrain.rain_painted && terrain.painted.has_value();
+        const auto is_painted_on = [&](PaintedNumber number, const std::optional<DeviceLayer>& layer) {
+            return layer.has_value() && terrain.was_painted(number);
+        };
+        settings.rain_painted = is_painted_on(PaintedNumber::rain, terrain.painted);
+        settings.manning_painted = is_painted_on(PaintedNumber::manning, terrain.land_cover);
+        settings.infiltration_painted = is_painted_on(PaintedNumber::infiltration, terrain.land_cover);
         return settings;
     }
 

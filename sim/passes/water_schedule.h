@@ -10,15 +10,26 @@ inline bool has_rain_map(const WaterSettings& settings) {
     return settings.rain_painted || (settings.rain_masked && settings.rain_m_per_s > 0);
 }
 
+/// Whether roughness or infiltration differ from place to place.
+inline bool has_land_cover(const WaterSettings& settings) {
+    return settings.manning_painted || settings.infiltration_painted;
+}
+
 /// Whether an edge is of kind inflow: what passes it is given.
 inline bool has_inflow(const WaterSettings& settings) {
     return std::find(settings.edges.begin(), settings.edges.end(), EdgeKind::inflow) != settings.edges.end();
 }
 
+/// Whether that differs along an edge.
+inline bool spreads_by_conveyance(const WaterSettings& settings) {
+    return settings.inflow_by_conveyance && has_inflow(settings);
+}
+
 /// Whether rain, infiltration and evaporation act in this stage: after every Euler step.
 inline bool has_sources(const WaterSettings& settings, int stage) {
     const bool any = settings.rain_m_per_s > 0 || settings.rain_painted ||
-                     settings.infiltration_m_per_s > 0 || settings.evaporation_m_per_s > 0;
+                     settings.infiltration_m_per_s > 0 || settings.infiltration_painted ||
+                     settings.evaporation_m_per_s > 0;
     return any && (settings.order == 1 || stage == 2);
 }
 

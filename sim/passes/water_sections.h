@@ -1,7 +1,10 @@
 #pragma once
+#include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/budget.h"
@@ -19,32 +22,31 @@ class WaterSections {
     /// device. Throws talus::Error where one lies off the map, and goes on with those before then.
     void follow(const Grid& grid, const std::vector<Section>& sections);
 
-    /// The program that books a stage, with the lists bound: run it for groups() of 64. None: there is no
-    /// section.
-    gpu::Program* program(int order);
-    int groups() const { return (static_cast<int>(faces_.size()) + 63) / 64; }
+    /// Books a stage. `bind` binds all but the sections' lists. `conveyance`: the inflow differs along an
+    /// edge.
+    void count(int order, bool conveyance, const std::function<void(gpu::Program&)>& bind);
 
-    /// What passed each so far, m³: to the right of its line as positive. Waits for the device.
-    std::vector<double> volumes_m3(const Grid& grid) const;
-    /// It adds nothing to the ledger, and undo takes it back.
+    /// What passed each face of each section so far, doubles, as it is now; none: there is no section.
+    std::optional<gpu::Buffer> copy_of_words() const;
+    /// Of such words, what passed each section, m³: to the right of its line as positive; of none, nothing.
+    std::vector<double> volumes_m3(const Grid& grid, std::span<const double> words) const;
+    /// One a section, so that undo takes back what it counted, whatever became of the others. They add
+    /// nothing to the ledger.
     std::vector<Book> books();
 
   private:
     struct Counted {
         Section section;
-        std::size_t first = 0;  ///< of its faces
-        std::size_t count = 0;
-    };
-
-    std::vector<Counted> counted_;
-    std::vector<SectionFace> faces_;  // of all, one section's behind the other's
-    struct Lists {
-        std::string name;  // tells these sections from others: undo knows the book by it
-        gpu::Buffer faces;
+        std::vector<SectionFace> faces;
+        std::string name;  // of its book
+        gpu::Buffer list;
         gpu::Buffer book;
     };
-    std::optional<Lists> lists_;            // none: there is no section
-    std::map<int, gpu::Program> programs_;  // by order
+    gpu::Program& program(int order, bool conveyance);
+    static Counted begun(const Grid& grid, const Section& section);
+
+    std::vector<Counted> counted_;
+    std::map<std::pair<int, bool>, gpu::Program> programs_;  // by order and conveyance
 };
 
 }  // namespace talus

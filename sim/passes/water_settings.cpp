@@ -27,14 +27,21 @@ const std::string& boundary_parameter(Edge edge) {
     return names[static_cast<std::size_t>(edge)];
 }
 
-void turn_edges(Parameters& parameters, int quarters) {
+std::string turned_edge_parameter(const std::string& name, int quarters) {
     // What was east is north after a quarter.
     constexpr std::array around = {Edge::east, Edge::north, Edge::west, Edge::south};
-    const Parameters before = parameters;
     const auto turned = static_cast<std::size_t>((quarters % 4 + 4) % 4);
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Value& from = before.value(boundary_parameter(around[i]));
-        const std::string& to = boundary_parameter(around[(i + turned) % 4]);
+    for (std::size_t i = 0; i < 4; ++i)
+        if (name == boundary_parameter(around[i])) return boundary_parameter(around[(i + turned) % 4]);
+    return name;
+}
+
+void turn_edges(Parameters& parameters, int quarters) {
+    const Parameters before = parameters;
+    for (const Edge edge : {Edge::north, Edge::south, Edge::west, Edge::east}) {
+        const std::string& name = boundary_parameter(edge);
+        const std::string to = turned_edge_parameter(name, quarters);
+        const Value& from = before.value(name);
         if (from != before.value(to)) parameters.set(to, from);
     }
 }
@@ -88,14 +95,21 @@ const std::vector<BoundParameter<WaterSettings>>& water_parameters() {
         boundary(Edge::south, "Southern edge, as the northern one."),
         boundary(Edge::west, "Western edge, as the northern one."),
         boundary(Edge::east, "Eastern edge, as the northern one."),
-        bound(
-            number(
-                "water.inflow_m3_per_s", preset.inflow_m3_per_s, 0, 1e9, "m³/s",
-                "Discharge through all edges of kind inflow together, at its peak; spread evenly along them.")
-                .once("water.inflow")
-                .setting_off(SetsOff::edge_clock)
-                .following_tables(Driven::within_tick),
-            &WaterSettings::inflow_m3_per_s),
+        bound(number("water.inflow_m3_per_s", preset.inflow_m3_per_s, 0, 1e9, "m³/s",
+                     "Discharge through all edges of kind inflow together, at its peak, each by its length.")
+                  .once("water.inflow")
+                  .setting_off(SetsOff::edge_clock)
+                  .following_tables(Driven::within_tick),
+              &WaterSettings::inflow_m3_per_s),
+        bound(choice(
+                  "water.inflow_over", preset.inflow_by_conveyance, {"evenly", "conveyance"},
+                  "How it spreads along an edge: evenly, or as the ground there conveys it, by depth^(5/3) / "
+                  "Manning's n under one level; then it comes in through the valleys."),
+              &WaterSettings::inflow_by_conveyance),
+        bound(number("water.inflow_slope", preset.inflow_slope, 1e-6, 1, "",
+                     "Slope of the river beyond the edge, for the level that water.inflow_over = conveyance "
+                     "goes by."),
+              &WaterSettings::inflow_slope),
         bound(number("water.inflow_rise_s", preset.inflow_rise_s, 0, 1e9, "s",
                      "Time that the inflow takes from nothing to its peak.")
                   .once("water.inflow_rise")

@@ -49,16 +49,20 @@ struct WaterSettings {
     double gravity_m_per_s2 = 9.81;
     double manning_s_per_m13 = 0.03;  ///< Manning's n; 0: no friction
     double rain_m_per_s = 0;
-    bool rain_masked = false;   ///< rain falls where the mask is, not everywhere
-    bool rain_painted = false;  ///< rain was painted somewhere, and falls there too
+    bool rain_masked = false;           ///< rain falls where the mask is, not everywhere
+    bool rain_painted = false;          ///< rain was painted somewhere, and falls there too
+    bool manning_painted = false;       ///< as is Manning's n, which holds there instead
+    bool infiltration_painted = false;  ///< as is infiltration
     double infiltration_m_per_s = 0;
     double evaporation_m_per_s = 0;
     std::array<EdgeKind, 4> edges = {EdgeKind::open, EdgeKind::open, EdgeKind::open, EdgeKind::open};
-    double level_m = 0;          ///< held at level edges, still level at wave edges
-    bool has_sea = false;        ///< a sea of this level stands beyond open edges: the level was given
-    double inflow_m3_per_s = 0;  ///< over all inflow edges together, at its peak
-    double inflow_rise_s = 0;    ///< from nothing to the peak; 0: at once
-    double inflow_fall_s = 0;    ///< from the peak back to nothing; 0: it stays
+    double level_m = 0;                 ///< held at level edges, still level at wave edges
+    bool has_sea = false;               ///< a sea of this level stands beyond open edges: the level was given
+    double inflow_m3_per_s = 0;         ///< over all inflow edges together, at its peak
+    bool inflow_by_conveyance = false;  ///< spread so along each edge, not evenly
+    double inflow_slope = 1e-3;         ///< of the uniform flow whose level spreads it so
+    double inflow_rise_s = 0;           ///< from nothing to the peak; 0: at once
+    double inflow_fall_s = 0;           ///< from the peak back to nothing; 0: it stays
     WaveForm wave_form = WaveForm::sine;
     double wave_height_m =
         1;  ///< sine: amplitude; solitary: crest above the still level; series: by its table alone
@@ -89,5 +93,7 @@ WaterSettings water_settings_of(const Parameters& parameters);
 const std::string& boundary_parameter(Edge edge);
 /// The kinds of the edges go with a map that turns by quarters of a circle, counterclockwise.
 void turn_edges(Parameters& parameters, int quarters);
+/// What the parameter of an edge is called then; another parameter's name stays.
+std::string turned_edge_parameter(const std::string& name, int quarters);
 
 }  // namespace talus

@@ -58,6 +58,9 @@ class WaterTwin {
     const std::vector<real4>& solid() const { return solid_; }
     std::vector<real2> read_load() const { return samples_of(load_front_); }
 
+    /// From now on roughness and infiltration are as these texels say, rows as in TerrainState.
+    void cover_land(const std::vector<glm::vec4>& land_cover) { land_cover_ = land_cover; }
+
     /// From now on it counts the flow, and, where a load is carried, wear and deposition.
     void count_maps() {
         flow_.assign(static_cast<std::size_t>(nx) * ny, real2(0));
@@ -70,7 +73,8 @@ class WaterTwin {
     void tick(double whole_s, double start_s) {
         series_ = tick_series(settings_, grid_, whole_s, start_s);
         edge_speed_ = 0;
-        take(water_numbers(grid_, {0, 0}, settings_, whole_s, springs_.size()));
+        take(water_numbers(grid_, {0, 0}, settings_, whole_s, springs_.size(), series_));
+        if (spreads_by_conveyance(settings_)) find_inflow_shares();
         real left = tick_s;
         while (left > 0) left = substep(left);
     }
@@ -113,7 +117,9 @@ class WaterTwin {
         return static_cast<real>(std::bit_cast<float>(static_cast<std::int32_t>(seed)));
     }
 
+#include "maths/conveyance.glsl"
 #include "maths/ground_height.glsl"
+#include "maths/land_cover.glsl"
 #include "maths/rise.glsl"
 #include "maths/sediment_exchange.glsl"
 #include "maths/sediment_transport.glsl"
@@ -175,9 +181,9 @@ class WaterTwin {
                 const real drop = bed(0, 0) - min(min(bed(-1, 0), bed(1, 0)), min(bed(0, -1), bed(0, 1)));
                 const real rise = max(max(bed(-1, 0), bed(1, 0)), max(bed(0, -1), bed(0, 1))) - bed(0, 0);
                 const bool is_base = x == 0 || y == 0 || x == nx - 1 || y == ny - 1;
-                const SedimentSample after = sediment_exchange(front_[at], sediment_shear(front_[at]),
-                                                               SedimentSample{solid_[i], load_front_[at]},
-                                                               hardness, is_base, drop, rise);
+                const SedimentSample after = sediment_exchange(
+                    front_[at], sediment_shear(front_[at], drag_at(i)),
+                    SedimentSample{solid_[i], load_front_[at]}, hardness, is_base, drop, rise);
                 load_front_[at] = after.load;
                 if (after.solid == solid_[i]) continue;
                 if (!worn_.empty()) worn_[i] = wear_counted(worn_[i], solid_[i], after.solid);
@@ -196,13 +202,17 @@ class WaterTwin {
                 const WaterFace east = face(from, at, int2(1, 0));
                 const WaterFace south = face(from, at + int2(0, 1), int2(0, -1));
                 const WaterFace north = face(from, at, int2(0, -1));
+                const auto i = static_cast<std::size_t>(y) * nx + x;
+                if (!land_cover_.empty())
+                    water_friction = step_.dt * land_cover_roughness(real4(land_cover_[i]));
                 const WaterChange change = water_change(here.x, west, east, south, north);
                 real4 after = water_after_stage(number, to[texel(at)], here, change);
                 if (has_sources(settings_, number))
-                    after = water_with_sources(after, rain_at(at) * step_.dt, water_loss(after, step_.dt));
+                    after = water_with_sources(after, rain_at(at) * step_.dt,
+                                               water_loss(after, loss_at(i), step_.dt));
                 to[texel(at)] = after;
                 if (!flow_.empty()) {
-                    real2& flow = flow_[static_cast<std::size_t>(y) * nx + x];
+                    real2& flow = flow_[i];
                     const real outflow = water_outflow(west, east, south, north);
                     if (outflow > real(0)) flow = flow_counted(flow, outflow);
                 }
@@ -219,6 +229,15 @@ class WaterTwin {
                 real2& load = load_to[texel(at)];
                 load = sediment_after_stage(number, load, load_from[texel(at)], gain);
             }
+    }
+
+    real loss_at(std::size_t i) {
+        return land_cover_.empty() ? loss_m_per_s : land_cover_loss(real4(land_cover_[i]));
+    }
+
+    real drag_at(std::size_t i) {
+        if (land_cover_.empty() || land_cover_[i].y == 0) return sediment_drag;
+        return sediment_drag_of(land_cover_roughness(real4(land_cover_[i])));
     }
 
     real rain_at(int2 at) {
@@ -250,11 +269,54 @@ class WaterTwin {
         const auto give = [&](bool at_edge, int kind, real given) {
             face = water_given_face(face, at_edge, kind, given);
         };
-        give(!turned && at.x < 0, edge_kind_west, edge_inflow);
-        give(!turned && next.x >= nx, edge_kind_east, -edge_inflow);
-        give(turned && at.y >= ny, edge_kind_south, edge_inflow);
-        give(turned && next.y < 0, edge_kind_north, -edge_inflow);
+        if (!turned && at.x < 0) give(true, edge_kind_west, inflow_at(edge_index(2, at.y)));
+        if (!turned && next.x >= nx) give(true, edge_kind_east, -inflow_at(edge_index(3, at.y)));
+        if (turned && at.y >= ny) give(true, edge_kind_south, inflow_at(edge_index(1, at.x)));
+        if (turned && next.y < 0) give(true, edge_kind_north, -inflow_at(edge_index(0, at.x)));
         return face;
+    }
+
+    real inflow_at(int place) const {
+        return inflow_shares_.empty() ? step_.inflow
+                                      : step_.inflow * inflow_shares_[static_cast<std::size_t>(place)];
+    }
+
+    real load_manning(int2 at) {
+        if (land_cover_.empty() || !settings_.manning_painted) return water_manning;
+        const real4 cover(land_cover_[static_cast<std::size_t>(at.y) * nx + at.x]);
+        return land_cover_manning(cover);
+    }
+
+    // Lane after lane, as the device's sum goes.
+    real conveyance_of_side(int side, real lowest, real level) {
+        real sum = 0;
+        for (int lane = 0; lane < conveyance_lanes; ++lane)
+            sum = sum + conveyance_sum(side, lane, lowest, level);
+        return sum;
+    }
+
+    void find_inflow_shares() {
+        inflow_shares_.resize(static_cast<std::size_t>(edge_places()));
+        for (int side = 0; side < 4; ++side) {
+            if (edge_kind_of(side) != edge_inflow_kind) continue;
+            real lowest = conveyance_lowest(side, 0);
+            for (int lane = 1; lane < conveyance_lanes; ++lane)
+                lowest = min(lowest, conveyance_lowest(side, lane));
+            ConveyanceSearch search = conveyance_search();
+            int halvings = 0;
+            for (int i = 0; i < conveyance_doublings + conveyance_halvings && halvings < conveyance_halvings;
+                 ++i) {
+                search = conveyance_next(search, side, conveyance_of_side(side, lowest, search.level));
+                halvings += search.doubles ? 0 : 1;
+            }
+            const real sum = conveyance_of_side(side, lowest, search.high);
+            edge_speed_ = max(edge_speed_, conveyance_speed(search.high));
+            for (int i = 0; i < conveyance_count(side); ++i) {
+                const int place = edge_index(side, i);
+                inflow_shares_[static_cast<std::size_t>(place)] =
+                    conveyance_share(side, place, lowest, search.high, sum);
+            }
+        }
     }
 
     void run_springs() {
@@ -271,7 +333,6 @@ class WaterTwin {
         std::vector<real2>& loads = number == 1 ? load_front_ : load_back_;
         shown_ = &state;
         const real share = number == 1 ? step_.at : step_.at + step_.part;
-        edge_inflow = step_.inflow;
         edge_wave_m = tick_series_at(series_wave, share);
         edge_level_m = tick_series_at(series_level, share);
         edge_sea_m = has_sea == 1 ? edge_level_m : real(no_sea);
@@ -280,6 +341,7 @@ class WaterTwin {
             bed_[texel(at)] = ghost.bed;
         };
         for (int index = 0; index < edge_places(); ++index) {
+            edge_inflow = inflow_at(index);
             const EdgeGhosts made = edge_ghosts(index);
             const EdgePlace& place = made.place;
             store(place.at + place.outward, place.outward, made.ghost);
@@ -303,9 +365,11 @@ class WaterTwin {
     std::vector<real4> back_;
     std::vector<real> bed_;
     std::vector<glm::vec4> painted_;
+    std::vector<glm::vec4> land_cover_;  // empty: all is as the settings say
     std::vector<Spring> springs_;
     std::vector<float> bed_beyond_;
-    std::vector<real4> solid_;  // empty: no load is carried
+    std::vector<real> inflow_shares_;  // empty: even
+    std::vector<real4> solid_;         // empty: no load is carried
     std::vector<real2> load_front_;
     std::vector<real2> load_back_;
     std::vector<real2> flow_;  // empty: not counted

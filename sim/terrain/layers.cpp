@@ -63,7 +63,7 @@ std::string refuse_wear(std::span<const float> worn) {
 
 // What no brush could have painted.
 std::string refuse_painted(std::span<const float> painted) {
-    const double most_rain = most_painted(PaintedLayer::rain);
+    const double most_rain = description_of(PaintedNumber::rain).most;
     if (painted[0] >= 0 && painted[0] <= 1 && painted[1] >= 0 && painted[1] <= 1 && painted[2] >= 0 &&
         painted[2] <= most_rain)
         return "";
@@ -71,6 +71,21 @@ std::string refuse_painted(std::span<const float> painted) {
         "hardness {}, mask {} and rain {} mm/h in one sample: hardness and mask must be 0 to 1, rain 0 to {} "
         "mm/h",
         painted[0], painted[1], painted[2], most_rain);
+}
+
+std::string refuse_land_cover(std::span<const float> cover) {
+    // Where terrain was resampled, numbers are rounded.
+    const auto is_within = [](float value, double most) { return value >= 0 && value <= 1.00001 * most; };
+    const double most_manning = description_of(PaintedNumber::manning).most;
+    const double most_infiltration = description_of(PaintedNumber::infiltration).most;
+    if (is_within(cover[0], most_manning) && is_within(cover[1], 1) &&
+        is_within(cover[2], most_infiltration) && is_within(cover[3], 1))
+        return "";
+    return fmt::format(
+        "Manning's n of {} with share {} and infiltration of {} mm/h with share {} in one sample: shares "
+        "must "
+        "be 0 to 1, Manning's n 0 to {} and infiltration 0 to {} mm/h",
+        cover[0], cover[1], cover[2], cover[3], most_manning, most_infiltration);
 }
 
 // Of what one agent took and laid down.
@@ -144,6 +159,14 @@ const std::vector<LayerDescription>& layers() {
          .samples = &TerrainState::painted,
          .image = &Terrain::painted,
          .refusal = refuse_painted},
+        {.name = "roughness and infiltration",
+         .numbers = {{"manning", "s/m^(1/3)", false, amount},
+                     {"manning_share", "", false, amount},
+                     {"infiltration", "mm/h", false, amount},
+                     {"infiltration_share", "", false, amount}},
+         .samples = &TerrainState::land_cover,
+         .image = &Terrain::land_cover,
+         .refusal = refuse_land_cover},
         {.name = "flow",
          .numbers = {{"flow", "m³", true, Resampling::flow}},
          .samples = &TerrainState::flow,

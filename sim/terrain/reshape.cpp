@@ -124,6 +124,7 @@ TerrainState same_moment(const TerrainState& state) {
     TerrainState next;
     next.springs = state.springs;
     next.drives = state.drives;
+    next.events = state.events;
     next.edges_since_s = state.edges_since_s;
     next.clock = state.clock;
     next.georeference = state.georeference;
@@ -145,6 +146,11 @@ TerrainState turned_once(const TerrainState& state) {
     }
     for (Spring& spring : next.springs)
         spring = {old.height_m() - spring.y_m, spring.x_m, spring.rate_m3_per_s};
+    for (Event& event : next.events) {
+        if (!event.breach) continue;
+        for (glm::dvec2* end : {&event.breach->from_m, &event.breach->to_m})
+            *end = {old.height_m() - end->y, end->x};
+    }
     // What was turned lies there no more.
     next.georeference.reset();
     return next;
@@ -220,6 +226,12 @@ TerrainState cropped(const TerrainState& state, const Rectangle& rectangle) {
         return spring.x_m < 0 || spring.y_m < 0 || spring.x_m > next.grid.width_m() ||
                spring.y_m > next.grid.height_m();
     });
+    for (Event& event : next.events) {
+        if (!event.breach) continue;
+        event.breach->from_m -= moved;
+        event.breach->to_m -= moved;
+    }
+    drop_breaches_beside(next.grid, next.events);
     if (next.georeference) {
         std::array<double, 6>& t = next.georeference->transform;
         t[0] += t[1] * samples.x + t[2] * samples.y;

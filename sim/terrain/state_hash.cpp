@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "sim/events.h"
 #include "sim/terrain/layers.h"
 
 namespace talus {
@@ -25,6 +26,10 @@ std::uint64_t state_hash(const TerrainState& state) {
         XXH3_64bits_update(hash, drive.parameter.data(), drive.parameter.size());
         const std::vector<TimeSeries::Row>& rows = drive.series.rows();
         XXH3_64bits_update(hash, rows.data(), rows.size() * sizeof(TimeSeries::Row));
+    }
+    if (!state.events.empty()) {
+        const std::string events = to_text(state.events);
+        XXH3_64bits_update(hash, events.data(), events.size());
     }
     if (state.edges_since_s != 0) XXH3_64bits_update(hash, &state.edges_since_s, sizeof(state.edges_since_s));
     const std::uint64_t value = XXH3_64bits_digest(hash);

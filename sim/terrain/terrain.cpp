@@ -39,9 +39,6 @@ Terrain::Terrain(const TerrainState& state)
     write_solid(state);
     for (const LayerDescription& layer : layers())
         if (layer.is_optional()) write(layer.image, state);
-    constexpr auto rain = static_cast<int>(PaintedLayer::rain);
-    rain_painted = std::any_of(state.painted.begin(), state.painted.end(),
-                               [](const glm::vec4& texel) { return texel[rain] > 0; });
 }
 
 void Terrain::add(std::optional<DeviceLayer> Terrain::*image) {
@@ -77,6 +74,10 @@ void Terrain::write(std::optional<DeviceLayer> Terrain::*image, const TerrainSta
     add(image);
     DeviceLayer& layer = *(this->*image);
     layer.front.write(layer.texels(ground.whole()), std::as_bytes(words));
+    for (std::size_t i = 0; i < painted_number_count; ++i) {
+        const PaintedNumberDescription& number = painted_numbers()[i];
+        if (number.layer().image == image) ever_painted[i] = ever_painted[i] || is_painted(number, words);
+    }
     tiles.mark_all();
 }
 
@@ -114,14 +115,16 @@ TerrainState Terrain::read() const {
         state.bedrock.emplace_back(texel.x, texel.y);
         state.regolith.emplace_back(texel.z, texel.w);
     }
-    for (const LayerDescription& layer : layers()) {
-        if (!layer.is_optional() || !(this->*layer.image)) continue;
-        const DeviceLayer& image = *(this->*layer.image);
-        make_layer(state, layer, grid_.count());
-        image.front.read(image.texels(ground.whole()), std::as_writable_bytes(words_of(state, layer)));
-    }
+    for (const LayerDescription& layer : layers()) read(layer, state);
     drop_zero_layers(state);
     return state;
+}
+
+void Terrain::read(const LayerDescription& layer, TerrainState& state) const {
+    if (!layer.is_optional() || !(this->*layer.image)) return;
+    const DeviceLayer& image = *(this->*layer.image);
+    make_layer(state, layer, grid_.count());
+    image.front.read(image.texels(ground.whole()), std::as_writable_bytes(words_of(state, layer)));
 }
 
 }  // namespace talus

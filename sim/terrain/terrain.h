@@ -1,8 +1,10 @@
 #pragma once
+#include <array>
 #include <optional>
 
 #include "sim/gpu/program.h"
 #include "sim/gpu/texture.h"
+#include "sim/terrain/painted_numbers.h"
 #include "sim/terrain/terrain_state.h"
 #include "sim/terrain/tiles.h"
 
@@ -50,13 +52,16 @@ class Terrain {
     std::optional<DeviceLayer> inundation;  ///< with the water
     std::optional<DeviceLayer> suspended;   ///< none: nothing was ever eroded by water
     std::optional<DeviceLayer> painted;     ///< none: nothing was painted
+    std::optional<DeviceLayer> land_cover;  ///< none: roughness and infiltration are the parameters'
     std::optional<DeviceLayer> flow;        ///< none: no water flowed, or it is not counted
     std::optional<DeviceLayer>
         worn_by_water;  ///< none: it wore nothing, or it is not counted; as those below
     std::optional<DeviceLayer> worn_by_slopes;
     std::optional<DeviceLayer> worn_by_hand;
     std::vector<float> bed_beyond;  ///< as in TerrainState; nothing changes it
-    bool rain_painted = false;      ///< rain was painted somewhere, though that may be undone
+    /// Of each PaintedNumber: it was painted somewhere, though that may be undone.
+    std::array<bool, painted_number_count> ever_painted{};
+    bool was_painted(PaintedNumber number) const { return ever_painted[static_cast<std::size_t>(number)]; }
     /// m: the ground under the water, as the last tick found it; texels as the water's, and there with it.
     gpu::Texture water_bed;
 
@@ -78,6 +83,8 @@ class Terrain {
 
     /// Reads the layers back. Waits for the device. The clock is left at 0.
     TerrainState read() const;
+    /// Reads one of the optional layers into a state of this size; nothing where it is not there.
+    void read(const LayerDescription& layer, TerrainState& state) const;
 
   private:
     Grid grid_;

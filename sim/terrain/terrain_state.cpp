@@ -7,8 +7,17 @@
 
 namespace talus {
 
-double most_painted(PaintedLayer layer) {
-    return layer == PaintedLayer::rain ? 1e4 : 1;
+bool is_on_map(const Grid& grid, glm::dvec2 place_m) {
+    const glm::dvec2 slack = 1e-6 * glm::dvec2(grid.dx, grid.dy);
+    return place_m.x >= -slack.x && place_m.y >= -slack.y && place_m.x <= grid.width_m() + slack.x &&
+           place_m.y <= grid.height_m() + slack.y;
+}
+
+void drop_breaches_beside(const Grid& grid, std::vector<Event>& events) {
+    std::erase_if(events, [&](const Event& event) {
+        return event.breach &&
+               !(is_on_map(grid, event.breach->from_m) && is_on_map(grid, event.breach->to_m));
+    });
 }
 
 std::vector<float> TerrainState::ground() const {

@@ -33,15 +33,32 @@ struct Drive {
     bool operator==(const Drive&) const = default;
 };
 
-namespace glsl {
-#include "sim/painted_layers.glsl"
-}
+/// A gap that opens in a dam along a line: its bottom sinks from the crest, evenly in time, and its width
+/// grows with it. Sides stand at a slope.
+struct Breach {
+    glm::dvec2 from_m{0};
+    glm::dvec2 to_m{0};
+    double width_m = 10;    ///< of the bottom, at last
+    double crest_m = 0;     ///< height that it begins at
+    double bottom_m = 0;    ///< height that it ends at
+    double side_slope = 1;  ///< rise over run
+    double over_s = 0;      ///< time that it takes; 0: it is there at once
+    bool operator==(const Breach&) const = default;
+};
 
-/// Components of the painted layer: hardness and mask, 0 to 1, and rain, mm/h.
-enum class PaintedLayer { hardness = glsl::layer_hardness, mask = glsl::layer_mask, rain = glsl::layer_rain };
+/// What happens at a simulated time (sim/events.h): a parameter takes a value, or a dam is breached.
+struct Event {
+    double at_s = 0;
+    std::string assignment;  ///< "section.name=value"
+    std::optional<Breach> breach = std::nullopt;
+    bool done = false;
+    bool operator==(const Event&) const = default;
+};
 
-/// The largest value of a painted layer; the smallest is 0.
-double most_painted(PaintedLayer layer);
+/// Leaves out breaches of which an end lies off a map of this size. Roundings of an end on its edge are none.
+void drop_breaches_beside(const Grid& grid, std::vector<Event>& events);
+/// Whether a place (m) is on a map of this size, but for roundings.
+bool is_on_map(const Grid& grid, glm::dvec2 place_m);
 
 /// Everything that a run continues from, in main memory: rows of samples, row 0 north, heights in metres as
 /// two words (high, low). What the document stores. `layers()` (sim/terrain/layers.h) describes its layers.
@@ -55,8 +72,12 @@ struct TerrainState {
     std::vector<glm::vec2> inundation;
     /// Solid in the water above a sample, m, two words; empty: none.
     std::vector<glm::vec2> suspended;
-    /// What brushes painted, as PaintedLayer says; empty: nothing.
+    /// What brushes painted: hardness and mask, 0 to 1, and rain, mm/h; empty: nothing.
     std::vector<glm::vec4> painted;
+    /// What the water flows over where it is not as the parameters say: Manning's n, s/m^(1/3), times its
+    /// share, that share, infiltration, mm/h, times its share, that share (shaders/maths/land_cover.glsl);
+    /// empty: nowhere.
+    std::vector<glm::vec4> land_cover;
     /// Water that left each sample over its faces, m³, two words; empty: none did.
     std::vector<glm::vec2> flow;
     /// Ground that was taken and laid down by water, by slopes and by hand, gross, m: wear and deposition,
@@ -68,6 +89,7 @@ struct TerrainState {
     std::vector<float> bed_beyond;
     std::vector<Spring> springs;
     std::vector<Drive> drives;
+    std::vector<Event> events;
     /// The simulated time from which inflow and wave maker count: when they were last set.
     double edges_since_s = 0;
     Clock clock;

@@ -591,6 +591,80 @@ TEST_F(Program, RunsWithNumbersThatFollowTables) {
               std::string::npos);
 }
 
+TEST_F(Program, RunsTheEventsOfAScene) {
+    std::ofstream(path("storm.toml")) << R"(
+[terrain]
+kind = "flat"
+nx = 65
+ny = 49
+spacing_m = 10
+[time]
+tick_s = 2
+[water]
+rain_mm_per_h = 100
+[[event]]
+at_s = 30
+set = "water.rain=0"
+[[event]]
+at_s = 12
+breach = { from_m = [100, 100], to_m = [200, 100], width_m = 30, crest_m = 0, bottom_m = -5, over_s = 20 }
+)";
+    const std::string whole = hash("run --preset storm.toml --time 60 --journal run.journal");
+    EXPECT_NEAR(report("hash.json")["water"]["in_m3"].get<double>() / (65 * 49 * 100 * 30 * 0.1 / 3600), 1,
+                1e-5);
+    EXPECT_EQ(hash("replay run.journal"), whole);
+    EXPECT_EQ(talus("replay run.journal --size 33x25").code, 0);
+    // Saved while the breach opens; the preset's events are there already.
+    hash("run --preset storm.toml --time 20 --out mid.exr");
+    EXPECT_EQ(hash("run --in mid.exr --time 40"), whole);
+    EXPECT_EQ(hash("run --preset storm.toml --in mid.exr --time 40"), whole);
+    std::ofstream(path("late.toml")) << "[[event]]\nat_s = 1\nset = \"water.lava=0\"\n";
+    EXPECT_NE(refusal("run --preset late.toml --ticks 1").find("preset late: the event at 1 s is wrong"),
+              std::string::npos);
+}
+
+TEST_F(Program, RunsOverRastersOfRoughnessAndInfiltration) {
+    const auto write = [&](const std::string& name, const std::string& west, const std::string& east) {
+        std::ofstream file(path(name));
+        file << "ncols 65\nnrows 49\nxllcorner 0\nyllcorner 0\ncellsize 10\nnodata_value -1\n";
+        for (int row = 0; row < 49; ++row)
+            for (int column = 0; column < 65; ++column)
+                file << (column < 32 ? west : east) << (column < 64 ? ' ' : '\n');
+    };
+    write("n.asc", "0.1", "-1");
+    write("sand.asc", "0", "400");
+    const std::string run =
+        "run --preset still --size 65x49 --set terrain.spacing_m=10 --set time.tick_s=2 --set "
+        "water.rain=100 ";
+    const std::string rasters = "--raster manning=n.asc --raster infiltration=sand.asc ";
+    const std::string plain = hash(run + "--time 60");
+    const Outcome noted =
+        talus(run + rasters + "--time 60 --out a.exr --journal run.journal --report r.json");
+    EXPECT_EQ(noted.code, 0) << noted.output;
+    EXPECT_NE(noted.output.find("'n.asc' says nothing at 1617 of 3185 samples"), std::string::npos)
+        << noted.output;
+    EXPECT_NE(report("r.json")["hash"], plain);
+    EXPECT_EQ(hash("replay run.journal"), report("r.json")["hash"]);
+    // The document holds them, and what it holds can be written and taken again.
+    hash("run --in a.exr --ticks 0 --layer manning --out n.tif");
+    EXPECT_EQ(hash("run --in a.exr --ticks 5"), hash("run --in a.exr --ticks 5 --raster manning=n.asc"));
+    hash("run --in a.exr --ticks 0 --layer infiltration --out sand.tif");
+    EXPECT_EQ(hash(run + "--raster manning=n.asc --raster infiltration=sand.tif --time 60"),
+              report("r.json")["hash"]);
+    // At another number of samples rasters are laid anew.
+    EXPECT_EQ(talus("replay run.journal --size 33x25").code, 0);
+
+    write("n.asc", "0.1", "41");
+    EXPECT_NE(refusal(run + rasters + "--ticks 1").find("holds a manning of 41, it must be 0 to 1"),
+              std::string::npos);
+    EXPECT_NE(refusal("replay run.journal").find("changed since"), std::string::npos);
+    fs::remove(path("n.asc"));
+    EXPECT_NE(refusal(run + rasters + "--ticks 1").find("n.asc"), std::string::npos);
+    EXPECT_NE(refusal(run + "--ticks 1 --raster manning").find("--raster"), std::string::npos);
+    EXPECT_NE(refusal(run + "--ticks 1 --raster water.manning=n.asc").find("infiltration"),
+              std::string::npos);
+}
+
 TEST_F(Program, RunsWaterWithGaugesSpringsAndItsReport) {
     const std::string dam = "run --preset dam-break --size 129x97 ";
     const std::string whole = hash(dam +

@@ -21,7 +21,7 @@ sleep 0.5
 xdotool mousedown 1
 sleep 1.5
 xdotool mouseup 1
-for panel in Ledger Simulation Water Erosion Tables View Mask Map History Gauges Presets Log Profiler; do
+for panel in Ledger Simulation Water Erosion Tables View Mask Paths Map History Gauges Presets Log Profiler; do
     click "$panel"
     if [ "$panel" = Ledger ] || [ "$panel" = Profiler ]; then
         xdotool mousemove $((600 * scale)) $((600 * scale)) key space

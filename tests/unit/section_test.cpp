@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "app/core/sections.h"
 #include "sim/error.h"
 #include "sim/gpu/context.h"
 #include "sim/simulation.h"
@@ -176,6 +177,66 @@ TEST(Sections, ChangeNoBitAndGoBackWithUndo) {
     EXPECT_EQ(counted.section_volumes_m3(), (std::vector<double>{0, midway[0]}));
     counted.redo();
     EXPECT_EQ(counted.section_volumes_m3(), last);
+    // To before the other was there, and the first goes on from what it had then.
+    counted.undo();
+    counted.undo();
+    EXPECT_EQ(counted.section_volumes_m3(), (std::vector<double>{0, 0}));
+    counted.redo();
+    EXPECT_EQ(counted.section_volumes_m3(), (std::vector<double>{0, midway[0]}));
+    counted.follow_sections({{{0, 300}, {990, 500}}});
+    EXPECT_EQ(counted.section_volumes_m3(), midway);
+}
+
+// A window takes rows without waiting; they are those that a run takes.
+TEST(Sections, FollowWithoutWaiting) {
+    const gpu::Context context;
+    const Grid grid{100, 90, 10, 10};
+    Simulation simulation(
+        bedrock_terrain(grid, generate_heights(grid, {"coast", 5, 30})),
+        parameters_with({"time.tick_s=2", "water.boundary.west=inflow", "water.inflow=300"}), 64U << 20U);
+    app::Sections followed;
+    app::Sections recorded;
+    // Downstream, east, is on the right of one who looks north.
+    const Section across{{10, 0}, {10, 890}};
+    for (app::Sections* one : {&followed, &recorded}) one->place(simulation, across);
+    const auto take_rows = [&] {
+        recorded.record(simulation);
+        for (int i = 0; i < 100000 && followed.times_s() != recorded.times_s(); ++i)
+            followed.follow(simulation);
+    };
+    take_rows();
+    for (int i = 0; i < 6; ++i) {
+        simulation.apply(Ticks{3});
+        take_rows();
+    }
+    simulation.end_entry();
+    EXPECT_EQ(followed.to_csv(), recorded.to_csv());
+    EXPECT_GT(followed.all()[0].volumes_m3.back(), 100);
+    EXPECT_GT(followed.discharge_m3_per_s(followed.all()[0], 6), 0);
+    // One that came later has no rows before.
+    for (app::Sections* one : {&followed, &recorded}) one->place(simulation, {{0, 300}, {990, 500}});
+    EXPECT_EQ(followed.times_s().size(), 7U) << "the row of this time holds it too";
+    for (int i = 0; i < 1000; ++i) followed.follow(simulation);
+    EXPECT_EQ(followed.times_s().size(), 7U);
+    simulation.apply(Ticks{2});
+    take_rows();
+    simulation.end_entry();
+    EXPECT_EQ(followed.to_csv(), recorded.to_csv());
+    EXPECT_NE(followed.to_csv().find("\n0,,0,,\n"), std::string::npos) << followed.to_csv();
+    // Undo takes rows back; and a row that was asked for then is no row of this time.
+    simulation.apply(Ticks{1});
+    followed.follow(simulation);
+    simulation.undo();
+    for (int i = 0; i < 1000; ++i) followed.follow(simulation);
+    EXPECT_EQ(followed.times_s().back(), 40);
+    EXPECT_EQ(followed.times_s().size(), 8U);
+    // Beside the map there is none, and those that were there go on.
+    EXPECT_THROW(followed.place(simulation, {{0, 0}, {5000, 0}}), Error);
+    EXPECT_EQ(followed.all().size(), 2U);
+    followed.remove(simulation, 0);
+    EXPECT_EQ(simulation.section_volumes_m3().size(), 1U);
+    followed.remove(simulation, 0);
+    EXPECT_TRUE(followed.times_s().empty());
 }
 
 }  // namespace

@@ -28,6 +28,25 @@ namespace fs = std::filesystem;
 
 const Grid grid{70, 66, 10, 10};
 
+// Water and sediment over roughness and infiltration that differ from place to place.
+void cover_land(Simulation& simulation) {
+    Dab dab;
+    dab.x_m = dab.y_m = 300;
+    dab.radius_m = 150;
+    dab.blend = 0.5;
+    dab.target_m = 0.5;
+    for (const Material material : {Material::manning, Material::infiltration}) {
+        dab.material = material;
+        simulation.apply(dab);
+        for (const bool erodes : {false, true})
+            for (const double order : {1, 2}) {
+                simulation.apply(SetParameter{"erosion.on", erodes});
+                simulation.apply(SetParameter{"water.order", order});
+                simulation.apply(Ticks{1});
+            }
+    }
+}
+
 // A little of everything that the simulation does.
 void simulate_everything(Simulation& simulation) {
     Dab dab;
@@ -43,7 +62,7 @@ void simulate_everything(Simulation& simulation) {
         simulation.apply(dab);
     }
     dab.material = Material::bedrock;
-    for (int mode = 0; mode < 9; ++mode) {
+    for (int mode = 0; mode < 10; ++mode) {
         dab.effect = effect_of(static_cast<BrushMode>(mode));
         simulation.apply(dab);
     }
@@ -53,8 +72,8 @@ void simulate_everything(Simulation& simulation) {
     for (const char* assignment :
          {"water.rain=100", "water.rain_over=mask", "water.order=1", "erosion.on=true", "erosion.over=mask",
           "thermal.wet_deg=20", "water.manning=0", "water.order=2", "erosion.on=false", "water.manning=0.03",
-          "water.infiltration=5", "water.boundary.west=wave", "water.boundary.east=inflow",
-          "erosion.over=everywhere"}) {
+          "water.infiltration=5", "water.boundary.west=wave", "water.boundary.east=inflow", "water.inflow=5",
+          "water.inflow_over=conveyance", "erosion.over=everywhere"}) {
         Parameters changed = simulation.parameters();
         changed.set_assignment(assignment);
         const std::string name = std::string(assignment).substr(0, std::string(assignment).find('='));
@@ -63,6 +82,7 @@ void simulate_everything(Simulation& simulation) {
     }
     simulation.apply(PlaceSpring{400, 400, 3});
     simulation.apply(Ticks{1});
+    cover_land(simulation);
     simulation.ledger();
 }
 

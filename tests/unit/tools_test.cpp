@@ -37,6 +37,9 @@ struct Vary {
         value = static_cast<Number>(std::max(low, std::min(high, 2.0 + 0.25 * ++salt)));
     }
     void operator()(const char*, glm::dvec2& pair, double, double) { pair = {3.5, 4.25}; }
+    void operator()(const char*, std::vector<glm::dvec3>& points, double, double) {
+        points = {{1, 2, 3}, {4, 5.5, 6}, {7, 8, -9}};
+    }
     template <typename Choice>
     void operator()(const char*, Choice& choice, const std::vector<std::string>& names) {
         choice = static_cast<Choice>(names.size() - 1);

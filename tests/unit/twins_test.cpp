@@ -77,6 +77,23 @@ TEST(Twins, SlopesByOlsenAgreeToTheBit) {
 // Dabs of several kinds, modes and curves in turn agree with the float twin to the bit. On Mesa 22.3's zink
 // they did not: programs that take turns got each other's variants of inlined uniforms (work_around_drivers,
 // docs/devices.md).
+// Over the map, in and out of the ground.
+PathDab some_path(const Grid& grid, std::mt19937& random) {
+    std::uniform_real_distribution<double> unit(0, 1);
+    PathDab path;
+    path.points_m.clear();
+    const auto points = 2 + random() % 5;
+    for (std::size_t i = 0; i < points; ++i)
+        path.points_m.emplace_back(unit(random) * grid.width_m(), unit(random) * grid.height_m(),
+                                   900 * unit(random));
+    path.half_width_m = 60 * unit(random);
+    path.cut_slope = 0.2 + unit(random);
+    path.fill_slope = 0.2 + unit(random);
+    path.cuts = random() % 4 != 0;
+    path.fills = random() % 4 != 0;
+    return path;
+}
+
 TEST(TwinsInTurn, AgreeToTheBit) {
     const gpu::Context context;
     if (!claims::arithmetic_of_device().rounds_as_ieee())
@@ -101,6 +118,7 @@ TEST(TwinsInTurn, AgreeToTheBit) {
         if (i % 20 == 19) brush = Brush(terrain);
         Dab dab;
         dab.effect = effect_of(static_cast<BrushMode>(random() % 7));
+        if (i % 5 == 0) dab.effect = some_path(grid, random);
         dab.curve = static_cast<FalloffCurve>(random() % 4);
         dab.masked = random() % 2 == 0;
         if (auto* ramp = dab.as<RampDab>())
@@ -115,6 +133,7 @@ TEST(TwinsInTurn, AgreeToTheBit) {
         dab.target_m = 900 * unit(random);
         dab.material = random() % 2 == 0 ? Material::regolith : Material::bedrock;
         brush.dab(terrain, dab);
+        if (dab.as<PathDab>()) twin.path = path_line(dab);
         twin.dab(dab.mode(), dab_numbers(grid, dab));
         if (i % 10 == 9) {
             ASSERT_EQ(differing(samples_of(terrain.read()), twin.ground_samples), 0U) << "up to dab " << i;

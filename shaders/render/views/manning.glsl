@@ -1,0 +1,8 @@
+// Painted roughness: Manning's n.
+#include "render/land_cover.glsl"
+uniform sampler2D layer;      // Manning's n and infiltration, each with its share
+uniform real manning_scale;   // s/m^(1/3)
+
+vec3 view_colour(ViewPoint point) {
+    return land_cover_colour(layer_at(layer, point.place, 0).xy, manning_scale) * point.lit;
+}
