@@ -12,10 +12,10 @@ struct JournalStart {
     std::string input;         ///< the file that was opened, empty where the terrain was generated
     std::string parameters;    ///< simulation parameters as TOML
     std::string import_guess;  ///< how the file was read, as the app's import settings write themselves
-    std::string events{};      ///< as they write themselves (sim/events.h)
     std::uint64_t hash = 0;    ///< of the terrain before the first operation
     std::vector<std::string> ended_tables{};  ///< of the document, which ended at the start as their
                                               ///< parameters were set; by parameter
+    std::string events{};                     ///< as they write themselves (sim/events.h)
 };
 
 /// The list of what was done since the start. Runs of ticks are one entry.

@@ -49,7 +49,7 @@ Simulation::Simulation(const TerrainState& state, const Parameters& parameters, 
     }
     check_events(moment_.parameters, state.grid, moment_.events);
     fit(state.grid, moment_.parameters, moment_.drives);
-    fit_events(state.grid);
+    fit_events(state.grid, moment_.parameters, moment_.drives, moment_.events);
     observe();
     // What was saved midway holds what is left of its sea.
     if (state.clock.ticks == 0 && moment_.parameters.is_given("water.sea_level_m")) fill_sea_now();
@@ -129,6 +129,7 @@ void Simulation::act(const SetParameter& wanted) {
     std::vector<Drive> drives = moment_.drives;
     place_drive(drives, {set.name, {}});
     fit(terrain_.grid(), changed, drives);
+    fit_events(terrain_.grid(), changed, drives, moment_.events);
     const bool fills = sets_off == SetsOff::sea && set.value;
     if (sets_off == SetsOff::sea) withdraw_sea(set.name);
     const auto change = [&] {
@@ -167,6 +168,7 @@ void Simulation::act(const DriveParameter& wanted) {
     place_drive(drives, drive);
     if (!ends) changed.set(drive.parameter, drive.series.at(moment_.clock.simulated_s));
     fit(terrain_.grid(), changed, drives);
+    fit_events(terrain_.grid(), changed, drives, moment_.events);
     // A sea that begins to follow a table fills as one whose level is set.
     const bool withdrawn = is_sea && withdraw_sea(drive.parameter);
     const bool fills =
@@ -283,6 +285,7 @@ void Simulation::replace_terrain(const Operation& operation, const TerrainState&
     if (undo_.is_open())
         throw Error(fmt::format("a stroke or run is not ended: {} needs that", name_of(operation)));
     fit(next.grid, parameters, moment_.drives);
+    fit_events(next.grid, parameters, moment_.drives, next.events);
     Site site{Terrain(next)};
     // Water that came with it has arrived.
     for (const auto& pass : site.passes) pass->observe(site.terrain, moment_);
@@ -342,14 +345,15 @@ void Simulation::follow_tables() {
 // A time that whole ticks add up to may miss the event's by roundings.
 constexpr double event_rounding = 1e-9;
 
-void Simulation::fit_events(const Grid& grid) const {
-    Parameters then = moment_.parameters;
-    for (const Event& event : moment_.events) {
+void Simulation::fit_events(const Grid& grid, const Parameters& parameters, const std::vector<Drive>& drives,
+                            const std::vector<Event>& events) const {
+    Parameters then = parameters;
+    for (const Event& event : events) {
         if (event.done || event.breach) continue;
         then.set_assignment(event.assignment);
         try {
             Parameters fitted = then;
-            fit(grid, fitted, moment_.drives);
+            fit(grid, fitted, drives);
         } catch (const Error& error) {
             throw Error(fmt::format("the event at {}: {}", name_of(event), error.what()));
         }
@@ -529,8 +533,8 @@ void Simulation::book(Change&& change) {
 }
 
 void Simulation::follow_sections(const std::vector<Section>& sections) {
-    forget_asked_sections();
     for (const auto& pass : passes_) pass->follow_sections(terrain_, sections);
+    forget_asked_sections();
 }
 
 std::vector<double> Simulation::section_volumes_of(std::span<const double> words) const {

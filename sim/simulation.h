@@ -137,7 +137,8 @@ class Simulation {
     bool withdraw_sea(const std::string& level);
     void begin_tick();
     /// Throws talus::Error where a tick with what an event sets cannot be run.
-    void fit_events(const Grid& grid) const;
+    void fit_events(const Grid& grid, const Parameters& parameters, const std::vector<Drive>& drives,
+                    const std::vector<Event>& events) const;
     /// Does those events that are due: those of parameters, or the breaches.
     void set_by_events();
     void breach_by_events();

@@ -62,9 +62,10 @@ struct SolidTwin {
         for (const glm::vec4& solid : solid_of(state)) samples.emplace_back(solid);
         brush.worn = thermal.worn = std::vector<glm::vec<4, Real>>(samples.size(), glm::vec<4, Real>(0));
     }
-    void dab(BrushMode mode, const DabNumbers& numbers) {
+    void dab(const Dab& dab, const DabNumbers& numbers) {
+        if (dab.as<PathDab>()) brush.path = path_line(dab);
         brush.ground_samples.swap(samples);
-        brush.dab(mode, numbers);
+        brush.dab(dab.mode(), numbers);
         brush.ground_samples.swap(samples);
     }
     void slide() {
@@ -82,7 +83,15 @@ Dab turning_dab(int substep, const Grid& grid, std::mt19937& random) {
     Dab dab;
     dab.curve = static_cast<FalloffCurve>(substep / 40 % 4);
     dab.masked = substep / 5 % 3 == 0;
-    dab.effect = effect_of(static_cast<BrushMode>(substep / 5 % 8));
+    const int turn = substep / 5 % 9;
+    dab.effect = turn < 8 ? effect_of(static_cast<BrushMode>(turn)) : DabEffect(PathDab());
+    if (auto* path = dab.as<PathDab>()) {
+        path->points_m.clear();
+        for (int i = 0; i < 3; ++i)
+            path->points_m.emplace_back(unit(random) * grid.width_m(), unit(random) * grid.height_m(),
+                                        1500 * unit(random));
+        path->half_width_m = 60;
+    }
     if (auto* ramp = dab.as<RampDab>())
         *ramp = {900.0 * (glm::dvec2(unit(random), unit(random)) - 0.5), 300 * (unit(random) - 0.5)};
     if (auto* terrace = dab.as<TerraceDab>()) *terrace = {10 + 90 * unit(random), 0.9 * unit(random)};
@@ -213,8 +222,8 @@ TwinAgreement brush_and_slopes_against_twin(int substeps, ThermalScheme scheme) 
             const Dab dab = turning_dab(substep, grid, random);
             const DabNumbers numbers = dab_numbers(grid, dab, stamp_samples);
             brush.dab(terrain, dab, &stamp);
-            twin.dab(dab.mode(), numbers);
-            exact.dab(dab.mode(), numbers);
+            twin.dab(dab, numbers);
+            exact.dab(dab, numbers);
         }
         thermal.substep(terrain, step);
         twin.slide();

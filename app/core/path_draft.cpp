@@ -20,13 +20,25 @@ double PathDraft::Ground::at(glm::dvec2 place_m) const {
 }
 
 void PathDraft::add(glm::dvec2 point_m) {
-    if (is_built_) points_m_.clear();
-    is_built_ = false;
+    if (built_revision_) points_m_.clear();
+    built_revision_.reset();
     points_m_.push_back(point_m);
+}
+
+void PathDraft::move(std::size_t index, glm::dvec2 point_m) {
+    if (points_m_[index] == point_m) return;
+    points_m_[index] = point_m;
+    built_revision_.reset();
+}
+
+void PathDraft::remove_last() {
+    if (!points_m_.empty()) points_m_.pop_back();
+    built_revision_.reset();
 }
 
 void PathDraft::turn_round() {
     std::reverse(points_m_.begin(), points_m_.end());
+    built_revision_.reset();
 }
 
 std::optional<std::size_t> PathDraft::point_near(glm::dvec2 place_m, double reach_m) const {

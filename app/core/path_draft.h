@@ -15,15 +15,17 @@ class PathDraft {
     const std::vector<glm::dvec2>& points_m() const { return points_m_; }
     /// After it was built, the first point of another one.
     void add(glm::dvec2 point_m);
-    void move(std::size_t index, glm::dvec2 point_m) { points_m_[index] = point_m; }
-    void remove_last() {
-        if (!points_m_.empty()) points_m_.pop_back();
-    }
+    void move(std::size_t index, glm::dvec2 point_m);
+    void remove_last();
     void clear() { points_m_.clear(); }
     /// Its last point becomes its first.
     void turn_round();
     /// It is built. Its points stay, for another try after undo.
-    void set_built() { is_built_ = true; }
+    void set_built(const Simulation& simulation) { built_revision_ = simulation.journal().revision(); }
+    /// Whether that was the last act.
+    bool is_built(const Simulation& simulation) const {
+        return built_revision_ == simulation.journal().revision();
+    }
     /// The point nearest to a place, at most so far away.
     std::optional<std::size_t> point_near(glm::dvec2 place_m, double reach_m) const;
 
@@ -52,7 +54,7 @@ class PathDraft {
     };
 
     std::vector<glm::dvec2> points_m_;
-    bool is_built_ = false;
+    std::optional<std::size_t> built_revision_;  // of the journal; none: these points were not built
     std::vector<double> heights_m_;
     std::optional<PathDesign> design_;
     std::vector<glm::dvec2> designed_points_m_;

@@ -155,13 +155,18 @@ Scene make_scene(const SceneRequest& request) {
     if (request.input.empty() || !request.preset.empty()) {
         std::vector<Event> more = events_of(preset);
         checked_events("preset " + preset.name, scene, more);
-        // Those that the document has from the same preset go on.
-        for (const Event& event : more)
-            if (std::none_of(events.begin(), events.end(), [&](const Event& there) {
-                    return there.at_s == event.at_s && there.assignment == event.assignment &&
-                           there.breach == event.breach;
-                }))
+        // Those that the document has from the same preset go on; what they set, the preset has set anew.
+        checked_events("'" + request.input + "'", scene, events);
+        for (const Event& event : more) {
+            const auto there = std::find_if(events.begin(), events.end(), [&](const Event& one) {
+                return one.at_s == event.at_s && one.assignment == event.assignment &&
+                       one.breach == event.breach;
+            });
+            if (there == events.end())
                 events.push_back(event);
+            else if (!there->breach)
+                there->done = false;
+        }
     }
     checked_events("'" + request.input + "'", scene, events);
     scene.start.events = to_text(events);

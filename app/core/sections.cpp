@@ -27,8 +27,9 @@ void Sections::place(Simulation& simulation, const Section& section, glm::dvec2 
         sections_.pop_back();
         throw;
     }
+    // What was asked for is asked for again.
     asking_ = false;
-    asked_s_ = is_now ? times_s_.back() : -1;
+    asked_s_ = times_s_.empty() ? -1 : times_s_.back();
 }
 
 void Sections::remove(Simulation& simulation, std::size_t index) {
@@ -36,6 +37,7 @@ void Sections::remove(Simulation& simulation, std::size_t index) {
     tell(simulation);
     asking_ = false;
     if (sections_.empty()) times_s_.clear();
+    asked_s_ = times_s_.empty() ? -1 : times_s_.back();
 }
 
 void Sections::append(double time_s, const std::vector<double>& volumes_m3) {

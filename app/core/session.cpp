@@ -50,7 +50,7 @@ void Session::start(Scene scene) {
     wave_note_ = app::wave_note(scene_.document.state, simulation_->parameters());
     gauges_ = Gauges(grid());
     sections_ = Sections();
-    path_draft_.clear();
+    path_draft_ = PathDraft();
     balances_.clear();
     saved_operations_.clear();
     recovered_ = false;
@@ -186,7 +186,7 @@ void Session::follow_terrain() {
     follow_surroundings();
     gauges_ = Gauges(grid());
     sections_ = Sections();
-    path_draft_.clear();
+    path_draft_ = PathDraft();
     balances_.clear();
     activity_.forget();
     forget_rectangle();
@@ -497,11 +497,13 @@ void Session::build_path() {
     check_editable();
     end_stroke();
     pause();
+    // A key that is held asks again and again.
+    if (path_draft_.is_built(*simulation_)) return;
     std::optional<Dab> dab = path_draft_.dab(*simulation_, scene_.view);
     if (!dab) throw Error("a path needs two points or more: click on the ground where it goes along");
     dab->masked = scene_.view.choice("brush.over") == "mask";
     apply(*dab);
-    path_draft_.set_built();
+    path_draft_.set_built(*simulation_);
 }
 
 void Session::place_section(glm::dvec3 from, glm::dvec3 to) {

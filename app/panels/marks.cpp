@@ -157,6 +157,8 @@ void Marks::draw(Session& session, const PictureArea& area, glm::ivec2 drawn, gl
             lines.push_back(std::move(piece));
     const std::vector<Place> dots =
         shown.path ? dots_of(session.path_draft(), picture) : std::vector<Place>();
+    // Behind the eye nothing is drawn.
+    std::erase_if(lines, [](const std::vector<Place>& line) { return line.size() < 2; });
     if (signs.empty() && lines.empty() && dots.empty()) return;
 
     Box box;

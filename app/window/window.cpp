@@ -287,6 +287,7 @@ class Window {
     }
 
     // Milliseconds.
+    bool shows(const char* panel) const { return state_.panels_shown && state_.shown == panel; }
     static double since(double begin_s) { return 1000 * (glfwGetTime() - begin_s); }
 
     void frame() {
@@ -302,8 +303,8 @@ class Window {
         mouse_ = mouse;
         state_.only_looks = session_.overflight() != nullptr;
         state_.placing_gauge = state_.placing_gauge && !state_.only_looks;
-        state_.placing_section = state_.placing_section && !state_.only_looks && state_.shown == "Gauges";
-        const bool draws_path = state_.drawing_path && !state_.only_looks && state_.shown == "Paths";
+        state_.placing_section = state_.placing_section && !state_.only_looks && shows("Gauges");
+        const bool draws_path = state_.drawing_path && !state_.only_looks && shows("Paths");
         state_.choosing_part =
             state_.choosing_part && state_.only_looks && state_.panels_shown && state_.shown == "Cut out";
         follow_area(size);
@@ -326,7 +327,7 @@ class Window {
         if (times.dabs > 0) times.waited_ms = 1000 * session_.sculpting().dabs_waited_s();
         if (session_.playing) attempt([&] { session_.play(passed_s, pacing_.ticks_budget_s()); });
         session_.follow_gauges();
-        attempt([&] { session_.follow_path(); });
+        if (shows("Paths")) attempt([&] { session_.follow_path(); });
         if (auto times_of = pass_times_.follow(state_.panels_shown && state_.shown == "Profiler", passed_s)) {
             state_.passes = std::move(times_of->passes);
             state_.passes_s = times_of->span_s;
@@ -359,8 +360,8 @@ class Window {
         // A shader that does not compile is told, and the last picture stays.
         try {
             render::Ring ring;
-            const bool sculpts = !state_.placing_gauge && !state_.placing_section &&
-                                 !(state_.drawing_path && state_.shown == "Paths");
+            const bool sculpts =
+                !state_.placing_gauge && !state_.placing_section && !(state_.drawing_path && shows("Paths"));
             if (hand_.cursor() && sculpts && !ImGui::GetIO().WantCaptureMouse && !session_.overflight())
                 ring = session_.ring(*hand_.cursor());
             const render::Drawn drawn = session_.draw(settings_, drawn_size, ring);
@@ -391,8 +392,7 @@ class Window {
         ImGui_ImplGlfw_NewFrame();
         if (input_.pass()) wake();
         ImGui::NewFrame();
-        marks_.draw(session_, area_, drawn_size, size,
-                    {hand_.drawn_section(), state_.panels_shown && state_.shown == "Paths"});
+        marks_.draw(session_, area_, drawn_size, size, {hand_.drawn_section(), shows("Paths")});
         StatusFigures figures{device_.renderer, glfwGetTime() < message_until_s_ ? message_ : "",
                               std::nullopt, frame_s_ * 1000, used};
         if (hand_.cursor()) figures.cursor_height_m = hand_.cursor()->z;

@@ -60,17 +60,6 @@ real4 after_dab(int2 at, real4 before) {
 }
 #endif
 
-// Whether a dab changes no sample of a block, so that the whole group can go on.
-bool is_out_of_reach(int2 corner) {
-#ifdef PATH
-    real2 half_block = real2(block_samples - 1) * real(0.5);
-    real2 middle_m = dab_offset_m(corner) + half_block * cell_m;
-    return path_nearest(middle_m).x > dab_radius_m + length(half_block * cell_m) * real(1.001);
-#else
-    return false;
-#endif
-}
-
 // What a change brought and took, by layer: the words as they are, so that no rounding is missed.
 dvec4 book_of(real4 after, real4 before) {
     double rock = (double(after.x) - double(before.x)) + (double(after.y) - double(before.y));
@@ -89,10 +78,10 @@ void main() {
     for (int block = 0; block < tile_blocks; ++block) {
         int2 corner = tile * tile_samples + int2(block % blocks_across, block / blocks_across) * block_samples;
         if (any(lessThan(corner + (block_samples - 1), dab_low)) || any(greaterThan(corner, dab_high))) continue;
-        if (is_out_of_reach(corner)) continue;
         int2 at = corner + int2(gl_LocalInvocationID.xy);
         if (at.x >= samples.x || at.y >= samples.y) continue;
         real4 before = load_solid(at);
+        // What it leaves is written too: the other image may hold what was before.
         real4 after = after_dab(at, before);
         if (after != before) {
             imageStore(ground_out, at, vec4(ground_height(after)));

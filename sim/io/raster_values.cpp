@@ -18,6 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// Pixels in a row that is read as a whole.
+constexpr int widest = 4000000;
 constexpr float says_nothing = std::numeric_limits<float>::quiet_NaN();
 
 struct FreeWarpOptions {
@@ -78,6 +80,9 @@ std::vector<float> stretched_values(const fs::path& path, GDALDataset& raster, c
     GDALRasterBand& band = *raster.GetRasterBand(1);
     const bool is_whole = (band.GetMaskFlags() & GMF_ALL_VALID) != 0;
     const int width = raster.GetRasterXSize();
+    if (width > widest)
+        throw Error(fmt::format("'{}' has {} pixels in a row and no place, at most {} are read",
+                                path.string(), width, widest));
     std::vector<float> row(static_cast<std::size_t>(width));
     std::vector<std::uint8_t> said(row.size(), 255);
     std::vector<int> columns = nearest_pixels(grid.nx, width);

@@ -25,7 +25,7 @@ void InflowShares::find(const Terrain& terrain, const gpu::Buffer& numbers, cons
     program.bind_storage("WaterClock", clock);
     program.bind_uniforms("WaterNumbers", numbers);
     program.dispatch(4);
-    gpu::barrier({gpu::Use::storage});
+    gpu::barrier({gpu::Use::storage, gpu::Use::buffer_transfer});
 }
 
 }  // namespace talus

@@ -12,16 +12,21 @@ void WaterSections::follow(const Grid& grid, const std::vector<Section>& section
     std::vector<Counted> next;
     next.reserve(sections.size());
     for (const Section& section : sections) {
+        // Two of one line count each, in a book of its own.
+        const auto equal = std::count_if(next.begin(), next.end(),
+                                         [&](const Counted& one) { return one.section == section; });
+        const std::string name = fmt::format("water section {},{},{},{} {}", section.from_m.x,
+                                             section.from_m.y, section.to_m.x, section.to_m.y, equal);
         const auto same = std::find_if(counted_.begin(), counted_.end(),
-                                       [&](const Counted& one) { return one.section == section; });
-        next.push_back(same == counted_.end() ? begun(grid, section) : std::move(*same));
-        // Two of one line count each.
+                                       [&](const Counted& one) { return one.name == name; });
+        next.push_back(same == counted_.end() ? begun(grid, section, name) : std::move(*same));
         if (same != counted_.end()) counted_.erase(same);
     }
     counted_ = std::move(next);
 }
 
-WaterSections::Counted WaterSections::begun(const Grid& grid, const Section& section) {
+WaterSections::Counted WaterSections::begun(const Grid& grid, const Section& section,
+                                            const std::string& name) {
     std::vector<SectionFace> faces = faces_of(grid, section);
     std::vector<glm::ivec4> words;
     words.reserve(faces.size());
@@ -30,9 +35,7 @@ WaterSections::Counted WaterSections::begun(const Grid& grid, const Section& sec
     list.write_all(words);
     gpu::Buffer book("section book", faces.size() * sizeof(double));
     book.fill(0);
-    std::string name = fmt::format("water section {},{},{},{}", section.from_m.x, section.from_m.y,
-                                   section.to_m.x, section.to_m.y);
-    return {section, std::move(faces), std::move(name), std::move(list), std::move(book)};
+    return {section, std::move(faces), name, std::move(list), std::move(book)};
 }
 
 gpu::Program& WaterSections::program(int order, bool conveyance) {
@@ -54,8 +57,8 @@ void WaterSections::count(int order, bool conveyance, const std::function<void(g
         counting.bind_storage("SectionBook", one.book);
         counting.set("face_count", static_cast<int>(one.faces.size()));
         counting.dispatch((static_cast<int>(one.faces.size()) + 63) / 64);
+        gpu::barrier({gpu::Use::storage, gpu::Use::buffer_transfer});
     }
-    if (!counted_.empty()) gpu::barrier({gpu::Use::storage, gpu::Use::buffer_transfer});
 }
 
 std::optional<gpu::Buffer> WaterSections::copy_of_words() const {

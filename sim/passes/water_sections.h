@@ -43,7 +43,7 @@ class WaterSections {
         gpu::Buffer book;
     };
     gpu::Program& program(int order, bool conveyance);
-    static Counted begun(const Grid& grid, const Section& section);
+    static Counted begun(const Grid& grid, const Section& section, const std::string& name);
 
     std::vector<Counted> counted_;
     std::map<std::pair<int, bool>, gpu::Program> programs_;  // by order and conveyance

@@ -65,7 +65,7 @@ void take_values(TerrainState& state, const PaintedNumberDescription& number,
 
 bool is_painted(const PaintedNumberDescription& number, std::span<const float> words) {
     const auto texel = static_cast<std::size_t>(number.layer().words());
-    auto at = static_cast<std::size_t>(number.word() + (number.has_share ? 1 : 0));
+    auto at = static_cast<std::size_t>(number.word()) + (number.has_share ? 1U : 0U);
     for (; at < words.size(); at += texel)
         if (words[at] > 0) return true;
     return false;

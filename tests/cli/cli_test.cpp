@@ -618,6 +618,10 @@ breach = { from_m = [100, 100], to_m = [200, 100], width_m = 30, crest_m = 0, bo
     hash("run --preset storm.toml --time 20 --out mid.exr");
     EXPECT_EQ(hash("run --in mid.exr --time 40"), whole);
     EXPECT_EQ(hash("run --preset storm.toml --in mid.exr --time 40"), whole);
+    // Saved after an event: the preset sets its number again, and then the event does.
+    hash("run --preset storm.toml --time 40 --out late.exr");
+    hash("run --preset storm.toml --in late.exr --time 20");
+    EXPECT_LT(report("hash.json")["water"]["in_m3"].get<double>(), 1);
     std::ofstream(path("late.toml")) << "[[event]]\nat_s = 1\nset = \"water.lava=0\"\n";
     EXPECT_NE(refusal("run --preset late.toml --ticks 1").find("preset late: the event at 1 s is wrong"),
               std::string::npos);

@@ -312,7 +312,7 @@ class RasterFiles : public ::testing::Test {
         try {
             io::read_raster_values(path(name), {11, 9, 100, 100}, ground);
         } catch (const Error& error) {
-            const std::string message = error.what();
+            std::string message = error.what();
             EXPECT_EQ(message.find('\n'), std::string::npos) << message;
             EXPECT_NE(message.find(name), std::string::npos) << message;
             return message;
@@ -425,6 +425,8 @@ TEST_F(RasterFiles, RefuseWhatIsNone) {
     write_vrt("two.vrt", {11, 9}, band_of("a.tif") + band_of("a.tif", "", 2));
     EXPECT_NE(refusal("two.vrt").find("2 bands"), std::string::npos);
     EXPECT_NE(refusal("none.tif"), "");
+    write_vrt("wide.vrt", {2000000000, 1}, band_of("a.tif"));
+    EXPECT_NE(refusal("wide.vrt").find("2000000000 pixels"), std::string::npos);
     std::ofstream(path("words.tif")) << "no raster";
     EXPECT_NE(refusal("words.tif"), "");
     write_vrt("gone.vrt", {11, 9}, band_of("gone.tif"));

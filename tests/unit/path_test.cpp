@@ -189,6 +189,41 @@ TEST(Paths, ARoadIsBuiltAsItWasDesigned) {
     EXPECT_EQ(state_hash(simulation.read()), before);
 }
 
+// Slopes that slid leave two images that differ: what a path does not reach stays as it is now.
+TEST(Paths, LeaveWhatTheyDoNotReach) {
+    const gpu::Context context;
+    const std::vector<float> heights = generate_heights(grid, {"mountains", 5, 900});
+    Simulation simulation(bedrock_terrain(grid, heights),
+                          parameters_with({"thermal.on=true", "thermal.repose_deg=20"}), 64U << 20U);
+    simulation.apply(Ticks{7});
+    simulation.end_entry();
+    const std::vector<float> before = simulation.read().ground();
+    EXPECT_NE(before, heights);
+    PathDesign design = app::design_path({{100, 100}, {1300, 1200}}, {.width_m = 20, .side_slope = 2},
+                                         grid.dx, [&](glm::dvec2 place) { return ground_at(before, place); });
+    design.reach_m = 60;
+    simulation.apply(app::dab_of(design));
+    const std::vector<float> after = simulation.read().ground();
+    std::size_t astray = 0;
+    std::size_t changed = 0;
+    for (int row = 0; row < grid.ny; ++row)
+        for (int column = 0; column < grid.nx; ++column) {
+            const auto i = static_cast<std::size_t>(row) * grid.nx + column;
+            const glm::dvec2 place(column * grid.dx, (grid.ny - 1 - row) * grid.dy);
+            const glm::dvec2 along = glm::normalize(glm::dvec2(1200, 1100));
+            const glm::dvec2 off = place - glm::dvec2(100, 100);
+            const bool is_far = std::abs(off.x * along.y - off.y * along.x) > 60;
+            changed += after[i] != before[i] ? 1 : 0;
+            astray += is_far && after[i] != before[i] ? 1 : 0;
+        }
+    EXPECT_EQ(astray, 0U);
+    EXPECT_GT(changed, 2000U);
+    // And goes on sliding as a terrain made anew of it.
+    Simulation again(simulation.read(), simulation.parameters());
+    for (Simulation* one : {&simulation, &again}) one->apply(Ticks{3});
+    EXPECT_EQ(state_hash(simulation.read()), state_hash(again.read()));
+}
+
 // On a hillside that is less steep than the sides they meet the ground; on a steeper one that is said.
 TEST(Paths, SidesMeetTheHillside) {
     for (const double hillside : {0.4, 1.0}) {
@@ -271,12 +306,19 @@ TEST(Paths, AreMovedUntilTheyAreBuilt) {
     // Once it is built its points stay, until the next one begins another path.
     draft.add({1, 2});
     draft.add({300, 2});
-    draft.set_built();
+    draft.set_built(simulation);
+    EXPECT_TRUE(draft.is_built(simulation));
     EXPECT_EQ(draft.points_m().size(), 2U);
-    draft.turn_round();
-    EXPECT_EQ(draft.points_m().front(), glm::dvec2(300, 2));
     draft.add({5, 6});
     EXPECT_EQ(draft.points_m().size(), 1U);
+    EXPECT_FALSE(draft.is_built(simulation));
+    // After undo they are moved, and more are put.
+    draft.add({300, 2});
+    draft.set_built(simulation);
+    draft.turn_round();
+    EXPECT_EQ(draft.points_m().front(), glm::dvec2(300, 2));
+    draft.add({7, 8});
+    EXPECT_EQ(draft.points_m().size(), 3U);
     // A line of too few points is refused by its name.
     Dab dab;
     dab.effect = PathDab{.points_m = {{0, 0, 0}}};
