@@ -164,7 +164,13 @@ TEST(Conveyance, AValleyTakesItsRiverAsUniformFlow) {
                              "water.inflow_slope=0.004", "water.manning=0.035"});
         if (by_conveyance) all.set_assignment("water.inflow_over=conveyance");
         Simulation simulation(bedrock_terrain(grid, heights), all);
-        simulation.apply(Ticks{300});
+        // Over dry ground its first steps are not so long that water piles up.
+        simulation.apply(Ticks{5});
+        float deepest_m = 0;
+        for (const glm::vec2& reached : simulation.read().inundation)
+            deepest_m = std::max(deepest_m, reached.x);
+        EXPECT_TRUE(!by_conveyance || deepest_m < 1.1 * high_m) << deepest_m;
+        simulation.apply(Ticks{295});
         const TerrainState end = simulation.read();
         const auto astray_at = [&](int column) {
             double astray = 0;
@@ -187,9 +193,6 @@ TEST(Conveyance, AValleyTakesItsRiverAsUniformFlow) {
         EXPECT_NEAR(simulation.ledger().water_in / (3000 * river_m3_per_s), 1, 1e-6);
         if (by_conveyance) {
             EXPECT_LE(astray_at(0), 0.05);
-            float deepest_m = 0;
-            for (const glm::vec2& reached : end.inundation) deepest_m = std::max(deepest_m, reached.x);
-            EXPECT_LE(deepest_m, 1.2 * high_m) << "its first steps over dry ground";
             EXPECT_LE(astray_at(10), 0.1);
             EXPECT_NEAR(depth_at(10), high_m, 0.03 * high_m);
         } else {
