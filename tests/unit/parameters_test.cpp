@@ -178,8 +178,9 @@ TEST(Presets, RefuseUnknownKeysAndWrongTypesAndChangeNothing) {
               "my.toml: thermal.repose_deg cannot be 'steep', it must be a number");
     EXPECT_EQ(apply("[thermal]\nrepose_deg = [1]\n"),
               "my.toml: thermal.repose_deg must be a number, a text or true or false");
-    EXPECT_EQ(apply("colour = 1\n"),
-              "my.toml: unknown key 'colour', only title, description and [sections] stand at the top");
+    EXPECT_EQ(
+        apply("colour = 1\n"),
+        "my.toml: unknown key 'colour', only title, description, [sections] and [[event]] stand at the top");
     EXPECT_NE(apply("[thermal\n").find("my.toml: line 1 is not TOML"), std::string::npos);
     EXPECT_EQ(p, Parameters(app::all_parameters()));
 }
