@@ -2,21 +2,16 @@
 
 #include <algorithm>
 
+#include "app/core/bilinear.h"
+
 namespace talus::app {
 
-// As the eye sees it, between its samples too.
 double PathDraft::Ground::at(glm::dvec2 place_m) const {
-    const double column = std::clamp(grid.column_of(place_m.x), 0.0, grid.nx - 1.0);
-    const double row = std::clamp(grid.row_of(place_m.y), 0.0, grid.ny - 1.0);
-    const int x = std::min(static_cast<int>(column), grid.nx - 2);
-    const int y = std::min(static_cast<int>(row), grid.ny - 2);
-    const double u = column - x;
-    const double v = row - y;
-    const auto height = [&](int dx, int dy) {
-        return static_cast<double>(heights_m[static_cast<std::size_t>(y + dy) * grid.nx + (x + dx)]);
-    };
-    return (1 - v) * ((1 - u) * height(0, 0) + u * height(1, 0)) +
-           v * ((1 - u) * height(0, 1) + u * height(1, 1));
+    const glm::ivec2 count(grid.nx, grid.ny);
+    const glm::dvec2 place(grid.column_of(place_m.x), grid.row_of(place_m.y));
+    return bilinear(glm::clamp(place, glm::dvec2(0), glm::dvec2(count - 1)), count, [&](int column, int row) {
+        return static_cast<double>(heights_m[static_cast<std::size_t>(row) * grid.nx + column]);
+    });
 }
 
 void PathDraft::add(glm::dvec2 point_m) {

@@ -9,28 +9,14 @@
 namespace talus::app {
 namespace {
 
-// Values that a plot has room for.
-constexpr std::size_t plot_room = 512;
-
-// A gauge's readings, one of several where there are more.
+// The values of so many rows as a plot has room for, one of several where there are more.
 template <typename Value>
-std::vector<float> plotted(const Gauge& gauge, Value value) {
-    const std::size_t stride = gauge.readings.size() / plot_room + 1;
+std::vector<float> plotted(std::size_t rows, Value value) {
+    constexpr std::size_t room = 512;
+    const std::size_t stride = rows / room + 1;
     std::vector<float> values;
-    values.reserve(gauge.readings.size() / stride + 1);
-    for (std::size_t i = 0; i < gauge.readings.size(); i += stride)
-        values.push_back(static_cast<float>(value(gauge.readings[i])));
-    return values;
-}
-
-// Discharge and volume of one, row by row.
-template <typename Value>
-std::vector<float> plotted_rows(const PlacedSection& section, Value value) {
-    const std::size_t stride = section.volumes_m3.size() / plot_room + 1;
-    std::vector<float> values;
-    values.reserve(section.volumes_m3.size() / stride + 1);
-    for (std::size_t i = 0; i < section.volumes_m3.size(); i += stride)
-        values.push_back(static_cast<float>(value(section.first_row + i)));
+    values.reserve(rows / stride + 1);
+    for (std::size_t i = 0; i < rows; i += stride) values.push_back(static_cast<float>(value(i)));
     return values;
 }
 
@@ -56,9 +42,12 @@ void draw_gauges(PanelContext& context) {
         const bool removed = ImGui::SmallButton("remove");
         note_widget(fmt::format("remove gauge {}", i + 1));
         if (removed) requests.acts.emplace_back([i](Session& s) { s.gauges().remove(i); });
-        plot_line("level", plotted(gauge, [](const GaugeReading& r) { return r.level_m(); }), "m");
+        const std::vector<GaugeReading>& readings = gauge.readings;
+        plot_line("level", plotted(readings.size(), [&](std::size_t at) { return readings[at].level_m(); }),
+                  "m");
         plot_line("speed",
-                  plotted(gauge, [](const GaugeReading& r) { return glm::length(r.velocity_m_per_s); }),
+                  plotted(readings.size(),
+                          [&](std::size_t at) { return glm::length(readings[at].velocity_m_per_s); }),
                   "m/s");
         ImGui::PopID();
     }
@@ -93,12 +82,13 @@ void draw_sections(PanelContext& context) {
         const bool removed = ImGui::SmallButton("remove");
         note_widget(fmt::format("remove section {}", i + 1));
         if (removed) requests.acts.emplace_back([i](Session& s) { s.remove_section(i); });
-        plot_line("discharge",
-                  plotted_rows(one, [&](std::size_t row) { return sections.discharge_m3_per_s(one, row); }),
-                  "m³/s");
-        plot_line("volume",
-                  plotted_rows(one, [&](std::size_t row) { return one.volumes_m3[row - one.first_row]; }),
-                  "m³");
+        const std::size_t rows = one.volumes_m3.size();
+        plot_line(
+            "discharge",
+            plotted(rows,
+                    [&](std::size_t row) { return sections.discharge_m3_per_s(one, one.first_row + row); }),
+            "m³/s");
+        plot_line("volume", plotted(rows, [&](std::size_t row) { return one.volumes_m3[row]; }), "m³");
         ImGui::PopID();
     }
 }

@@ -112,8 +112,7 @@ void draw_rasters(PanelContext& context) {
     heading("What differs from place to place");
     ImGui::TextWrapped(
         "What brushes paint can also come from a raster (GeoTIFF and others): where both say where they lie, "
-        "it is "
-        "laid there, else it is stretched over the terrain.");
+        "it is laid there, else it is stretched over the terrain.");
     const PaintedNumberDescription& chosen = painted_number_named(context.state.raster_of);
     ImGui::SetNextItemWidth(-1);
     const bool open = ImGui::BeginCombo("##painted", chosen.title.c_str(), ImGuiComboFlags_HeightLarge);

@@ -1,8 +1,9 @@
 #include "app/window/ground_probe.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
+
+#include "app/core/bilinear.h"
 
 namespace talus::app {
 namespace {
@@ -41,14 +42,9 @@ std::optional<double> GroundProbe::height_m(const std::optional<GroundSamples>& 
     if (!glm::all(glm::greaterThanEqual(at, glm::dvec2(0))) ||
         !glm::all(glm::lessThanEqual(at, glm::dvec2(here_.size - 1))))
         return std::nullopt;
-    const glm::ivec2 patch = glm::min(glm::ivec2(at), here_.size - 2);
-    const glm::dvec2 in = at - glm::dvec2(patch);
-    const auto height = [&](int i, int j) {
-        return static_cast<double>(
-            samples_[static_cast<std::size_t>(patch.y + j) * here_.size.x + patch.x + i]);
-    };
-    return std::lerp(std::lerp(height(0, 0), height(1, 0), in.x), std::lerp(height(0, 1), height(1, 1), in.x),
-                     in.y);
+    return bilinear(at, here_.size, [&](int column, int row) {
+        return static_cast<double>(samples_[static_cast<std::size_t>(row) * here_.size.x + column]);
+    });
 }
 
 }  // namespace talus::app

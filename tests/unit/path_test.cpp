@@ -7,6 +7,7 @@
 #include <random>
 
 #include "app/core/app_parameters.h"
+#include "app/core/bilinear.h"
 #include "app/core/path_design.h"
 #include "app/core/path_draft.h"
 #include "sim/error.h"
@@ -30,17 +31,10 @@ std::vector<float> hills(double relief_m = 150) {
 }
 
 double ground_at(const std::vector<float>& heights, glm::dvec2 place) {
-    const double column = grid.column_of(place.x);
-    const double row = grid.row_of(place.y);
-    const int x = std::clamp(static_cast<int>(column), 0, grid.nx - 2);
-    const int y = std::clamp(static_cast<int>(row), 0, grid.ny - 2);
-    const double u = column - x;
-    const double v = row - y;
-    const auto height = [&](int dx, int dy) {
-        return static_cast<double>(heights[static_cast<std::size_t>(y + dy) * grid.nx + (x + dx)]);
-    };
-    return (1 - v) * ((1 - u) * height(0, 0) + u * height(1, 0)) +
-           v * ((1 - u) * height(0, 1) + u * height(1, 1));
+    const glm::dvec2 samples(grid.column_of(place.x), grid.row_of(place.y));
+    return app::bilinear(samples, {grid.nx, grid.ny}, [&](int column, int row) {
+        return static_cast<double>(heights[static_cast<std::size_t>(row) * grid.nx + column]);
+    });
 }
 
 const std::vector<glm::dvec2> winding = {{150, 200}, {400, 900}, {700, 500}, {1000, 1000}, {1350, 300}};
