@@ -44,8 +44,12 @@ Dataset open_raster(const std::filesystem::path& path) {
     start_gdal();
     Dataset dataset(static_cast<GDALDataset*>(
         GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr)));
-    if (!dataset) throw Error(fmt::format("'{}' cannot be read: {}", path.string(), gdal_says()));
-    return dataset;
+    if (dataset) return dataset;
+    // GDAL opens what is no file too, and says nothing of a file that is not there.
+    std::error_code ignored;
+    const bool is_missing = !path.string().starts_with("/vsi") && !std::filesystem::exists(path, ignored);
+    throw Error(fmt::format("'{}' cannot be read: {}", path.string(),
+                            is_missing && CPLGetLastErrorMsg()[0] == '\0' ? "no such file" : gdal_says()));
 }
 
 std::string gdal_says() {

@@ -18,6 +18,7 @@
 #include "sim/io/endings.h"
 #include "sim/io/heightmap.h"
 #include "sim/terrain/state_hash.h"
+#include "tests/scenes/refusal.h"
 
 namespace talus::io_test {
 namespace {
@@ -35,16 +36,7 @@ class Files : public ::testing::Test {
 
     // One sentence: no line breaks, names the file, not a word of it twice the same.
     std::string refusal(const std::string& name, const io::ImportSettings& settings = {}) const {
-        try {
-            io::open_document(path(name), settings);
-        } catch (const Error& error) {
-            std::string message = error.what();
-            EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-            EXPECT_NE(message.find(name), std::string::npos) << message;
-            return message;
-        }
-        ADD_FAILURE() << name << " was taken";
-        return "";
+        return refusal_of(name, [&] { io::open_document(path(name), settings); });
     }
 
   private:
