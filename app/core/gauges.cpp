@@ -39,7 +39,7 @@ void Gauges::record(const Terrain& terrain, double time_s) {
 void Gauges::follow(const Terrain& terrain, double time_s) {
     if (gauges_.empty()) return;
     // Undo goes back in time.
-    if (!times_s_.empty() && time_s < times_s_.back()) {
+    if (time_s < asked_s_) {
         const auto kept = static_cast<std::size_t>(
             std::upper_bound(times_s_.begin(), times_s_.end(), time_s) - times_s_.begin());
         times_s_.resize(kept);
@@ -47,7 +47,9 @@ void Gauges::follow(const Terrain& terrain, double time_s) {
             gauge.first_row = std::min(gauge.first_row, kept);
             gauge.readings.resize(kept - gauge.first_row);
         }
+        // What was asked for then is no row of this time.
         asking_ = false;
+        asked_s_ = times_s_.empty() ? -1 : times_s_.back();
     }
     if (asking_) {
         bool whole = true;

@@ -445,6 +445,21 @@ TEST(WaterSimulation, GaugesFollowWithoutWaitingWhatTheyReadByWaiting) {
     simulation.undo();
     following.follow(simulation.terrain(), simulation.clock().simulated_s);
     for (const double time_s : following.times_s()) EXPECT_LE(time_s, simulation.clock().simulated_s);
+    // Nor does a row come that was asked for before undo went back.
+    simulation.apply(Ticks{2});
+    EXPECT_TRUE(wait_until([&] {
+        following.follow(simulation.terrain(), simulation.clock().simulated_s);
+        return !following.times_s().empty() && following.times_s().back() == simulation.clock().simulated_s;
+    }));
+    const std::vector<double> times_s = following.times_s();
+    simulation.end_entry();
+    simulation.apply(Ticks{1});
+    following.follow(simulation.terrain(), simulation.clock().simulated_s);
+    simulation.undo();
+    for (int i = 0; i < 100; ++i) {
+        following.follow(simulation.terrain(), simulation.clock().simulated_s);
+        ASSERT_EQ(following.times_s(), times_s);
+    }
     EXPECT_THROW(following.place({-5, 3}), Error);
 }
 
