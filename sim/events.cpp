@@ -38,7 +38,7 @@ void check_event(const Parameters& parameters, const Grid& grid, Event& event) {
     if (event.breach) return check_breach(grid, *event.breach);
     Parameters changed = parameters;
     changed.set_assignment(event.assignment);
-    const Parameter& declared = changed.declaration(event.assignment.substr(0, event.assignment.find('=')));
+    const Parameter& declared = changed.declaration(parameter_of(event));
     if (declared.name == "time.tick_s") throw Error("it sets time.tick_s, which holds for a whole run");
     if (declared.sets_off == SetsOff::sea)
         throw Error(fmt::format("it sets {}, which no event can: let it follow a table", declared.name));
@@ -85,13 +85,21 @@ Event event_of(const json& line) {
 
 }  // namespace
 
+std::string parameter_of(const Event& event) {
+    return event.assignment.substr(0, event.assignment.find('='));
+}
+
+void set_parameter_of(Event& event, const std::string& name) {
+    event.assignment.replace(0, parameter_of(event).size(), name);
+}
+
 void check_events(const Parameters& parameters, const Grid& grid, std::vector<Event>& events) {
     std::stable_sort(events.begin(), events.end(),
                      [](const Event& a, const Event& b) { return a.at_s < b.at_s; });
-    for (std::size_t i = 0; i < events.size(); ++i) try {
-            check_event(parameters, grid, events[i]);
+    for (Event& event : events) try {
+            check_event(parameters, grid, event);
         } catch (const Error& error) {
-            throw Error(fmt::format("the event at {} s is wrong: {}", events[i].at_s, error.what()));
+            throw Error(fmt::format("the event at {} s is wrong: {}", event.at_s, error.what()));
         }
 }
 

@@ -6,9 +6,13 @@
 #include "sim/passes/dab.h"
 #include "sim/terrain/terrain_state.h"
 
+// What happens by itself at a simulated time: before the first tick that begins at that time or later.
 namespace talus {
 
-/// What happens by itself at a simulated time: before the first tick that begins at that time or later.
+/// The parameter that an event sets; empty: it is a breach.
+std::string parameter_of(const Event& event);
+/// The event sets this one instead.
+void set_parameter_of(Event& event, const std::string& name);
 
 /// Sorts them by time, and gives assignments the parameters' present names. Throws talus::Error that says
 /// which event is wrong and what would be right.

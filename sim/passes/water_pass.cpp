@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "sim/drives.h"
+#include "sim/events.h"
 #include "sim/passes/dab_region.h"
 #include "sim/passes/inundation.h"
 #include "sim/passes/map_settings.h"
@@ -23,12 +24,8 @@ class WaterPass : public Pass {
 
     void turn(Parameters& parameters, std::vector<Event>& events, int quarters) const override {
         turn_edges(parameters, quarters);
-        for (Event& event : events) {
-            const auto equals = event.assignment.find('=');
-            if (equals == std::string::npos) continue;
-            event.assignment = turned_edge_parameter(event.assignment.substr(0, equals), quarters) +
-                               event.assignment.substr(equals);
-        }
+        for (Event& event : events)
+            if (!event.breach) set_parameter_of(event, turned_edge_parameter(parameter_of(event), quarters));
     }
 
     void prepare_tick(Terrain& terrain, const Moment& at) override {
