@@ -6,8 +6,8 @@
 #include "app/commands/commands.h"
 #include "app/core/outputs.h"
 #include "sim/error.h"
-#include "sim/io/endings.h"
 #include "sim/io/export.h"
+#include "sim/io/mesh_formats.h"
 
 namespace talus::app {
 namespace {
@@ -21,8 +21,7 @@ io::ExportSettings settings_of(const ConvertOptions& options) {
     settings.mesh_error_m = options.mesh_error_m;
     if (!options.layer.empty()) settings.layer = options.layer;
     if (options.kind.empty()) {
-        settings.kind =
-            io::ending_of(options.output) == ".obj" ? io::ExportKind::mesh : io::ExportKind::heightmap;
+        settings.kind = io::mesh_format_of(options.output) ? io::ExportKind::mesh : io::ExportKind::heightmap;
         return settings;
     }
     const auto kind = std::find(kinds.begin(), kinds.end(), options.kind);

@@ -18,7 +18,7 @@ namespace {
 const char* usual_ending(io::ExportKind kind) {
     switch (kind) {
         case io::ExportKind::mesh:
-            return ".obj";
+            return ".glb";
         case io::ExportKind::normal_map:
         case io::ExportKind::maps:
         case io::ExportKind::unreal:
@@ -46,7 +46,8 @@ std::string formats_written() {
 std::string what_it_is(io::ExportKind kind) {
     switch (kind) {
         case io::ExportKind::mesh:
-            return "Wavefront OBJ, simplified within the error below.";
+            return "Triangles, simplified within the error below, with normals and texture coordinates: "
+                   "Wavefront OBJ (.obj), glTF (.glb, .gltf).";
         case io::ExportKind::normal_map:
             return "PNG, 16 bits: red east, green north, blue up.";
         case io::ExportKind::maps:
@@ -97,8 +98,15 @@ std::string in_words(std::string name) {
     return name;
 }
 
+// Of what is known by two names, one.
+std::vector<std::string> listed_outputs() {
+    std::vector<std::string> names = output_names();
+    std::erase(names, "water");
+    return names;
+}
+
 void choose_layer(io::ExportSettings& settings, bool& open) {
-    const std::vector<std::string> names = output_names();
+    const std::vector<std::string> names = listed_outputs();
     std::vector<std::string> words(names.size());
     std::transform(names.begin(), names.end(), words.begin(), in_words);
     const auto at = std::find(names.begin(), names.end(), settings.layer) - names.begin();
@@ -108,7 +116,7 @@ void choose_layer(io::ExportSettings& settings, bool& open) {
 void choose_maps(io::ExportSettings& settings, bool& open) {
     constexpr int columns = 3;
     if (ImGui::BeginTable("maps", columns)) {
-        for (const std::string& map : output_names()) {
+        for (const std::string& map : listed_outputs()) {
             ImGui::TableNextColumn();
             const auto at = std::find(settings.maps.begin(), settings.maps.end(), map);
             bool chosen = at != settings.maps.end();
@@ -177,11 +185,13 @@ void draw_export_dialog(PanelContext& context) {
         choose_maps(settings, choosing);
     else
         choose_layer(settings, choosing);
+    if (settings.kind != io::ExportKind::maps) {
+        ImGui::InputInt2("tiles east, south", &settings.tiles.x);
+        settings.tiles = glm::clamp(settings.tiles, 1, 64);
+    }
     if (settings.kind == io::ExportKind::mesh) {
         ImGui::InputDouble("m of error", &settings.mesh_error_m, 0, 0, "%.6g");
     } else if (settings.kind != io::ExportKind::maps) {
-        ImGui::InputInt2("tiles east, south", &settings.tiles.x);
-        settings.tiles = glm::clamp(settings.tiles, 1, 64);
         bool given = settings.range_m.has_value();
         if (ImGui::Checkbox("heights of the smallest and largest integer", &given))
             settings.range_m = given ? std::optional<io::Range>(context.session.bounds()) : std::nullopt;

@@ -7,13 +7,15 @@
 #include <set>
 
 #include "sim/io/heightmap_formats.h"
+#include "sim/io/mesh_formats.h"
 
 namespace talus::io {
 namespace {
 
 std::set<std::string> known_endings() {
-    std::set<std::string> known = {".obj"};
-    for (const std::string& ending : readable_endings()) known.insert(ending);
+    std::set<std::string> known;
+    for (const auto& endings : {mesh_endings(), readable_endings()})
+        known.insert(endings.begin(), endings.end());
     for (const auto& [format, endings] : OIIO::get_extension_map())
         for (const std::string& ending : endings) known.insert("." + ending);
     return known;

@@ -11,6 +11,7 @@
 #include "sim/io/endings.h"
 #include "sim/io/heightmap_formats.h"
 #include "sim/io/map_export.h"
+#include "sim/io/mesh_formats.h"
 #include "sim/terrain/layers.h"
 #include "sim/terrain/reshape.h"
 
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 std::vector<std::string> endings_of(ExportKind kind) {
     switch (kind) {
         case ExportKind::mesh:
-            return {".obj"};
+            return mesh_endings();
         case ExportKind::normal_map:
             return {".png"};
         case ExportKind::unreal:
@@ -48,8 +49,6 @@ void check_settings(const ExportSettings& settings) {
                                 settings.tiles.x, settings.tiles.y));
     if (settings.range_m && !(settings.range_m->y > settings.range_m->x))
         throw Error("the range's first height must be the lower one");
-    if (settings.kind == ExportKind::mesh && settings.tiles != glm::ivec2(1))
-        throw Error("a mesh is written in one piece: leave tiles at 1 x 1");
 }
 
 // The path of a tile: before its ending, its column and row.
@@ -58,24 +57,6 @@ fs::path tile_path(const fs::path& path, glm::ivec2 tiles, int column, int row) 
     fs::path named = path;
     return named.replace_filename(
         fmt::format("{}_x{}_y{}{}", path.stem().string(), column, row, path.extension().string()));
-}
-
-Heightmap piece_of(const Heightmap& whole, std::pair<int, int> columns, std::pair<int, int> rows) {
-    Heightmap piece;
-    piece.grid = {columns.second, rows.second, whole.grid.dx, whole.grid.dy};
-    piece.heights.reserve(piece.grid.count());
-    for (int y = 0; y < rows.second; ++y) {
-        const auto from = whole.heights.begin() +
-                          static_cast<std::ptrdiff_t>(rows.first + y) * whole.grid.nx + columns.first;
-        piece.heights.insert(piece.heights.end(), from, from + columns.second);
-    }
-    if (whole.georeference) {
-        piece.georeference = whole.georeference;
-        std::array<double, 6>& t = piece.georeference->transform;
-        t[0] += t[1] * columns.first + t[2] * rows.first;
-        t[3] += t[4] * columns.first + t[5] * rows.first;
-    }
-    return piece;
 }
 
 // 16-bit integers, little byte first.
@@ -141,6 +122,24 @@ void add_engine_values(ExportKind engine, const Heightmap& whole, Exported& expo
 
 }  // namespace
 
+Heightmap piece_of(const Heightmap& whole, std::pair<int, int> columns, std::pair<int, int> rows) {
+    Heightmap piece;
+    piece.grid = {columns.second, rows.second, whole.grid.dx, whole.grid.dy};
+    piece.heights.reserve(piece.grid.count());
+    for (int y = 0; y < rows.second; ++y) {
+        const auto from = whole.heights.begin() +
+                          static_cast<std::ptrdiff_t>(rows.first + y) * whole.grid.nx + columns.first;
+        piece.heights.insert(piece.heights.end(), from, from + columns.second);
+    }
+    if (whole.georeference) {
+        piece.georeference = whole.georeference;
+        std::array<double, 6>& t = piece.georeference->transform;
+        t[0] += t[1] * columns.first + t[2] * rows.first;
+        t[3] += t[4] * columns.first + t[5] * rows.first;
+    }
+    return piece;
+}
+
 const std::vector<std::string>& export_kind_names() {
     static const std::vector<std::string> names = {"heightmap", "mesh",  "normal map", "maps",
                                                    "unreal",    "unity", "godot"};
@@ -192,6 +191,37 @@ std::vector<std::pair<int, int>> split_samples(int samples, int tiles) {
     return pieces;
 }
 
+namespace {
+
+Exported export_mesh(const Heightmap& whole, const ExportSettings& settings) {
+    Exported exported;
+    std::size_t triangles = 0;
+    double sum_m = 0;
+    double samples = 0;
+    double farthest_m = 0;
+    int row = 0;
+    for (const auto& rows : split_samples(whole.grid.ny, settings.tiles.y)) {
+        int column = 0;
+        for (const auto& columns : split_samples(whole.grid.nx, settings.tiles.x)) {
+            const TerrainMesh mesh = mesh_of_tile(whole, settings.mesh_error_m, columns, rows);
+            const fs::path path = tile_path(settings.path, settings.tiles, column++, row);
+            mesh_format_of(path)->write(path, mesh);
+            exported.files.push_back(path);
+            triangles += mesh.indices.size() / 3;
+            sum_m += mesh.mean_m * columns.second * rows.second;
+            samples += columns.second * rows.second;
+            farthest_m = std::max(farthest_m, mesh.farthest_m);
+        }
+        ++row;
+    }
+    exported.values = {{"Triangles", fmt::format("{}", triangles)},
+                       {"Mean error", fmt::format("{:.3g} m", sum_m / samples)},
+                       {"Largest error", fmt::format("{:.3g} m", farthest_m)}};
+    return exported;
+}
+
+}  // namespace
+
 Exported export_terrain(const Document& document, const ExportSettings& settings) {
     if (settings.kind == ExportKind::maps) return export_maps(document.state, settings);
     check_settings(settings);
@@ -204,15 +234,7 @@ Exported export_terrain(const Document& document, const ExportSettings& settings
         whole.georeference = document.state.georeference;
     }
     Exported exported;
-    if (settings.kind == ExportKind::mesh) {
-        const TerrainMesh mesh = simplified_mesh(whole, settings.mesh_error_m);
-        write_obj(settings.path, mesh);
-        exported.files = {settings.path};
-        exported.values = {{"Triangles", fmt::format("{}", mesh.indices.size() / 3)},
-                           {"Mean error", fmt::format("{:.3g} m", mesh.mean_m)},
-                           {"Largest error", fmt::format("{:.3g} m", mesh.farthest_m)}};
-        return exported;
-    }
+    if (settings.kind == ExportKind::mesh) return export_mesh(whole, settings);
     // One range for all tiles: they meet.
     exported.range_m = range_for(whole, settings.range_m);
     exported.spacing_m = {whole.grid.dx, whole.grid.dy};
@@ -273,8 +295,9 @@ std::vector<std::string> losses(const TerrainState& state, const ExportSettings&
     };
     layer(std::any_of(state.regolith.begin(), state.regolith.end(), [](glm::vec2 r) { return r.x > 0; }),
           "which part of the ground is regolith");
+    const std::vector<std::string> written = numbers_of_output(settings.layer);
     for (const LayerDescription& one : talus::layers())
-        if (one.is_optional() && one.name != settings.layer)
+        if (one.is_optional() && std::find(written.begin(), written.end(), one.name) == written.end())
             layer(!words_of(state, one).empty(), one.name.c_str());
     if (!layers.empty())
         lost.push_back(fmt::format("not written: {}; a Talus document (Save as) keeps all", layers));

@@ -14,8 +14,8 @@ enum class ExportKind { heightmap, mesh, normal_map, maps, unreal, unity, godot 
 const std::vector<std::string>& export_kind_names();
 bool is_engine(ExportKind kind);
 
-/// How it is written. The endings: heightmaps as write_heightmap takes them; .obj for a mesh; .png for a
-/// normal map; .png or .r16 for Unreal, .raw or .r16 for Unity, .r16 or .exr for Godot.
+/// How it is written. The endings: heightmaps as write_heightmap takes them; .obj, .gltf and .glb for a mesh;
+/// .png for a normal map; .png or .r16 for Unreal, .raw or .r16 for Unity, .r16 or .exr for Godot.
 struct ExportSettings {
     ExportKind kind = ExportKind::heightmap;
     std::filesystem::path path;
@@ -64,14 +64,25 @@ std::vector<std::pair<int, int>> split_samples(int samples, int tiles);
 struct TerrainMesh {
     std::vector<glm::vec3> positions;  ///< metres: east, north, up from the south-west sample
     std::vector<unsigned> indices;     ///< counterclockwise from above
-    double error_m = 0;                ///< as meshoptimizer counts it: a mean distance over what was merged
-    double mean_m = 0;  ///< measured: how far samples lie above or below it on average, and at most
+    std::vector<glm::vec3> normals;    ///< of the ground at each vertex; as the positions
+    /// Of each vertex in a picture of a pixel a sample over the whole map: from its north-west corner east
+    /// and south, 0 to 1.
+    std::vector<glm::vec2> texture_places;
+    double error_m = 0;  ///< as meshoptimizer counts it: a mean distance over what was merged
+    double mean_m = 0;   ///< measured: how far samples lie above or below it on average, and at most
     double farthest_m = 0;
 };
 /// Simplified by meshoptimizer until no sample lies farther than `error_m` above or below it; the border
 /// keeps its line.
 TerrainMesh simplified_mesh(const Heightmap& heightmap, double error_m);
-void write_obj(const std::filesystem::path& path, const TerrainMesh& mesh);
+/// The same of a piece, by its first column and row and how many, in its place: metres, normals and texture
+/// places are of the whole, and tiles meet, for their borders keep their lines.
+TerrainMesh mesh_of_tile(const Heightmap& whole, double error_m, std::pair<int, int> columns,
+                         std::pair<int, int> rows);
+/// Those samples alone.
+Heightmap piece_of(const Heightmap& whole, std::pair<int, int> columns, std::pair<int, int> rows);
+/// The ground's unit normal (east, north, up) at a sample, by central differences; at edges one-sided ones.
+glm::dvec3 ground_normal(const Heightmap& heightmap, int column, int row);
 
 /// The ground's unit normals as a picture: red east, green north, blue up, each from -1 to 1 as 0 to 65535.
 /// Of a piece: its first column and row and how many; slopes look beyond its edge, so that tiles meet.

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "sim/error.h"
-#include "sim/io/atomic_file.h"
 #include "sim/io/export.h"
 
 namespace talus::io {
@@ -97,20 +96,23 @@ TerrainMesh simplified_mesh(const Heightmap& heightmap, double error_m) {
     return best;
 }
 
-void write_obj(const std::filesystem::path& path, const TerrainMesh& mesh) {
-    // Wavefront OBJ as most programs read it: y up, so north is -z.
-    fmt::memory_buffer text;
-    const auto out = std::back_inserter(text);
-    fmt::format_to(out,
-                   "# {} vertices, {} triangles; samples lie {:.3g} m above or below it on average, {:.3g} m "
-                   "at most; metres, x "
-                   "east, y up, z south\n",
-                   mesh.positions.size(), mesh.indices.size() / 3, mesh.mean_m, mesh.farthest_m);
-    for (const glm::vec3& p : mesh.positions) fmt::format_to(out, "v {:.9g} {:.9g} {:.9g}\n", p.x, p.z, -p.y);
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
-        fmt::format_to(out, "f {} {} {}\n", mesh.indices[i] + 1, mesh.indices[i + 1] + 1,
-                       mesh.indices[i + 2] + 1);
-    write_atomically(path, std::string_view(text.data(), text.size()));
+TerrainMesh mesh_of_tile(const Heightmap& whole, double error_m, std::pair<int, int> columns,
+                         std::pair<int, int> rows) {
+    const Grid& grid = whole.grid;
+    TerrainMesh mesh = simplified_mesh(piece_of(whole, columns, rows), error_m);
+    mesh.normals.reserve(mesh.positions.size());
+    mesh.texture_places.reserve(mesh.positions.size());
+    for (glm::vec3& position : mesh.positions) {
+        // A vertex is a sample.
+        const int column = columns.first + static_cast<int>(std::lround(position.x / grid.dx));
+        const int row = rows.first + rows.second - 1 - static_cast<int>(std::lround(position.y / grid.dy));
+        mesh.normals.emplace_back(ground_normal(whole, column, row));
+        mesh.texture_places.emplace_back((column + 0.5) / grid.nx, (row + 0.5) / grid.ny);
+        // Of the whole, so that both sides of a seam have the same bits.
+        position.x = static_cast<float>(column * grid.dx);
+        position.y = static_cast<float>((grid.ny - 1 - row) * grid.dy);
+    }
+    return mesh;
 }
 
 }  // namespace talus::io

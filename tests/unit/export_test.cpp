@@ -2,11 +2,14 @@
 // keep their error.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <tiny_gltf.h>
 
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <map>
+#include <set>
+#include <tuple>
 
 #include "sim/error.h"
 #include "sim/io/atomic_file.h"
@@ -221,6 +224,124 @@ TEST_F(Export, AMeshHasFewerTrianglesWithinItsErrorAndKeepsItsBorder) {
     std::size_t faces = 0;
     for (std::size_t at = obj.find("\nf "); at != std::string::npos; at = obj.find("\nf ", at + 1)) ++faces;
     EXPECT_EQ(faces, before);
+}
+
+// What another program finds in a glTF file.
+struct FoundMesh {
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;
+    std::vector<glm::vec2> texture_places;
+    std::vector<unsigned> indices;
+};
+
+template <typename Value>
+std::vector<Value> values_of(const tinygltf::Model& model, int number) {
+    const tinygltf::Accessor& accessor = model.accessors.at(static_cast<std::size_t>(number));
+    const tinygltf::BufferView& view = model.bufferViews.at(static_cast<std::size_t>(accessor.bufferView));
+    std::vector<Value> values(accessor.count);
+    std::memcpy(values.data(), model.buffers.at(0).data.data() + view.byteOffset, view.byteLength);
+    return values;
+}
+
+FoundMesh read_gltf(const std::filesystem::path& path) {
+    tinygltf::TinyGLTF reader;
+    tinygltf::Model model;
+    std::string errors;
+    std::string warnings;
+    const bool read = path.extension() == ".glb"
+                          ? reader.LoadBinaryFromFile(&model, &errors, &warnings, path.string())
+                          : reader.LoadASCIIFromFile(&model, &errors, &warnings, path.string());
+    EXPECT_TRUE(read && errors.empty() && warnings.empty()) << path << errors << warnings;
+    const tinygltf::Primitive& triangles = model.meshes.at(0).primitives.at(0);
+    const auto& bounds = model.accessors.at(static_cast<std::size_t>(triangles.attributes.at("POSITION")));
+    FoundMesh found{values_of<glm::vec3>(model, triangles.attributes.at("POSITION")),
+                    values_of<glm::vec3>(model, triangles.attributes.at("NORMAL")),
+                    values_of<glm::vec2>(model, triangles.attributes.at("TEXCOORD_0")),
+                    values_of<unsigned>(model, triangles.indices)};
+    for (const glm::vec3& place : found.positions)
+        for (int k = 0; k < 3; ++k) {
+            EXPECT_GE(place[k], bounds.minValues.at(static_cast<std::size_t>(k)));
+            EXPECT_LE(place[k], bounds.maxValues.at(static_cast<std::size_t>(k)));
+        }
+    return found;
+}
+
+TEST_F(Export, MeshesInTilesMeetAndKnowWhereTheyLie) {
+    io::Document document = hills(60, 40);
+    // A spacing that no float has.
+    document.state.grid.dx = 27.3;
+    for (glm::vec2& height : document.state.bedrock) height *= 0.1F;
+    const Grid& grid = document.state.grid;
+    io::Heightmap whole;
+    whole.grid = grid;
+    whole.heights = document.state.ground();
+    io::ExportSettings settings;
+    settings.kind = io::ExportKind::mesh;
+    settings.mesh_error_m = 0.5;
+    settings.tiles = {3, 2};
+    for (const char* name : {"hills.glb", "hills.gltf"}) {
+        settings.path = path(name);
+        const io::Exported exported = io::export_terrain(document, settings);
+        ASSERT_EQ(exported.files.size(), 6U);
+        double area = 0;
+        std::map<std::pair<long, long>, std::set<float>> heights;
+        for (const std::filesystem::path& file : exported.files) {
+            const FoundMesh mesh = read_gltf(file);
+            ASSERT_FALSE(mesh.positions.empty());
+            for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+                // y up, z south.
+                const glm::vec3& p = mesh.positions[i];
+                const long column = std::lround(p.x / grid.dx);
+                const long row = std::lround(p.z / grid.dy) + grid.ny - 1;
+                heights[{column, row}].insert(p.y);
+                EXPECT_EQ(p.x, static_cast<float>(static_cast<double>(column) * grid.dx));
+                EXPECT_EQ(p.y, whole.heights.at(static_cast<std::size_t>(row * grid.nx + column)));
+                const glm::dvec3 normal =
+                    ground_normal(whole, static_cast<int>(column), static_cast<int>(row));
+                EXPECT_NEAR(glm::distance(glm::dvec3(mesh.normals[i]), {normal.x, normal.z, -normal.y}), 0,
+                            1e-6);
+                EXPECT_NEAR(mesh.texture_places[i].x, (static_cast<double>(column) + 0.5) / grid.nx, 1e-6);
+                EXPECT_NEAR(mesh.texture_places[i].y, (static_cast<double>(row) + 0.5) / grid.ny, 1e-6);
+            }
+            for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+                const glm::dvec3 a = mesh.positions.at(mesh.indices[i]);
+                const glm::dvec3 b = mesh.positions.at(mesh.indices[i + 1]);
+                const glm::dvec3 c = mesh.positions.at(mesh.indices[i + 2]);
+                // Counterclockwise from above, where east is right and south is down.
+                area += ((c.x - a.x) * (b.z - a.z) - (b.x - a.x) * (c.z - a.z)) / 2;
+            }
+        }
+        EXPECT_NEAR(area / (grid.width_m() * grid.height_m()), 1, 1e-6);
+        for (const auto& [place, found] : heights) EXPECT_EQ(found.size(), 1U);
+        // A seam: the same bits on both sides, all samples of it.
+        const auto seam = [&](const char* tile, bool east) {
+            const fs::path file = path(std::string("hills_") + tile + fs::path(name).extension().string());
+            const FoundMesh mesh = read_gltf(file);
+            const auto x = static_cast<float>((grid.nx - 1) / 3 * grid.dx);
+            std::set<std::tuple<float, float, float>> places;
+            for (const glm::vec3& p : mesh.positions)
+                if (std::abs(p.x - x) < grid.dx / 2) places.insert({p.x, p.y, p.z});
+            float edge = mesh.positions.front().x;
+            for (const glm::vec3& p : mesh.positions) edge = east ? std::max(edge, p.x) : std::min(edge, p.x);
+            EXPECT_EQ(edge, x) << tile;
+            return places;
+        };
+        const auto west_side = seam("x0_y0", true);
+        EXPECT_EQ(west_side, seam("x1_y0", false));
+        EXPECT_EQ(west_side.size(), static_cast<std::size_t>((grid.ny - 1) / 2 + 1));
+    }
+    // The same numbers as text.
+    settings.tiles = glm::ivec2(1);
+    settings.path = path("one.obj");
+    io::export_terrain(document, settings);
+    const std::string obj = io::read_text(settings.path);
+    settings.path = path("one.glb");
+    io::export_terrain(document, settings);
+    const FoundMesh mesh = read_gltf(settings.path);
+    const glm::vec3& p = mesh.positions.front();
+    const glm::vec2& t = mesh.texture_places.front();
+    EXPECT_NE(obj.find(fmt::format("\nv {:.9g} {:.9g} {:.9g}\n", p.x, p.y, p.z)), std::string::npos);
+    EXPECT_NE(obj.find(fmt::format("\nvt {:.7g} {:.7g}\n", t.x, 1 - t.y)), std::string::npos);
 }
 
 TEST_F(Export, ANormalMapIsTheSlope) {
