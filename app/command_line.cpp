@@ -139,6 +139,7 @@ Command render_command(CLI::App& app, Texts& t) {
     command->add_option("--size", t.size, "WxH pixels, 1280x720 unless given; to 32768 a side");
     command->add_option("--eye", t.eye, "x,y,z in metres: east, north, up from the south-west sample");
     command->add_option("--target", t.target, "x,y,z in metres");
+    command->add_option("--camera", options->camera, "a camera that the document keeps, by its name");
     command->add_option("--fov", t.fov, "vertical field of view in degrees");
     command->add_option("--method", t.method, "how the surface is drawn");
     command->add_option("--view", t.view, "what the colours show; 'talus parameters' lists the views");
@@ -153,6 +154,8 @@ Command render_command(CLI::App& app, Texts& t) {
                 options->gpu = t.context();
                 options->scene = t.scene(t.file);
                 if (!t.size.empty()) options->size = size_from(t.size);
+                if (!options->camera.empty() && !t.fov.empty())
+                    throw Error("--camera brings its field of view: leave out --fov");
                 options->eye = point_from("--eye", t.eye);
                 options->target = point_from("--target", t.target);
                 options->json = t.json;
@@ -232,7 +235,7 @@ Command convert_command(CLI::App& app, Texts& t) {
         ->add_option(
             "--for", options->kind,
             "unreal, unity or godot: samples and bytes as it takes them, and what to type there; mesh "
-            "(.obj) and 'normal map' (.png) are written so too")
+            "(.obj, .gltf, .glb) and 'normal map' (.png) are written so too")
         ->type_name("PROGRAM");
     command->add_option("--tiles", t.tiles,
                         "NxM: so many files east and south, which share their edge samples");
@@ -380,7 +383,7 @@ Command why_no_window_command(CLI::App& app, Texts& /*t*/) {
 // Without a command: the window.
 Command window_command(CLI::App& app, Texts& t) {
     auto options = std::make_shared<WindowOptions>();
-    app.add_option("FILE", t.file, "heightmap or Talus document to open in the window");
+    app.add_option("FILE", t.file, "heightmap, Talus document or scene (.toml) to open in the window");
     app.add_option("--preset", t.preset, "scene to start from, a name or a .toml file");
     app.add_option("--set", t.assignments, "section.name=value, may be repeated");
     add_texture(app, t);

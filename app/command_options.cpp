@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
+#include "app/core/scene_file.h"
 #include "sim/error.h"
 #include "sim/io/heightmap_formats.h"
 #include "sim/terrain/layers.h"
@@ -90,6 +92,16 @@ SceneRequest Texts::scene(const std::string& file_given) const {
     SceneRequest request;
     request.preset = preset;
     request.input = file_given;
+    if (is_scene(file_given)) {
+        if (!preset.empty())
+            throw Error(fmt::format("'{}' is a scene and --preset {} is another: leave one of the two out",
+                                    file_given, preset));
+        if (!window.empty() || !raw.empty() || !range.empty())
+            throw Error(fmt::format(
+                "'{}' is a scene, which generates its terrain: leave out --window, --raw and --range",
+                file_given));
+        request.preset = std::exchange(request.input, "");
+    }
     request.import = import();
     if (request.import.window && file_given.empty())
         throw Error("--window cuts a part out of a file: name the file too");

@@ -38,7 +38,7 @@ ShadedGround shaded_ground(const Terrain& terrain, const Pyramid& pyramid, const
                        });
     return {terrain.grid(), false, there, true, [&terrain, &pyramid, &sky, &layers](gpu::Program& program) {
                 program.bind_sampled("solid", terrain.solid.front);
-                program.bind_sampled("start", terrain.start);
+                program.bind_sampled("start", terrain.difference_start());
                 program.bind_sampled("sky_share", sky.share());
                 // What is absent is not read; another texture stands in for it.
                 int layers_there = 0;

@@ -17,7 +17,8 @@ PackedBytes packed_texels(const gpu::Texture& texture, const gpu::Region& region
 }  // namespace
 
 std::size_t PackedTerrain::bytes() const {
-    const std::size_t always = solid.bytes() + start.bytes() + bed_beyond.size() * sizeof(float);
+    const std::size_t always =
+        solid.bytes() + start.bytes() + earlier_start.bytes() + bed_beyond.size() * sizeof(float);
     return std::accumulate(optional.begin(), optional.end(), always,
                            [](std::size_t sum, const PackedBytes& layer) { return sum + layer.bytes(); });
 }
@@ -30,6 +31,7 @@ PackedTerrain pack(const Terrain& terrain) {
     const gpu::Region all = terrain.ground.whole();
     packed.solid = packed_texels(terrain.solid.front, all);
     packed.start = packed_texels(terrain.start, all);
+    if (terrain.earlier_start) packed.earlier_start = packed_texels(*terrain.earlier_start, all);
     for (const LayerDescription& layer : layers()) {
         const DeviceLayer* image =
             layer.is_optional() && terrain.*layer.image ? &*(terrain.*layer.image) : nullptr;
@@ -45,6 +47,11 @@ Terrain unpack(const PackedTerrain& packed) {
     const gpu::Region all = terrain.ground.whole();
     terrain.solid.front.write(all, packed.solid.unpack());
     terrain.start.write(all, packed.start.unpack());
+    if (packed.earlier_start.bytes() > 0) {
+        terrain.earlier_start =
+            gpu::Texture("earlier start", gpu::Format::rg32f, packed.grid.nx, packed.grid.ny);
+        terrain.earlier_start->write(all, packed.earlier_start.unpack());
+    }
     terrain.refresh(all);
     for (std::size_t i = 0; i < layers().size(); ++i) {
         if (packed.optional[i].bytes() == 0) continue;

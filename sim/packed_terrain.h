@@ -11,6 +11,7 @@ struct PackedTerrain {
     Grid grid;
     PackedBytes solid;
     PackedBytes start;
+    PackedBytes earlier_start;          ///< without bytes: none
     std::vector<PackedBytes> optional;  ///< as layers(); without bytes: not there, or of the solid
     std::vector<float> bed_beyond;      ///< as Terrain
     std::array<bool, painted_number_count> ever_painted{};  ///< as Terrain

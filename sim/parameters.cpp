@@ -44,6 +44,11 @@ Parameter Parameter::following_tables(Driven how) && {
     return std::move(*this);
 }
 
+Parameter Parameter::of_this_machine() && {
+    of_machine = true;
+    return std::move(*this);
+}
+
 std::string unit_in_name(const std::string& unit) {
     static const std::map<std::string, std::string> names = {
         {"m", "_m"},           {"mm", "_mm"},         {"s", "_s"},       {"m/s", "_m_per_s"},

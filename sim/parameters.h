@@ -41,11 +41,13 @@ struct Parameter {
     std::string follows = "";          ///< unless set, its value is that of the number parameter of this name
     SetsOff sets_off = SetsOff::nothing;
     Driven driven = Driven::by_tick;
+    bool of_machine = false;  ///< it is about the machine, and not kept in projects
 
     Parameter once(std::string name) &&;
     Parameter following(std::string name) &&;
     Parameter setting_off(SetsOff what) &&;
     Parameter following_tables(Driven how) &&;
+    Parameter of_this_machine() &&;
 };
 
 Parameter number(std::string name, double preset, double low, double high, std::string unit,

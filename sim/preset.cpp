@@ -5,9 +5,12 @@
 
 #include <toml++/toml.h>
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 #include "sim/error.h"
 #include "sim/gpu/embedded_text.h"
@@ -105,8 +108,15 @@ std::vector<Preset> built_in_presets() {
     return presets;
 }
 
+bool is_preset_file(const std::string& name_or_path) {
+    std::string ending = std::filesystem::path(name_or_path).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return ending == ".toml";
+}
+
 Preset find_preset(const std::string& name_or_path) {
-    if (name_or_path.ends_with(".toml")) {
+    if (is_preset_file(name_or_path)) {
         if (std::filesystem::is_directory(name_or_path))
             throw Error(fmt::format("preset '{}' is a folder, a TOML file is needed", name_or_path));
         std::ifstream file(name_or_path, std::ios::binary);
@@ -142,24 +152,72 @@ std::vector<Event> events_of(const Preset& preset) {
     return events;
 }
 
+namespace {
+
+// A text in quotes, as TOML has it.
+std::string toml_text(const std::string& text) {
+    std::string written = "\"";
+    for (const char letter : text) {
+        const auto code = static_cast<unsigned char>(letter);
+        if (letter == '"' || letter == '\\')
+            written += fmt::format("\\{}", letter);
+        else if (code < 0x20 || code == 0x7F)
+            written += fmt::format("\\u{:04X}", code);
+        else
+            written += letter;
+    }
+    return written + "\"";
+}
+
+// With the dot that makes it no whole number, where TOML cares.
+std::string toml_number(double value) {
+    const std::string written = fmt::format("{}", value);
+    return written.find_first_of(".einf") == std::string::npos ? written + ".0" : written;
+}
+
+std::string event_toml(const Event& event) {
+    std::string text = fmt::format("\n[[event]]\nat_s = {}\n", toml_number(event.at_s));
+    if (!event.breach) return text + fmt::format("set = {}\n", toml_text(event.assignment));
+    const Breach& breach = *event.breach;
+    text +=
+        fmt::format("breach.from_m = [{}, {}]\n", toml_number(breach.from_m.x), toml_number(breach.from_m.y));
+    text += fmt::format("breach.to_m = [{}, {}]\n", toml_number(breach.to_m.x), toml_number(breach.to_m.y));
+    for (const auto& [name, value] :
+         {std::pair("width_m", breach.width_m), std::pair("crest_m", breach.crest_m),
+          std::pair("bottom_m", breach.bottom_m), std::pair("side_slope", breach.side_slope),
+          std::pair("over_s", breach.over_s)})
+        text += fmt::format("breach.{} = {}\n", name, toml_number(value));
+    return text;
+}
+
+}  // namespace
+
+std::string preset_text(const std::string& title, const std::string& sections,
+                        const std::vector<Event>& events) {
+    std::string text = fmt::format("title = {}\n\n{}", toml_text(title), sections);
+    for (const Event& event : events) text += event_toml(event);
+    return text;
+}
+
 std::string to_toml(const Parameters& parameters) {
-    std::string text;
-    std::string section;
+    // A section stands once, wherever its parameters are declared.
+    std::vector<std::pair<std::string, std::string>> sections;
     for (const Parameter& p : parameters.declared()) {
         // An unset parameter is not written, so that it still follows another one when read again.
         if (!parameters.is_given(p.name)) continue;
         const Value& value = parameters.value(p.name);
         const auto dot = p.name.find('.');
-        if (p.name.substr(0, dot) != section) {
-            section = p.name.substr(0, dot);
-            text += fmt::format("[{}]\n", section);
-        }
+        const std::string name = p.name.substr(0, dot);
+        auto section = std::find_if(sections.begin(), sections.end(),
+                                    [&](const auto& one) { return one.first == name; });
+        if (section == sections.end()) section = sections.insert(section, {name, ""});
         std::string written = to_text(value);
         if (std::holds_alternative<std::string>(value)) written = fmt::format("\"{}\"", written);
-        if (std::holds_alternative<double>(value) && written.find_first_of(".einf") == std::string::npos)
-            written += ".0";
-        text += fmt::format("{} = {}\n", p.name.substr(dot + 1), written);
+        if (const double* number = std::get_if<double>(&value)) written = toml_number(*number);
+        section->second += fmt::format("{} = {}\n", p.name.substr(dot + 1), written);
     }
+    std::string text;
+    for (const auto& [name, lines] : sections) text += fmt::format("[{}]\n{}", name, lines);
     return text;
 }
 

@@ -32,6 +32,8 @@ class Simulation {
     /// Another number for every terrain that took the place of the one before: whoever keeps something of its
     /// size makes it anew.
     int terrain_number() const { return terrain_number_; }
+    /// None took the place of the one that it was made with.
+    bool stands_on_its_first_terrain() const { return terrain_number_ == 0; }
     Terrain& terrain() { return terrain_; }
     const Terrain& terrain() const { return terrain_; }
     const Parameters& parameters() const { return moment_.parameters; }

@@ -56,10 +56,11 @@ struct RenderOptions {
     glm::ivec2 size{1280, 720};
     std::optional<glm::dvec3> eye;
     std::optional<glm::dvec3> target;
-    std::string image;  ///< with keys or a turntable: of the first, numbered before the ending
-    std::string keys;   ///< file of key cameras to fly along
-    int turntable = 0;  ///< frames once around the terrain's middle
-    int frames = 120;   ///< along the keys
+    std::string camera;  ///< by its name in the document; empty: none
+    std::string image;   ///< with keys or a turntable: of the first, numbered before the ending
+    std::string keys;    ///< file of key cameras to fly along
+    int turntable = 0;   ///< frames once around the terrain's middle
+    int frames = 120;    ///< along the keys
     std::string depth;
     std::string report;
     bool json = false;

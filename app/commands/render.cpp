@@ -46,6 +46,9 @@ void say_tolerance(const Sitter& sitter) {
 void check(const RenderOptions& options) {
     if (options.eye && options.target && *options.eye == *options.target)
         throw Error("--eye and --target are the same point, so there is no direction to look in");
+    if (!options.camera.empty() && (options.eye || options.target || is_film(options)))
+        throw Error(
+            "--camera says where the camera stands: leave out --eye, --target, --keys and --turntable");
     for (const std::string& file : {options.image, options.depth, options.report})
         if (!file.empty()) check_folder(file);
     if (options.size.x < 1 || options.size.y < 1 || options.size.x > 32768 || options.size.y > 32768)
@@ -78,6 +81,7 @@ void render(const RenderOptions& options) {
     render::Camera camera = render::overview(
         grid, sitter.lowest_m, sitter.highest_m,
         {static_cast<double>(options.size.x) / options.size.y, sitter.fov_deg, options.turntable > 0});
+    if (!options.camera.empty()) camera = camera_named(sitter.cameras, options.camera);
     if (options.eye) camera.eye = *options.eye;
     if (options.target) camera.target = *options.target;
     if (camera.eye == camera.target)

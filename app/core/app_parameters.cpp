@@ -94,19 +94,24 @@ std::vector<Parameter> app_parameters() {
                "Speed of flying; unless set, it follows the terrain's size."),
         number("time.speed", 1, 1e-3, 1e6, "s/s", "Simulated seconds a second of play."),
         number("autosave.interval_s", 120, 1, 86400, "s",
-               "Unsaved work is kept by itself so often, for the case that Talus ends unexpectedly."),
+               "Unsaved work is kept by itself so often, for the case that Talus ends unexpectedly.")
+            .of_this_machine(),
         whole(
             "tiles.gpu_mib", 128, 32, 1 << 16, "MiB",
-            "Memory of the device that heights in tiles may take; where the view needs more, it is coarser."),
+            "Memory of the device that heights in tiles may take; where the view needs more, it is coarser.")
+            .of_this_machine(),
         whole("tiles.photo_mib", 128, 16, 1 << 16, "MiB",
               "Memory of the device that tiles of a photo over the terrain may take; where the view needs "
-              "more, it is coarser."),
+              "more, it is coarser.")
+            .of_this_machine(),
         whole("tiles.host_mib", 512, 16, 1 << 20, "MiB",
-              "Memory that reading files in tiles may keep of them."),
+              "Memory that reading files in tiles may keep of them.")
+            .of_this_machine(),
         toggle("tiles.backdrop", true,
                "Around a terrain that was cut out of a raster stands the rest of it."),
         whole("undo.memory_mib", 1024, 1, 1 << 20, "MiB",
-              "Memory that the history may take, packed; the oldest acts go first."),
+              "Memory that the history may take, packed; the oldest acts go first.")
+            .of_this_machine(),
     };
     all.insert(all.end(), others.begin(), others.end());
     return all;

@@ -1,15 +1,19 @@
 #include "app/core/dialogs.h"
 
+#include "app/core/wall_clock.h"
+
 namespace talus::app {
 
 bool PanelRequests::any() const {
-    return open || save || put_back || import || look_at || import_here || stamp || table || raster ||
-           write || map || reset || undo || redo || framing || verify || !acts.empty() || answer;
+    return open || save || save_scene || put_back || import || import_shown || look_at || import_here ||
+           stamp || table || raster || write || map || reset || undo || redo || framing || verify ||
+           !acts.empty() || answer;
 }
 
 bool is_dialog_open(const PanelState& state) {
     return state.dialog.purpose != FileDialog::Purpose::none || !state.import.path.empty() ||
-           state.write.shown || state.question.has_value() || state.self_check.has_value();
+           state.write.shown || state.fresh.is_shown() || state.question.has_value() ||
+           state.self_check.has_value();
 }
 
 void FileDialog::begin(Purpose what, const std::string& near) {
@@ -21,11 +25,30 @@ void FileDialog::begin(Purpose what, const std::string& near) {
                  .lexically_normal()
                  .string();
     const std::filesystem::path proposed = near.empty() ? "terrain.exr" : near;
-    name = what == Purpose::save       ? proposed.filename().string()
-           : what == Purpose::put_back ? proposed.stem().string() + "-worked.vrt"
-                                       : "";
+    name = what == Purpose::save         ? proposed.filename().string()
+           : what == Purpose::save_scene ? proposed.stem().string() + ".toml"
+           : what == Purpose::put_back   ? proposed.stem().string() + "-worked.vrt"
+                                         : "";
     error.clear();
     accepted = cancelled = false;
+    go_to(folder);
+}
+
+void FileDialog::go_to(const std::string& another_folder) {
+    folder = another_folder;
+    error.clear();
+    entries = entries_of(folder);
+    sort();
+    listed_at_s = wall_clock_s();
+}
+
+void FileDialog::follow_folder() {
+    constexpr double often_enough_s = 2;
+    if (wall_clock_s() - listed_at_s > often_enough_s) {
+        entries = entries_of(folder);
+        sort();
+        listed_at_s = wall_clock_s();
+    }
 }
 
 void FileDialog::begin_put_back(const Session& session) {

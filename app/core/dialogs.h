@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/core/folder_listing.h"
+#include "app/core/new_terrain.h"
 #include "app/core/recovery.h"
 #include "app/core/self_check.h"
 #include "app/core/session.h"
@@ -24,8 +26,10 @@ struct ImportWish {
 struct PanelRequests {
     std::optional<SceneRequest> open;         ///< another scene; unsaved work is asked about
     std::optional<std::string> save;          ///< the document, to this path
+    std::optional<std::string> save_scene;    ///< generator and settings, to this path
     std::optional<std::string> put_back;      ///< the ground into the whole, as this mosaic
-    std::optional<std::string> import;        ///< a file, by the import dialog
+    std::optional<std::string> import;        ///< a file, by the import dialog where it needs one
+    std::optional<std::string> import_shown;  ///< a file, by the import dialog whatever kind it is of
     std::optional<ImportWish> look_at;        ///< a file, shown by the same dialog, whatever kind it is of
     std::optional<ImportWish> import_here;    ///< a file in place of the terrain
     std::optional<std::string> stamp;         ///< a file, as the stamp
@@ -49,13 +53,22 @@ struct PanelRequests {
 
 /// A dialog that picks a path; the window keeps one.
 struct FileDialog {
-    enum class Purpose { none, open, save, import, stamp, table, raster, put_back };
+    enum class Purpose { none, open, save, save_scene, import, stamp, table, raster, put_back };
     Purpose purpose = Purpose::none;
     std::string folder;
     std::string name;
     std::string error;
-    bool accepted = false;   ///< Enter was pressed
-    bool cancelled = false;  ///< Escape was pressed
+    bool accepted = false;             ///< Enter was pressed
+    bool cancelled = false;            ///< Escape was pressed
+    std::vector<FolderEntry> entries;  ///< of the folder, as sorted
+    double listed_at_s = 0;            ///< when they were read, by the clock on the wall
+    ListedBy by = ListedBy::name;
+    bool descending = false;
+    bool all_files = false;  ///< those too that the purpose has no use for
+    void go_to(const std::string& another_folder);
+    /// Lists the folder anew where that was a while ago. Once a frame.
+    void follow_folder();
+    void sort() { sort_entries(entries, by, descending); }
     void begin(Purpose what, const std::string& near);
     /// To put the session's scene back, which must have been cut out.
     void begin_put_back(const Session& session);
@@ -131,6 +144,8 @@ struct PanelState {
     bool placing_gauge = false;
     bool placing_section = false;
     bool drawing_path = false;
+    /// Somebody takes a tool of the brush: the next click on the ground is the brush's.
+    void take_brush() { placing_gauge = placing_section = drawing_path = false; }
     std::string table_of = "water.rain_mm_per_h";  ///< the number that is to follow a table
     bool table_begins_now = true;
     std::string raster_of = "manning";             ///< the painted number that a raster is to bring
@@ -140,6 +155,8 @@ struct PanelState {
     FileDialog dialog;
     ImportDialog import;
     ExportDialog write;
+    NewTerrain fresh;         ///< the dialog that generates one
+    std::string camera_name;  ///< of the camera that is to be kept
     std::optional<Question> question;
     std::optional<SelfCheck> self_check;  ///< what was found of this device, while it is shown
     std::vector<std::string> recent;      ///< files, the last one first

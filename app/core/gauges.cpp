@@ -3,15 +3,31 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "sim/error.h"
 
 namespace talus::app {
 
-void Gauges::place(glm::dvec2 place_m) {
+Gauges::Gauges(const Grid& grid, std::vector<Gauge> gauges, std::vector<double> times_s)
+    : grid_(grid), gauges_(std::move(gauges)), times_s_(std::move(times_s)) {
+    for (const Gauge& gauge : gauges_) {
+        check(gauge.place_m);
+        if (gauge.first_row + gauge.readings.size() != times_s_.size())
+            throw Error(fmt::format("a gauge has {} rows from row {} on, of a table of {}",
+                                    gauge.readings.size(), gauge.first_row, times_s_.size()));
+    }
+    if (!times_s_.empty()) asked_s_ = times_s_.back();
+}
+
+void Gauges::check(glm::dvec2 place_m) const {
     if (!(place_m.x >= 0 && place_m.x <= grid_.width_m() && place_m.y >= 0 && place_m.y <= grid_.height_m()))
         throw Error(fmt::format("gauge at {},{} m lies off the map, it must lie within 0,0 and {},{} m",
                                 place_m.x, place_m.y, grid_.width_m(), grid_.height_m()));
+}
+
+void Gauges::place(glm::dvec2 place_m) {
+    check(place_m);
     gauges_.push_back({place_m, times_s_.size(), {}});
     asking_ = false;
     asked_s_ = -1;
@@ -23,34 +39,41 @@ void Gauges::remove(std::size_t index) {
     if (gauges_.empty()) times_s_.clear();
 }
 
+void Gauges::go_back_to(double time_s) {
+    if (time_s >= asked_s_ && (times_s_.empty() || times_s_.back() <= time_s)) return;
+    const auto kept = static_cast<std::size_t>(std::upper_bound(times_s_.begin(), times_s_.end(), time_s) -
+                                               times_s_.begin());
+    times_s_.resize(kept);
+    for (Gauge& gauge : gauges_) {
+        gauge.first_row = std::min(gauge.first_row, kept);
+        gauge.readings.resize(kept - gauge.first_row);
+    }
+    // What was asked for then is no row of this time.
+    asking_ = false;
+    asked_s_ = times_s_.empty() ? -1 : times_s_.back();
+}
+
 void Gauges::append(double time_s, const std::vector<GaugeReading>& readings) {
     times_s_.push_back(time_s);
     for (std::size_t i = 0; i < gauges_.size(); ++i) gauges_[i].readings.push_back(readings[i]);
 }
 
 void Gauges::record(const Terrain& terrain, double time_s) {
+    go_back_to(time_s);
+    if (!times_s_.empty() && times_s_.back() == time_s) return;
     std::vector<GaugeReading> readings;
     readings.reserve(gauges_.size());
     for (const Gauge& gauge : gauges_)
         readings.push_back(read_gauge(terrain, gauge.place_m.x, gauge.place_m.y));
     append(time_s, readings);
+    // A row that was asked for before is none any more.
+    asking_ = false;
+    asked_s_ = time_s;
 }
 
 void Gauges::follow(const Terrain& terrain, double time_s) {
     if (gauges_.empty()) return;
-    // Undo goes back in time.
-    if (time_s < asked_s_) {
-        const auto kept = static_cast<std::size_t>(
-            std::upper_bound(times_s_.begin(), times_s_.end(), time_s) - times_s_.begin());
-        times_s_.resize(kept);
-        for (Gauge& gauge : gauges_) {
-            gauge.first_row = std::min(gauge.first_row, kept);
-            gauge.readings.resize(kept - gauge.first_row);
-        }
-        // What was asked for then is no row of this time.
-        asking_ = false;
-        asked_s_ = times_s_.empty() ? -1 : times_s_.back();
-    }
+    go_back_to(time_s);
     if (asking_) {
         bool whole = true;
         for (std::size_t i = 0; i < gauges_.size(); ++i) {

@@ -22,6 +22,9 @@ struct Gauge {
 class Gauges {
   public:
     explicit Gauges(const Grid& grid) : grid_(grid) {}
+    /// Those that were kept, with their table. Throws talus::Error where one lies off the map, or the table
+    /// is none.
+    Gauges(const Grid& grid, std::vector<Gauge> gauges, std::vector<double> times_s);
 
     /// Throws talus::Error when the place (m) lies off the map.
     void place(glm::dvec2 place_m);
@@ -29,7 +32,8 @@ class Gauges {
     const std::vector<Gauge>& all() const { return gauges_; }
     const std::vector<double>& times_s() const { return times_s_; }
 
-    /// Takes a row at this simulated time. Waits for the device.
+    /// Takes a row at this simulated time, where there is none yet. Waits for the device. Rows after a time
+    /// that was gone back from are dropped.
     void record(const Terrain& terrain, double time_s);
     /// The same without waiting, for a window's frames: asks for a row when the time has changed, and takes
     /// it when it has come. Rows after a time that was gone back from are dropped.
@@ -39,6 +43,9 @@ class Gauges {
     std::string to_csv() const;
 
   private:
+    void check(glm::dvec2 place_m) const;
+    /// Undo does: later rows are none any more.
+    void go_back_to(double time_s);
     void append(double time_s, const std::vector<GaugeReading>& readings);
 
     Grid grid_;

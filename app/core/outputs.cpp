@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "app/core/run_pictures.h"
+#include "app/core/workspace.h"
 #include "sim/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/endings.h"
@@ -59,7 +60,33 @@ void write_terrain(const std::string& path, const io::Document& document, const 
     io::write_heightmap(path, heightmap, range_m);
 }
 
+namespace {
+
+// What was placed on the map stays where that is the same one; its rows end where the run began.
+std::string workspace_after(const std::string& text, bool same_map) {
+    try {
+        Workspace kept = without_rows(workspace_from(text));
+        if (!same_map) {
+            kept.camera.reset();
+            kept.cameras.clear();
+            kept.gauges.clear();
+            kept.sections.clear();
+            kept.path_m.clear();
+        }
+        return workspace_text(kept);
+    } catch (const Error&) {
+        // What cannot be read goes on as it is.
+        return text;
+    }
+}
+
+}  // namespace
+
 void bring_up(io::Document& document, const Simulation& simulation) {
+    const bool same_map = simulation.stands_on_its_first_terrain();
+    const bool same_time = document.state.clock == simulation.clock();
+    if (!document.workspace.empty() && !(same_map && same_time))
+        document.workspace = workspace_after(document.workspace, same_map);
     document.state = simulation.read();
     document.parameters = to_toml(simulation.parameters());
 }

@@ -18,10 +18,22 @@ class PathDraft {
     void move(std::size_t index, glm::dvec2 point_m);
     void remove_last();
     void clear() { points_m_.clear(); }
+    /// Points that were kept, of a path that is not built.
+    void take_up(const std::vector<glm::dvec2>& points_m) {
+        clear();
+        for (const glm::dvec2 point_m : points_m) add(point_m);
+    }
     /// Its last point becomes its first.
     void turn_round();
     /// It is built. Its points stay, for another try after undo.
-    void set_built(const Simulation& simulation) { built_revision_ = simulation.journal().revision(); }
+    void set_built(const Simulation& simulation) {
+        built_revision_ = simulation.journal().revision();
+        operations_when_built_ = simulation.journal().operations().size();
+    }
+    /// Whether they were built, and that was not taken back.
+    bool is_in_ground(const Simulation& simulation) const {
+        return built_revision_ && simulation.journal().operations().size() >= operations_when_built_;
+    }
     /// Whether that was the last act.
     bool is_built(const Simulation& simulation) const {
         return built_revision_ == simulation.journal().revision();
@@ -55,6 +67,7 @@ class PathDraft {
 
     std::vector<glm::dvec2> points_m_;
     std::optional<std::size_t> built_revision_;  // of the journal; none: these points were not built
+    std::size_t operations_when_built_ = 0;      // of the journal, with that act
     std::vector<double> heights_m_;
     std::optional<PathDesign> design_;
     std::vector<glm::dvec2> designed_points_m_;

@@ -11,8 +11,10 @@
 #include "app/core/opening.h"
 #include "app/core/outputs.h"
 #include "app/core/recent_files.h"
+#include "app/core/scene_file.h"
 #include "app/core/sources.h"
 #include "app/core/tiled_terrain.h"
+#include "sim/io/atomic_file.h"
 #include "sim/io/put_back.h"
 #include "sim/io/time_series_file.h"
 
@@ -22,15 +24,25 @@ Project::Project(Session& session, PanelState& state, std::string journal_path, 
     : session_(session), state_(state), journal_path_(std::move(journal_path)), voice_(std::move(voice)) {
     if (!recovery_.why().empty()) voice_.tell(recovery_.why());
     state_.left = left_behind();
-    if (!session_.request().input.empty()) remember(session_.request().input);
+    if (!session_.request().input.empty())
+        remember(session_.request().input);
+    else if (is_scene(session_.request().preset))
+        remember(session_.request().preset);
     state_.recent = recent_files();
 }
 
 void Project::poll() {
-    recovery_.follow(session_.simulation(), session_.scene(), session_.path(), session_.unsaved(),
-                     session_.revision(), session_.view().number("autosave.interval_s"));
+    recovery_.follow(
+        session_, [this] { return workspace(); }, session_.view().number("autosave.interval_s"));
     if (const auto message = recovery_.take_message()) voice_.tell(*message);
     work_.poll();
+}
+
+Workspace Project::workspace() {
+    Workspace kept = session_.workspace();
+    kept.panel = state_.shown;
+    kept.panels_shown = state_.panels_shown;
+    return kept;
 }
 
 void Project::cancel() {
@@ -61,7 +73,10 @@ void Project::serve(const PanelRequests& asked) {
         SceneRequest request;
         request.input = *asked.import;
         // What can be looked at alone has no dialog that asks how.
-        if (io::is_document(*asked.import) || is_in_tiles(request)) {
+        if (is_scene(*asked.import)) {
+            request.preset = std::exchange(request.input, "");
+            when_saved([this, request] { open(session_.request_for(request)); });
+        } else if (io::is_document(*asked.import) || is_in_tiles(request)) {
             when_saved([this, request] {
                 state_.start_page = false;
                 open(session_.request_for(request));
@@ -70,6 +85,7 @@ void Project::serve(const PanelRequests& asked) {
             look_at({*asked.import});
         }
     }
+    if (asked.import_shown) look_at({*asked.import_shown});
     if (asked.look_at) look_at(*asked.look_at);
     if (asked.import_here)
         act_when_ready(fmt::format("Importing {}", asked.import_here->path),
@@ -95,6 +111,8 @@ void Project::serve(const PanelRequests& asked) {
     if (asked.write)
         when_replaceable(asked.write->path.string(),
                          [this, settings = *asked.write] { export_files(settings); });
+    if (asked.save_scene)
+        when_replaceable(*asked.save_scene, [this, path = *asked.save_scene] { save_scene(path); });
     if (asked.put_back) put_back(*asked.put_back);
     if (asked.map) act_on_map(*asked.map);
     if (asked.verify) verify();
@@ -141,7 +159,9 @@ void Project::save(const std::string& path, const std::function<void()>& then) {
     session_.pause();
     auto document = std::make_shared<io::Document>(session_.document());
     const std::size_t revision = session_.revision();
-    const auto write = [this, path, document, revision, then](const Progress&) -> Work::Then {
+    const auto write = [this, path, document, kept = workspace(), revision,
+                        then](const Progress&) -> Work::Then {
+        document->workspace = workspace_text(kept);
         write_terrain(path, *document, "", std::nullopt);
         return [this, path, revision, then] {
             session_.saved(path, revision);
@@ -154,6 +174,16 @@ void Project::save(const std::string& path, const std::function<void()>& then) {
         };
     };
     work_.start(fmt::format("Saving {}", path), write, false);
+}
+
+void Project::save_scene(const std::string& path) {
+    const std::string text = scene_text(std::filesystem::path(path).stem().string(), session_);
+    io::write_atomically(path, text);
+    remember(path);
+    voice_.tell(fmt::format(
+        "saved the scene {}: the terrain as it was generated, settings and events; tables, springs, rasters "
+        "and what was done to the ground are in documents alone",
+        path));
 }
 
 void Project::open(const SceneRequest& request) {
@@ -173,6 +203,8 @@ void Project::open(const SceneRequest& request) {
                               [&](const LeftBehind& one) { return one.folder == recovering->folder; });
             } else if (!request.input.empty()) {
                 remember(request.input);
+            } else if (is_scene(request.preset)) {
+                remember(request.preset);
             }
             recovering_ = recovering;
             for (const std::string& guess : session_.scene().document.notes) voice_.note("note: " + guess);
@@ -180,7 +212,10 @@ void Project::open(const SceneRequest& request) {
             voice_.opened();
         };
     };
-    work_.start(fmt::format("Opening {}", request.input.empty() ? request.preset : request.input), make);
+    const std::string& name = !request.title.empty()  ? request.title
+                              : request.input.empty() ? request.preset
+                                                      : request.input;
+    work_.start(fmt::format("Opening {}", name), make);
 }
 
 void Project::reset() {

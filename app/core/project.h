@@ -50,6 +50,9 @@ class Project {
     void follow_dialogs(const PanelRequests& asked);
     void open(const SceneRequest& request);
     void save(const std::string& path, const std::function<void()>& then);
+    void save_scene(const std::string& path);
+    /// What a document keeps besides the terrain.
+    Workspace workspace();
     void export_files(const io::ExportSettings& settings);
     void put_back(const std::string& path);
     void write_back(const std::shared_ptr<io::Document>& document, const io::PutBackSettings& settings);

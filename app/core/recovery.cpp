@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/core/session.h"
 #include "app/core/user_folders.h"
 #include "app/core/wall_clock.h"
 #include "sim/io/atomic_file.h"
@@ -91,8 +92,8 @@ void Recovery::end() {
     if (lock_ >= 0) fs::remove_all(folder_, ignored);
 }
 
-void Recovery::follow(const Simulation& simulation, const Scene& scene, const std::string& project,
-                      bool dirty, std::size_t changes, double interval_s) {
+void Recovery::follow(const Session& session, const std::function<Workspace()>& workspace,
+                      double interval_s) {
     if (lock_ < 0) return;
     if (writing_.valid()) {
         if (writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
@@ -106,30 +107,37 @@ void Recovery::follow(const Simulation& simulation, const Scene& scene, const st
         state->edges_since_s = document_.state.edges_since_s;
         state->georeference = document_.state.georeference;
         document_.state = std::move(*state);
-        writing_ =
-            std::async(std::launch::async,
-                       [document = std::move(document_), about = about_, folder = folder_]() -> std::string {
-                           try {
-                               io::save_document(folder / "autosave.exr", document);
-                               io::write_atomically(folder / "about.json", about);
-                               return "";
-                           } catch (const std::exception& error) {
-                               return fmt::format("nothing was saved by itself: {}", error.what());
-                           }
-                       });
+        writing_ = std::async(std::launch::async,
+                              [document = std::move(document_), workspace = std::move(workspace_),
+                               about = about_, folder = folder_]() mutable -> std::string {
+                                  try {
+                                      document.workspace = workspace_text(workspace);
+                                      io::save_document(folder / "autosave.exr", document);
+                                      io::write_atomically(folder / "about.json", about);
+                                      return "";
+                                  } catch (const std::exception& error) {
+                                      return fmt::format("nothing was saved by itself: {}", error.what());
+                                  }
+                              });
         document_ = {};
+        workspace_ = {};
         return;
     }
-    if (readback_.pending() || !dirty || changes == changes_ || simulation.mid_tick() ||
-        wall_clock_s() - last_s_ < interval_s)
+    const Simulation& simulation = session.simulation();
+    if (readback_.pending() || wall_clock_s() - last_s_ < interval_s || simulation.mid_tick() ||
+        !session.unsaved())
         return;
+    const Placed placed = session.placed();
+    if (session.revision() == revision_ && placed == placed_) return;
     last_s_ = wall_clock_s();
-    changes_ = changes;
+    revision_ = session.revision();
+    placed_ = placed;
     document_.state = simulation.moment_state();
-    document_.cut_out = scene.document.cut_out;
+    document_.cut_out = session.scene().document.cut_out;
     document_.parameters = to_toml(simulation.parameters());
-    about_ = json{{"title", scene.title},
-                  {"project", project},
+    workspace_ = workspace();
+    about_ = json{{"title", session.scene().title},
+                  {"project", session.path()},
                   {"saved_at", fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::localtime(std::time(nullptr)))}}
                  .dump(2);
     readback_.start(simulation.terrain());
@@ -140,7 +148,7 @@ void Recovery::forget_work() {
     if (writing_.valid()) writing_.wait();
     if (writing_.valid()) writing_.get();
     last_s_ = wall_clock_s();
-    changes_.reset();
+    revision_.reset();
     std::error_code ignored;
     fs::remove(folder_ / "autosave.exr", ignored);
     fs::remove(folder_ / "about.json", ignored);

@@ -1,15 +1,17 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <future>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/core/placed.h"
 #include "app/core/scene.h"
-#include "sim/simulation.h"
 #include "sim/terrain/state_readback.h"
 
 namespace talus::app {
+class Session;
 
 /// What a session that ended without saving left behind.
 struct LeftBehind {
@@ -39,11 +41,11 @@ class Recovery {
     Recovery& operator=(const Recovery&) = delete;
     const std::string& why() const { return why_; }
 
-    /// Call once per loop of the window. If `dirty`, begins an autosave `interval_s` after the last one. The
-    /// read-back does not wait, and a background task writes the file. `changes`: a number that differs after
-    /// every change.
-    void follow(const Simulation& simulation, const Scene& scene, const std::string& project, bool dirty,
-                std::size_t changes, double interval_s);
+    /// Call once per loop of the window. Where something is unsaved, begins an autosave `interval_s` after
+    /// the last one. The read-back of layers does not wait, and a background task writes the file.
+    /// `workspace`: what the document keeps of it, asked for when an autosave begins; it waits where gauges
+    /// or sections are to be read.
+    void follow(const Session& session, const std::function<Workspace()>& workspace, double interval_s);
     /// The work was saved, or dropped: what was kept of it is of no use any more.
     void forget_work();
     /// An orderly end: nothing is left behind.
@@ -58,8 +60,11 @@ class Recovery {
     std::string why_;
     StateReadback readback_;
     io::Document document_;  // of what is being read
+    Workspace workspace_;    // its
     std::string about_;
-    std::optional<std::size_t> changes_;  // of the last autosave
+    // Of the last autosave.
+    std::optional<std::size_t> revision_;
+    Placed placed_;
     double last_s_ = 0;
     std::future<std::string> writing_;
     std::optional<std::string> message_;

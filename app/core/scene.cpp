@@ -102,6 +102,25 @@ void begin_anew(TerrainState& state, const Parameters& before, const Parameters&
             state.edges_since_s = state.clock.simulated_s;
 }
 
+// What a project keeps besides its terrain. What of it cannot be read is left out, and a note says so: the
+// terrain is what counts.
+Workspace take_workspace(io::Document& document, Parameters& all) {
+    Workspace workspace;
+    if (document.workspace.empty()) return workspace;
+    try {
+        workspace = workspace_from(document.workspace);
+    } catch (const Error& error) {
+        document.notes.push_back(
+            fmt::format("view, camera, gauges and sections are not as they were saved: {}", error.what()));
+    }
+    for (const std::string& assignment : workspace.parameters) try {
+            all.set_assignment(assignment);
+        } catch (const Error& error) {
+            document.notes.push_back(fmt::format("the view is not as it was saved: {}", error.what()));
+        }
+    return workspace;
+}
+
 // What a document was made with.
 Parameters parameters_of(const io::Document& document, const std::string& file) {
     Parameters all(all_parameters());
@@ -123,10 +142,12 @@ Scene make_scene(const SceneRequest& request) {
     const Preset preset = find_preset(request.preset.empty() ? "alpine" : request.preset);
     if (request.input.empty()) apply_preset(preset, all);
     io::Document document;
+    Workspace workspace;
     if (!request.input.empty()) {
         document = io::open_document(request.input, request.import);
         // What a document was made with holds, unless a preset was asked for by name.
         if (!document.parameters.empty()) from_toml(document.parameters, request.input, all);
+        workspace = take_workspace(document, all);
         if (!request.preset.empty()) apply_preset(preset, all);
     }
     if (request.size && !request.input.empty())
@@ -144,6 +165,7 @@ Scene make_scene(const SceneRequest& request) {
         document.kind = "generated";
     }
     Scene scene = assemble(all, std::move(document));
+    scene.workspace = std::move(workspace);
     check_tables(scene.document, scene.simulation, request.input);
     if (!scene.document.parameters.empty()) {
         TerrainState& state = scene.document.state;
@@ -176,6 +198,7 @@ Scene make_scene(const SceneRequest& request) {
     scene.title =
         request.input.empty() ? preset.title : std::filesystem::path(request.input).filename().string();
     if (request.import.window) scene.title = "a part of " + scene.title;
+    if (!request.title.empty()) scene.title = request.title;
     return scene;
 }
 

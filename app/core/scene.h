@@ -6,6 +6,7 @@
 
 #include "app/core/draping.h"
 #include "app/core/tiled_terrain.h"
+#include "app/core/workspace.h"
 #include "sim/io/document.h"
 #include "sim/journal.h"
 #include "sim/parameters.h"
@@ -22,6 +23,7 @@ struct SceneRequest {
     std::string texture;                   ///< a picture draped over the terrain; empty: none
     bool tiled = false;                    ///< in tiles, also where it could be held as a whole
     bool in_place = false;  ///< a part of what is looked at, or the whole around it: the camera stays
+    std::string title;      ///< empty: the preset's, or the file's name
 };
 
 /// A terrain ready to run: where every session, live or replayed, begins.
@@ -33,6 +35,7 @@ struct Scene {
     std::string title{};
     glm::ivec2 recorded_samples{0};  ///< of a journal's start: columns and rows that it was recorded with
     Draping draping{};
+    Workspace workspace{};  ///< that the document keeps; its parameters are in `view`
     /// The terrain in tiles that is looked at. Then the document is a stand-in that nobody sees. Null: the
     /// document's terrain is.
     std::shared_ptr<const TiledTerrain> tiles{};

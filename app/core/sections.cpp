@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
+
+#include "sim/error.h"
 
 namespace talus::app {
 
@@ -11,6 +14,18 @@ void Sections::tell(Simulation& simulation) const {
     lines.reserve(sections_.size());
     for (const PlacedSection& one : sections_) lines.push_back(one.section);
     simulation.follow_sections(lines);
+}
+
+Sections::Sections(Simulation& simulation, std::vector<PlacedSection> sections, std::vector<double> times_s)
+    : sections_(std::move(sections)), times_s_(std::move(times_s)) {
+    for (PlacedSection& one : sections_) {
+        if (one.first_row + one.volumes_m3.size() != times_s_.size())
+            throw Error(fmt::format("a section has {} rows from row {} on, of a table of {}",
+                                    one.volumes_m3.size(), one.first_row, times_s_.size()));
+        one.kept_m3 = one.volumes_m3.empty() ? 0 : one.volumes_m3.back();
+    }
+    tell(simulation);
+    if (!times_s_.empty()) asked_s_ = times_s_.back();
 }
 
 void Sections::place(Simulation& simulation, const Section& section, glm::dvec2 heights_m) {
@@ -40,32 +55,39 @@ void Sections::remove(Simulation& simulation, std::size_t index) {
     asked_s_ = times_s_.empty() ? -1 : times_s_.back();
 }
 
+void Sections::go_back_to(double time_s) {
+    if (time_s >= asked_s_ && (times_s_.empty() || times_s_.back() <= time_s)) return;
+    const auto kept = static_cast<std::size_t>(std::upper_bound(times_s_.begin(), times_s_.end(), time_s) -
+                                               times_s_.begin());
+    times_s_.resize(kept);
+    for (PlacedSection& one : sections_) {
+        one.first_row = std::min(one.first_row, kept);
+        one.volumes_m3.resize(kept - one.first_row);
+    }
+    asking_ = false;
+    asked_s_ = times_s_.empty() ? -1 : times_s_.back();
+}
+
 void Sections::append(double time_s, const std::vector<double>& volumes_m3) {
     times_s_.push_back(time_s);
     // Another terrain has no sections.
     for (std::size_t i = 0; i < sections_.size(); ++i)
-        sections_[i].volumes_m3.push_back(i < volumes_m3.size() ? volumes_m3[i] : 0);
+        sections_[i].volumes_m3.push_back(sections_[i].kept_m3 + (i < volumes_m3.size() ? volumes_m3[i] : 0));
 }
 
 void Sections::record(const Simulation& simulation) {
+    go_back_to(simulation.clock().simulated_s);
+    if (!times_s_.empty() && times_s_.back() == simulation.clock().simulated_s) return;
     append(simulation.clock().simulated_s, simulation.section_volumes_m3());
+    // A row that was asked for before is none any more.
+    asking_ = false;
+    asked_s_ = simulation.clock().simulated_s;
 }
 
 void Sections::follow(Simulation& simulation) {
     if (sections_.empty()) return;
     const double time_s = simulation.clock().simulated_s;
-    // Undo goes back in time.
-    if (time_s < asked_s_) {
-        const auto kept = static_cast<std::size_t>(
-            std::upper_bound(times_s_.begin(), times_s_.end(), time_s) - times_s_.begin());
-        times_s_.resize(kept);
-        for (PlacedSection& one : sections_) {
-            one.first_row = std::min(one.first_row, kept);
-            one.volumes_m3.resize(kept - one.first_row);
-        }
-        asking_ = false;
-        asked_s_ = times_s_.empty() ? -1 : times_s_.back();
-    }
+    go_back_to(time_s);
     if (asking_) {
         const auto volumes_m3 = simulation.poll_section_volumes();
         if (!volumes_m3) return;

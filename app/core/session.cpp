@@ -63,6 +63,73 @@ void Session::start(Scene scene) {
     forget_rectangle();
     suggest_for_terrain();
     frame_terrain();
+    take_up_workspace();
+    saved_placed_ = placed();
+}
+
+void Session::take_up_workspace() {
+    const Workspace& kept = scene_.workspace;
+    if (kept.camera) camera_ = *kept.camera;
+    cameras_ = kept.cameras;
+    path_draft_.take_up(kept.path_m);
+    // What cannot be taken up is told, and takes nothing else with it.
+    const auto attempt = [&](const char* what, auto take_up) {
+        try {
+            take_up();
+        } catch (const Error& error) {
+            message_ = fmt::format("{}{} are not as they were saved: {}", message_ ? *message_ + "; " : "",
+                                   what, error.what());
+        }
+    };
+    attempt("gauges", [&] { gauges_ = Gauges(grid(), kept.gauges, kept.gauge_times_s); });
+    attempt("sections", [&] { sections_ = Sections(*simulation_, kept.sections, kept.section_times_s); });
+}
+
+Workspace Session::workspace() {
+    // The count of sections begins anew where the project is opened: its last row must be of the end.
+    if (!gauges_.all().empty()) gauges_.record(simulation_->terrain(), simulation_->clock().simulated_s);
+    if (!sections_.all().empty()) sections_.record(*simulation_);
+    Workspace kept;
+    kept.parameters = kept_assignments(scene_.view);
+    kept.camera = camera_;
+    kept.cameras = cameras_;
+    kept.gauges = gauges_.all();
+    kept.gauge_times_s = gauges_.times_s();
+    kept.sections = sections_.all();
+    kept.section_times_s = sections_.times_s();
+    kept.path_m = placed().path_m;
+    return kept;
+}
+
+Placed Session::placed() const {
+    Placed now;
+    for (const Gauge& gauge : gauges_.all()) now.gauges_m.push_back(gauge.place_m);
+    for (const PlacedSection& one : sections_.all()) now.sections.push_back(one.section);
+    // One that is built is in the ground.
+    if (!path_draft_.is_in_ground(*simulation_)) now.path_m = path_draft_.points_m();
+    now.cameras = cameras_;
+    return now;
+}
+
+void Session::keep_camera(const std::string& name) {
+    if (name.empty()) throw Error("a camera that is kept needs a name");
+    const auto same = [&](const NamedCamera& one) { return one.name == name; };
+    const auto found = std::find_if(cameras_.begin(), cameras_.end(), same);
+    if (found != cameras_.end())
+        found->camera = camera_;
+    else
+        cameras_.push_back({name, camera_});
+}
+
+void Session::forget_camera(const std::string& name) {
+    std::erase_if(cameras_, [&](const NamedCamera& one) { return one.name == name; });
+}
+
+void Session::go_to_camera(const std::string& name) {
+    const render::Camera& wanted = camera_named(cameras_, name);
+    if (wanted.fov_deg != scene_.view.number("camera.fov_deg"))
+        scene_.view.set("camera.fov_deg", wanted.fov_deg);
+    camera_ = wanted;
 }
 
 std::optional<TiledRequest> Session::unready() const {
@@ -282,9 +349,10 @@ SceneRequest Session::request_for(const SceneRequest& wish) const {
     request.import = wish.import;
     // What the command line set was meant for the scene that it named.
     request.size.reset();
-    request.assignments.clear();
+    request.assignments = wish.assignments;
     request.tiled = wish.tiled;
     request.in_place = wish.in_place;
+    request.title = wish.title;
     // An image over one terrain is not one over another, nor over a part of it; a photo lies where it does.
     const bool lies_there = wish.in_place && scene_.draping.photo && scene_.draping.photo->is_placed();
     if (lies_there) return request;
@@ -331,7 +399,7 @@ void Session::recovered(const std::string& project, const std::string& title) {
 }
 
 bool Session::unsaved() const {
-    if (recovered_) return true;
+    if (recovered_ || placed() != saved_placed_) return true;
     if (compared_revision_ != revision()) {
         compared_revision_ = revision();
         unsaved_ = simulation_->journal().operations() != saved_operations_;
@@ -365,6 +433,7 @@ void Session::saved(const std::string& path, std::size_t revision_then) {
     recovered_ = false;
     // What was done while it was written is not saved.
     if (revision_then == revision()) saved_operations_ = simulation_->journal().operations();
+    saved_placed_ = placed();
     compared_revision_.reset();
 }
 

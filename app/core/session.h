@@ -12,6 +12,7 @@
 #include "app/core/overflight.h"
 #include "app/core/paged_photo.h"
 #include "app/core/path_draft.h"
+#include "app/core/placed.h"
 #include "app/core/scene.h"
 #include "app/core/sculpting.h"
 #include "app/core/sections.h"
@@ -56,6 +57,13 @@ class Session {
     /// told before. Throws talus::Error where they cannot be shown.
     std::vector<std::string> take_tiles(TiledTerrain terrain);
     render::Camera& camera() { return camera_; }
+    /// Cameras to go back to.
+    const std::vector<NamedCamera>& cameras() const { return cameras_; }
+    /// The present one by a name; one of the same name goes. Throws talus::Error where the name is empty.
+    void keep_camera(const std::string& name);
+    void forget_camera(const std::string& name);
+    /// Throws talus::Error where there is none of the name.
+    void go_to_camera(const std::string& name);
     /// Another number for every terrain that was opened or reset, or took the place of the one before.
     int terrain_number() const { return terrain_number_; }
     /// Of what is looked at.
@@ -81,9 +89,9 @@ class Session {
     /// After draw() and refine(), for a picture of that size: lays over it the outline of the part that is
     /// chosen (app/core/part.h), or of the scene before what stands around it.
     void outline_part(bool shown, glm::ivec2 size);
-    /// Whether the camera stayed where it was when the scene was opened: that is a part of what was looked
-    /// at, or the whole around it.
-    bool is_in_place() const { return in_place_; }
+    /// Whether the camera is where it is to be since the scene was opened: where it was, over a part of what
+    /// was looked at or the whole around it, or where the project kept it.
+    bool keeps_camera() const { return in_place_ || scene_.workspace.camera; }
     /// The next picture is drawn anew.
     void forget_picture();
     /// A picture of this size for a file.
@@ -126,13 +134,17 @@ class Session {
     void reset();
     double picture_aspect = 16.0 / 9;  ///< width by height of the picture that the terrain is framed in
     void frame_terrain();
-    /// What is to be saved, as it is now. Waits for the device.
+    /// What is to be saved, as it is now, without the workspace. Waits for the device.
     io::Document document();
+    /// What is to be kept besides, as it is now, but for the panels. Between ticks; where there are gauges or
+    /// sections without a row of now, it waits for the device.
+    Workspace workspace();
+    Placed placed() const;
     /// It was written there, as it was at this revision: what was done since is not saved.
     void saved(const std::string& path, std::size_t revision);
     /// The document that save goes to; empty where a heightmap was opened or nothing was saved yet.
     const std::string& path() const { return path_; }
-    /// Whether anything was done since it was opened or saved, and not taken back.
+    /// Whether anything was done or placed since it was opened or saved, and not taken back.
     bool unsaved() const;
     /// Rises with everything that is done.
     std::size_t revision() const { return simulation_->journal().revision(); }
@@ -214,6 +226,8 @@ class Session {
 
   private:
     void start(Scene scene);
+    /// Takes up what the project keeps besides its terrain.
+    void take_up_workspace();
     /// Makes anew what hangs on the terrain's size, where another one took its place.
     void follow_terrain();
     void follow_surroundings();
@@ -239,6 +253,7 @@ class Session {
     std::unique_ptr<Surroundings> surroundings_;
     std::unique_ptr<PagedPhoto> photo_;
     render::Camera camera_;
+    std::vector<NamedCamera> cameras_;
     int terrain_number_ = 0;
     glm::dvec2 bounds_{0};
     Balances balances_;
@@ -249,6 +264,7 @@ class Session {
     std::string wave_note_;
     std::string path_;
     std::vector<Operation> saved_operations_;
+    Placed saved_placed_;
     bool recovered_ = false;
     mutable std::optional<std::size_t> compared_revision_;  // at which unsaved_ was found
     mutable bool unsaved_ = false;

@@ -42,6 +42,7 @@ Sitter whole_sitter(const SceneRequest& request, const gpu::Device& device) {
     sitter.samples = scene.view.whole("render.samples");
     sitter.legends = render::legend_of(settings, *low, *high);
     sitter.notes = scene.document.notes;
+    sitter.cameras = scene.workspace.cameras;
     held->around = surroundings_of(scene, sitter.grid, scene.document.state.georeference);
     if (held->around) {
         held->renderer.stand_before(&held->around->backdrop());

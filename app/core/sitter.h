@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/core/still.h"
+#include "app/core/workspace.h"
 #include "sim/gpu/context.h"
 
 namespace talus::app {
@@ -27,6 +28,7 @@ struct Sitter {
     int samples = 1;  ///< a pixel
     std::vector<render::Legend> legends;
     std::vector<std::string> notes;
+    std::vector<NamedCamera> cameras;  ///< that its document keeps
     StillPainter painter;
     std::function<TiledFigures()> tiles;  ///< null: it is held as a whole
     std::function<double()> photo_px;     ///< texels of the photo are at most so wide; null: it has none

@@ -13,6 +13,8 @@ void draw_history_panel(PanelContext& context) {
     ImGui::ProgressBar(static_cast<float>(used / cap), {-1, 0},
                        fmt::format("{:.1f} of {:.0f} MiB", used, cap).c_str());
     draw_parameters(context.session, context.requests, {"undo.memory_mib"});
+    if (context.session.scene().document.kind == "Talus document")
+        ImGui::TextWrapped("What was done before the file was saved is not kept in it.");
     ImGui::Separator();
     const std::vector<std::string> done = history.done();
     const std::vector<std::string> undone = history.undone();

@@ -150,6 +150,8 @@ void draw_panels(PanelContext& context, const StatusFigures& figures, glm::ivec2
         draw_self_check_dialog(context);
     else if (!context.state.import.path.empty())
         draw_import_dialog(context);
+    else if (context.state.fresh.is_shown())
+        draw_new_dialog(context);
     else if (context.state.write.shown)
         draw_export_dialog(context);
     else

@@ -1,6 +1,7 @@
 #include <imgui.h>
 
 #include "app/core/part.h"
+#include "app/core/scene_file.h"
 #include "app/panels/panels.h"
 
 namespace talus::app {
@@ -13,6 +14,7 @@ void draw_file_menu(PanelContext& context) {
     // A dialog would be about a scene that may be another one when the work ends.
     const bool rests = !context.work.busy();
     if (menu_item("Start page", nullptr)) state.start_page = true;
+    if (menu_item("New…", "Ctrl+N", rests)) state.fresh.begin();
     if (menu_item("Open…", "Ctrl+O", rests)) state.dialog.begin(FileDialog::Purpose::open, session.path());
     if (ImGui::BeginMenu("Recent")) {
         close_on_escape();
@@ -25,6 +27,8 @@ void draw_file_menu(PanelContext& context) {
     if (menu_item("Save", "Ctrl+S", changes && !session.path().empty())) requests.save = session.path();
     if (menu_item("Save as…", "Ctrl+Shift+S", changes && rests))
         state.dialog.begin(FileDialog::Purpose::save, session.path());
+    if (menu_item("Save as a scene…", nullptr, changes && rests && can_be_scene(session)))
+        state.dialog.begin(FileDialog::Purpose::save_scene, session.path());
     ImGui::Separator();
     if (menu_item("Import into this terrain…", nullptr, changes && rests))
         state.dialog.begin(FileDialog::Purpose::import, session.path());
@@ -67,6 +71,14 @@ void draw_menu(PanelContext& context) {
     if (ImGui::BeginMenu("View")) {
         close_on_escape();
         if (menu_item("Whole terrain", "F")) context.requests.framing = true;
+        if (!context.session.cameras().empty() && ImGui::BeginMenu("Kept cameras")) {
+            close_on_escape();
+            for (const NamedCamera& camera : context.session.cameras())
+                if (menu_item(camera.name, nullptr))
+                    context.requests.acts.emplace_back(
+                        [wanted = camera.name](Session& s) { s.go_to_camera(wanted); });
+            ImGui::EndMenu();
+        }
         if (menu_item("Panels", "Tab", true, context.state.panels_shown))
             context.state.panels_shown = !context.state.panels_shown;
         ImGui::Separator();

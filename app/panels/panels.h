@@ -76,6 +76,8 @@ void draw_preset_grid(PanelContext& context);
 void draw_start_page(PanelContext& context, glm::ivec2 size);
 void draw_file_dialog(PanelContext& context);
 void draw_import_dialog(PanelContext& context);
+/// A terrain that is to be generated, with a small picture of it.
+void draw_new_dialog(PanelContext& context);
 void draw_export_dialog(PanelContext& context);
 void draw_question(PanelContext& context);
 /// What `talus verify` found.

@@ -64,11 +64,8 @@ void draw_preset_grid(PanelContext& context) {
 }
 
 void draw_presets_panel(PanelContext& context) {
+    if (button("New terrain…", "of a kind, size and relief of your own")) context.state.fresh.begin();
     draw_preset_grid(context);
-    if (context.state.only_looks) return;
-    heading("The generated terrain");
-    draw_section(context.session, context.requests, "terrain");
-    ImGui::TextWrapped("These hold for the next terrain that is generated: --set, or a preset of your own.");
 }
 
 }  // namespace talus::app

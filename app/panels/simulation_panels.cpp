@@ -1,4 +1,7 @@
 #include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <utility>
 
 #include "app/panels/panels.h"
 #include "render/view.h"
@@ -27,7 +30,40 @@ void draw_erosion_panel(PanelContext& context) {
     draw_section(context.session, context.requests, "maps");
 }
 
+namespace {
+
+void draw_cameras(PanelContext& context) {
+    heading("Kept cameras");
+    PanelRequests& requests = context.requests;
+    std::string& name = context.state.camera_name;
+    const float room = ImGui::GetContentRegionAvail().x;
+    ImGui::SetNextItemWidth(0.54F * room);
+    const bool entered =
+        ImGui::InputTextWithHint("##camera name", "a name", &name, ImGuiInputTextFlags_EnterReturnsTrue);
+    note_widget("camera name");
+    ImGui::SameLine();
+    if ((button("Keep camera", "saved with the project; talus render --camera draws it", !name.empty()) ||
+         entered) &&
+        !name.empty())
+        requests.acts.emplace_back([kept = std::exchange(name, "")](Session& s) { s.keep_camera(kept); });
+    for (const NamedCamera& camera : context.session.cameras()) {
+        ImGui::PushID(camera.name.c_str());
+        if (ImGui::SmallButton("forget"))
+            requests.acts.emplace_back([gone = camera.name](Session& s) { s.forget_camera(gone); });
+        note_widget("forget camera " + camera.name);
+        ImGui::SameLine();
+        if (selectable_text(camera.name))
+            requests.acts.emplace_back([wanted = camera.name](Session& s) { s.go_to_camera(wanted); });
+        note_widget("camera " + camera.name);
+        ImGui::PopID();
+    }
+}
+
+}  // namespace
+
 void draw_view_panel(PanelContext& context) {
+    // A terrain in tiles has no document that would keep them.
+    if (!context.state.only_looks) draw_cameras(context);
     heading("Picture");
     const auto changes_picture =
         context.session.overflight() ? render::is_heeded_in_tiles : render::is_heeded;

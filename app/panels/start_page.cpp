@@ -54,13 +54,15 @@ void draw_start_page(PanelContext& context, glm::ivec2 size) {
     }
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(
-        "1  Choose a scene below, open a heightmap of your own, or drop one on the window.\n"
+        "1  Make a new terrain, choose a scene below, or open a heightmap of your own.\n"
         "2  Space plays the simulations; hold the left button on the ground to sculpt; the right button "
         "turns.\n"
         "3  Ctrl+Z takes back anything. Ctrl+Shift+S saves, Ctrl+E exports for other programs.");
     ImGui::PopTextWrapPos();
     ImGui::Spacing();
-    if (button("Open a file…", "heightmaps and Talus documents"))
+    if (button("New terrain…", "of a kind, size and relief of your own")) state.fresh.begin();
+    ImGui::SameLine();
+    if (button("Open a file…", "heightmaps, Talus documents and scenes"))
         state.dialog.begin(FileDialog::Purpose::open, context.session.path());
     ImGui::SameLine();
     if (button("Go on with this scene", "closes this page")) state.start_page = false;

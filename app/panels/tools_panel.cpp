@@ -58,7 +58,10 @@ void draw_tools_panel(PanelContext& context) {
     const Tool& tool = tool_named(session.view().choice("brush.tool"));
     for (std::size_t i = 0; i < tools().size(); ++i) {
         const std::string& name = tools()[i].name;
-        if (choice_button(name, tool.name == name, key_of(i), third)) session.set("brush.tool", name);
+        if (choice_button(name, tool.name == name, key_of(i), third)) {
+            session.set("brush.tool", name);
+            context.state.take_brush();
+        }
         if (i % 3 != 2 && i + 1 < tools().size()) ImGui::SameLine();
     }
     ImGui::PushTextWrapPos(0);

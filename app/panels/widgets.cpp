@@ -89,6 +89,15 @@ bool menu_item(const std::string& name, const char* keys, bool enabled, bool cho
     return pressed;
 }
 
+bool selectable_text(const std::string& text, bool chosen, int flags) {
+    const ImVec2 place = ImGui::GetCursorScreenPos();
+    ImGui::PushID(text.c_str());
+    const bool pressed = ImGui::Selectable("##text", chosen, flags);
+    ImGui::PopID();
+    ImGui::GetWindowDrawList()->AddText(place, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+    return pressed;
+}
+
 std::string shortened(const std::string& text, const std::function<bool(const std::string&)>& fits) {
     if (text.empty() || fits(text)) return text;
     const auto follows = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; };

@@ -39,6 +39,9 @@ bool button(const std::string& name, const std::string& tooltip = "", bool enabl
 bool choice_button(const std::string& name, bool chosen, const std::string& tooltip, float width);
 /// A line of a menu.
 bool menu_item(const std::string& name, const char* keys, bool enabled = true, bool chosen = false);
+/// A line that is chosen by a click, its text as it is: ImGui takes what stands behind "##" for no text.
+/// `flags`: ImGui's of a selectable.
+bool selectable_text(const std::string& text, bool chosen = false, int flags = 0);
 /// A text as it is where it fits, else the longest beginning that fits with an ellipsis behind it; whole
 /// letters, UTF-8.
 std::string shortened(const std::string& text, const std::function<bool(const std::string&)>& fits);

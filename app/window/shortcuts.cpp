@@ -20,8 +20,10 @@ void scale_strength(Session& session, double factor) {
     if (!name.empty()) scale(session, name, factor);
 }
 
-void pick_tool(Session& session, std::size_t number) {
-    if (number < tools().size()) session.set("brush.tool", tools()[number].name);
+void pick_tool(Session& session, PanelState& state, std::size_t number) {
+    if (number >= tools().size()) return;
+    session.set("brush.tool", tools()[number].name);
+    state.take_brush();
 }
 
 // Says why what changes or writes a terrain is not done.
@@ -38,6 +40,9 @@ void press_with_control(int key, bool shift, Session& session, PanelState& state
             break;
         case GLFW_KEY_Y:
             requests.redo = true;
+            break;
+        case GLFW_KEY_N:
+            state.fresh.begin();
             break;
         case GLFW_KEY_O:
             state.dialog.begin(FileDialog::Purpose::open, session.path());
@@ -123,7 +128,7 @@ void press_key(int key, int mods, Session& session, PanelState& state, PanelRequ
         default:
             // 1 to 9 are the first tools, with Shift the others.
             if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9)
-                pick_tool(session, static_cast<std::size_t>(key) - GLFW_KEY_1 + (shift ? 9U : 0U));
+                pick_tool(session, state, static_cast<std::size_t>(key) - GLFW_KEY_1 + (shift ? 9U : 0U));
     }
 }
 

@@ -64,7 +64,8 @@ class Window {
                         glm::ivec2 size(0);
                         glfwGetFramebufferSize(window_, &size.x, &size.y);
                         follow_area(size);
-                        if (!session_.is_in_place()) session_.frame_terrain();
+                        if (!session_.keeps_camera()) session_.frame_terrain();
+                        resume_panels();
                         note_start();
                     }}),
           preparation_(session_, [this](const std::string& message) { note(message); }),
@@ -86,8 +87,9 @@ class Window {
         glm::ivec2 size(0);
         glfwGetFramebufferSize(window_, &size.x, &size.y);
         state_.only_looks = session_.overflight() != nullptr;
+        resume_panels();
         follow_area(size);
-        session_.frame_terrain();
+        if (!session_.keeps_camera()) session_.frame_terrain();
         title();
         note_start();
     }
@@ -196,6 +198,13 @@ class Window {
         ImGui_ImplOpenGL3_Init("#version 450 core");
     }
 
+    // Those that the project was saved with.
+    void resume_panels() {
+        const Workspace& kept = session_.scene().workspace;
+        if (kept.panel.empty()) return;
+        state_.shown = kept.panel;
+        state_.panels_shown = kept.panels_shown;
+    }
     // What the panels leave to the picture.
     void follow_area(glm::ivec2 size) {
         area_ = picture_area(state_, size);
@@ -204,7 +213,7 @@ class Window {
 
     bool busy() const {
         return session_.playing || session_.stroking() || pacing_.is_awake() || hand_.moving() ||
-               hand_.waits() || refining_ || project_.busy() || session_.has_tiles();
+               state_.fresh.waits() || hand_.waits() || refining_ || project_.busy() || session_.has_tiles();
     }
     void wake() { pacing_.wake(); }
     void note(const std::string& message) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -24,6 +25,9 @@ namespace fs = std::filesystem;
 constexpr const char* bed_beyond_attribute = "talus:bed_beyond";
 constexpr const char* drives_attribute = "talus:drives";
 constexpr const char* events_attribute = "talus:events";
+constexpr const char* workspace_attribute = "talus:workspace";
+// The start that a difference counts from, of two words.
+constexpr std::array<const char*, 2> start_channels = {"start", "start_low"};
 
 // x, y and rate of each, as save_document writes them.
 std::vector<Spring> springs_from(const fs::path& path, const std::string& text) {
@@ -140,6 +144,14 @@ std::optional<CutOut> cut_out_told(const fs::path& path, const OIIO::ImageSpec& 
     return cut_out;
 }
 
+void read_start(const fs::path& path, OIIO::ImageInput& input, TerrainState& state) {
+    const std::vector<float> high = read_channel(path, input, start_channels[0]);
+    const std::vector<float> low = read_channel(path, input, start_channels[1]);
+    if (high.empty() || low.empty()) return;
+    state.start.reserve(high.size());
+    for (std::size_t i = 0; i < high.size(); ++i) state.start.emplace_back(high[i], low[i]);
+}
+
 Document read_document(const fs::path& path, const ImportSettings& settings) {
     const auto input = open_picture(path);
     check_file_size(path, input->spec().width, input->spec().height);
@@ -156,6 +168,7 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
     state.clock.simulated_s = number_attribute(path, spec, "talus:simulated_s", 0);
     state.edges_since_s = number_attribute(path, spec, "talus:edges_since_s", 0);
     document.parameters = spec.get_string_attribute("talus:parameters");
+    document.workspace = spec.get_string_attribute(workspace_attribute);
     const std::string transform = spec.get_string_attribute("talus:geotransform");
     if (!transform.empty()) {
         Georeference georeference;
@@ -167,6 +180,7 @@ Document read_document(const fs::path& path, const ImportSettings& settings) {
     }
     document.cut_out = cut_out_told(path, spec);
     for (const LayerDescription& layer : layers()) read_layer(path, *input, layer, state);
+    read_start(path, *input, state);
     read_bed_beyond(path, spec, state);
     state.springs = springs_from(path, spec.get_string_attribute("talus:springs"));
     for (const Spring& spring : state.springs) check_spring(state.grid, spring);
@@ -226,6 +240,9 @@ void save_document(const fs::path& path, const Document& document) {
     for (const LayerDescription& layer : layers())
         if (!words_of(state, layer).empty())
             for (const std::string& channel : channels_of(layer)) names.push_back(channel);
+    // Most often the ground has changed since; where it has not, there is nothing to keep.
+    const bool keeps_start = !state.start.empty() && state.start != state.ground_words();
+    if (keeps_start) names.insert(names.end(), start_channels.begin(), start_channels.end());
     OIIO::ImageSpec spec(state.grid.nx, state.grid.ny, static_cast<int>(names.size()), OIIO::TypeDesc::FLOAT);
     spec.channelnames = names;
     spec.attribute("compression", "zip");
@@ -246,6 +263,7 @@ void save_document(const fs::path& path, const Document& document) {
     if (!drives.empty()) spec.attribute(drives_attribute, drives);
     if (!state.events.empty()) spec.attribute(events_attribute, to_text(state.events));
     if (!document.parameters.empty()) spec.attribute("talus:parameters", document.parameters);
+    if (!document.workspace.empty()) spec.attribute(workspace_attribute, document.workspace);
     if (document.state.georeference) {
         const auto& t = document.state.georeference->transform;
         spec.attribute("talus:geotransform",
@@ -270,6 +288,7 @@ void save_document(const fs::path& path, const Document& document) {
             pixels.insert(pixels.end(), texel.begin(),
                           texel.begin() + static_cast<std::ptrdiff_t>(channels_of(layer).size()));
         }
+        if (keeps_start) pixels.insert(pixels.end(), {state.start[i].x, state.start[i].y});
     }
     write_encoded(path, spec, pixels.data());
 }

@@ -84,7 +84,7 @@ void Mask::make(Terrain& terrain, const MaskSettings& settings) {
     gpu::Program& program = program_of(settings.source);
     program.bind_image("painted", terrain.painted->front);
     program.bind_image("ground", terrain.ground);
-    if (settings.source == MaskSource::difference) program.bind_image("start", terrain.start);
+    if (settings.source == MaskSource::difference) program.bind_image("start", terrain.difference_start());
     constexpr std::array<const char*, 3> images = {"layer", "second_layer", "third_layer"};
     int layers_there = 0;
     const std::vector<std::string> numbers = numbers_of(settings.source);

@@ -12,6 +12,7 @@ struct GaugeReading {
     glm::dvec2 velocity_m_per_s{0};  ///< east, north; 0 in water thinner than what flows
 
     double level_m() const { return ground_m + depth_m; }
+    bool operator==(const GaugeReading&) const = default;
 };
 
 /// The sample nearest to a place (m).

@@ -184,20 +184,15 @@ double high_amplitude(glm::dvec2 p, std::uint32_t seed, int) {
 struct Shape {
     const char* kind;
     double (*height)(glm::dvec2, std::uint32_t, int more);  // null: 0 everywhere
+    bool seeded = true;
 };
 
-constexpr Shape shapes[] = {{"mountains", mountains},
-                            {"hills", hills},
-                            {"flat", nullptr},
-                            {"coast", coast},
-                            {"island", island},
-                            {"valley", valley},
-                            {"bowl", bowl},
-                            {"massif", massif},
-                            {"plateau", plateau},
-                            {"delta", delta},
-                            {"spectrogram", spectrogram},
-                            {"high_amplitude", high_amplitude}};
+constexpr Shape shapes[] = {{"mountains", mountains},     {"hills", hills},
+                            {"flat", nullptr, false},     {"coast", coast},
+                            {"island", island},           {"valley", valley},
+                            {"bowl", bowl, false},        {"massif", massif},
+                            {"plateau", plateau},         {"delta", delta},
+                            {"spectrogram", spectrogram}, {"high_amplitude", high_amplitude}};
 
 const Shape* shape_of(const std::string& kind) {
     const auto* const found =
@@ -220,6 +215,14 @@ const std::vector<std::string>& generator_kinds() {
         return names;
     }();
     return kinds;
+}
+
+bool has_seed(const std::string& kind) {
+    return shape_of(kind)->seeded;
+}
+
+bool has_relief(const std::string& kind) {
+    return shape_of(kind)->height != nullptr;
 }
 
 const std::vector<std::string>& starting_waters() {

@@ -24,6 +24,11 @@ struct GeneratorSettings {
 /// ridges), high_amplitude (horns).
 const std::vector<std::string>& generator_kinds();
 
+/// Whether another seed makes another terrain of this kind, and whether it has a relief. Throws talus::Error
+/// where there is no such kind.
+bool has_seed(const std::string& kind);
+bool has_relief(const std::string& kind);
+
 /// Heights in metres, row 0 north, lowest sample 0, highest relief_m. The same terrain at every grid of the
 /// same extent, and the same bits on every machine: + - * / sqrt floor and whole numbers only. Throws
 /// talus::Error where there is no such kind.

@@ -212,7 +212,8 @@ std::optional<PlacedNumber> number_named(const std::string& name) {
 }
 
 std::vector<std::string> output_names() {
-    std::vector<std::string> names = {"ground", "level", "slope", "curvature", "wear", "deposition"};
+    std::vector<std::string> names = {"ground", "difference", "level", "depth",
+                                      "slope",  "curvature",  "wear",  "deposition"};
     for (const LayerDescription& layer : layers())
         for (const LayerNumber& number : layer.numbers) names.push_back(number.name);
     return names;
@@ -221,6 +222,8 @@ std::vector<std::string> output_names() {
 std::vector<std::string> numbers_of_output(const std::string& name) {
     if (name == "wear" || name == "deposition")
         return {name + "_by_water", name + "_by_slopes", name + "_by_hand"};
+    // The document's channel is called by its layer.
+    if (name == "depth") return {"water"};
     return number_named(name) ? std::vector<std::string>{name} : std::vector<std::string>();
 }
 
@@ -233,6 +236,13 @@ std::string output_unit(const std::string& name) {
 
 std::vector<float> output_of(const TerrainState& state, const std::string& name) {
     if (name == "ground") return state.ground();
+    if (name == "difference") {
+        const std::vector<glm::vec2> now = state.ground_words();
+        std::vector<float> values(now.size());
+        for (std::size_t i = 0; i < state.start.size(); ++i)
+            values[i] = (now[i].x - state.start[i].x) + (now[i].y - state.start[i].y);
+        return values;
+    }
     if (name == "level") {
         std::vector<float> values = state.ground();
         for (std::size_t i = 0; i < state.water.size(); ++i) values[i] += state.water[i].x;

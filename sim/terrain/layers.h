@@ -75,8 +75,9 @@ std::span<const float> words_of(const TerrainState& state, const LayerDescriptio
 /// So many texels, all of them 0. None: the layer is not there.
 void make_layer(TerrainState& state, const LayerDescription& layer, std::size_t texels);
 
-/// Names of single-layer outputs: ground, level (of ground and water), slope (degrees), curvature (1/km),
-/// wear and deposition (by all together), and every number of every layer.
+/// Names of single-layer outputs: ground, difference (of the ground from the start), level (of ground and
+/// water), depth (of water), slope (degrees), curvature (1/km), wear and deposition (by all together), and
+/// every number of every layer.
 std::vector<std::string> output_names();
 /// The numbers of layers that an output is, or is the sum of; none: it is of the ground or the level, or
 /// there is no such output.

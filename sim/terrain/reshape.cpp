@@ -111,6 +111,36 @@ void move_samples(const TerrainState& from, TerrainState& to, At at) {
     }
 }
 
+// What a difference counts from: `at` says which old sample a new one is.
+template <typename At>
+void move_start(const TerrainState& from, TerrainState& to, At at) {
+    if (from.start.empty()) return;
+    to.start.reserve(to.grid.count());
+    for (int y = 0; y < to.grid.ny; ++y)
+        for (int x = 0; x < to.grid.nx; ++x) {
+            const glm::ivec2 old = at(x, y);
+            to.start.push_back(from.start[static_cast<std::size_t>(old.y) * from.grid.nx + old.x]);
+        }
+}
+
+// The difference is resampled: where nothing has changed it stays 0, however the layers are resampled.
+void resample_start(const TerrainState& from, TerrainState& to, const Filter& filter) {
+    if (from.start.empty()) return;
+    const std::vector<glm::vec2> old_ground = from.ground_words();
+    std::vector<double> changes(old_ground.size());
+    for (std::size_t i = 0; i < changes.size(); ++i)
+        changes[i] = sum_of(old_ground[i]) - sum_of(from.start[i]);
+    const std::vector<double> resampled_changes =
+        filtered(changes, from.grid.nx, filter.columns, filter.rows);
+    to.start = to.ground_words();
+    for (std::size_t i = 0; i < to.start.size(); ++i) {
+        if (resampled_changes[i] == 0) continue;
+        const double height = sum_of(to.start[i]) - resampled_changes[i];
+        to.start[i].x = static_cast<float>(height);
+        to.start[i].y = static_cast<float>(height - to.start[i].x);
+    }
+}
+
 // Of the ground beyond the edges: `at` says which place of the old map, or off it, a new one is.
 template <typename At>
 void move_bed_beyond(const TerrainState& from, TerrainState& to, At at) {
@@ -119,7 +149,7 @@ void move_bed_beyond(const TerrainState& from, TerrainState& to, At at) {
         to.grid, [&at, bed = bed_around(from)](glm::ivec2 place) { return bed(at(place.x, place.y)); });
 }
 
-// Everything but grid, layers and the ground beyond.
+// Everything but grid, layers, start and the ground beyond.
 TerrainState same_moment(const TerrainState& state) {
     TerrainState next;
     next.springs = state.springs;
@@ -137,6 +167,7 @@ TerrainState turned_once(const TerrainState& state) {
     next.grid = {old.ny, old.nx, old.dy, old.dx};
     const auto old_place = [&](int x, int y) { return glm::ivec2(old.nx - 1 - y, x); };
     move_samples(state, next, old_place);
+    move_start(state, next, old_place);
     move_bed_beyond(state, next, old_place);
     for (const LayerDescription& layer : layers()) {
         if (!layer.turn) continue;
@@ -180,6 +211,7 @@ TerrainState resampled(const TerrainState& state, int nx, int ny) {
             word += number.two_words ? 2 : 1;
         }
     }
+    resample_start(state, next, linear);
     if (next.georeference) {
         std::array<double, 6>& t = next.georeference->transform;
         const glm::dvec2 step(next.grid.dx / old.dx, next.grid.dy / old.dy);
@@ -216,6 +248,7 @@ TerrainState cropped(const TerrainState& state, const Rectangle& rectangle) {
     next.grid = {samples.width, samples.height, old.dx, old.dy};
     const auto old_place = [&](int x, int y) { return glm::ivec2(x + samples.x, y + samples.y); };
     move_samples(state, next, old_place);
+    move_start(state, next, old_place);
     move_bed_beyond(state, next, old_place);
     const glm::dvec2 moved(samples.x * old.dx, (old.ny - samples.y - samples.height) * old.dy);
     for (Spring& spring : next.springs) {

@@ -12,6 +12,7 @@ void StateReadback::start(const Terrain& terrain) {
     state_->bed_beyond = terrain.bed_beyond;
     const gpu::Region all = terrain.ground.whole();
     solid_.start(terrain.solid.front, all);
+    start_.start(terrain.difference_start(), all);
     layers_.resize(layers().size());
     for (std::size_t i = 0; i < layers_.size(); ++i) {
         const LayerDescription& layer = layers()[i];
@@ -32,6 +33,12 @@ std::optional<TerrainState> StateReadback::poll() {
         }
         return std::nullopt;
     }
+    if (start_.pending()) {
+        const auto words = start_.poll();
+        for (std::size_t k = 0; words && k < words->size(); k += 2)
+            state_->start.emplace_back((*words)[k], (*words)[k + 1]);
+        return std::nullopt;
+    }
     for (std::size_t i = 0; i < layers_.size(); ++i) {
         if (!layers_[i].pending()) continue;
         if (const auto words = layers_[i].poll()) {
@@ -48,6 +55,7 @@ std::optional<TerrainState> StateReadback::poll() {
 
 void StateReadback::cancel() {
     solid_.cancel();
+    start_.cancel();
     for (gpu::Readback& layer : layers_) layer.cancel();
     state_.reset();
 }

@@ -23,6 +23,7 @@ class StateReadback {
   private:
     std::optional<TerrainState> state_;
     gpu::Readback solid_;
+    gpu::Readback start_;
     std::vector<gpu::Readback> layers_;  // as layers() has them; those of the solid stay unused
 };
 

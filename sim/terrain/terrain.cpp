@@ -1,8 +1,11 @@
 #include "sim/terrain/terrain.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
+#include "sim/error.h"
 #include "sim/terrain/bed_beyond.h"
 #include "sim/terrain/layers.h"
 
@@ -28,14 +31,15 @@ Terrain::Terrain(const TerrainState& state)
     ground = image("ground", gpu::Format::r32f);
     start = image("start", gpu::Format::rg32f);
     const gpu::Region all = ground.whole();
-    std::vector<glm::vec2> words(state.bedrock.size());
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const glm::dvec2 sum = glm::dvec2(state.bedrock[i]) + glm::dvec2(state.regolith[i]);
-        const double height = sum.x + sum.y;
-        words[i].x = static_cast<float>(height);
-        words[i].y = static_cast<float>(height - words[i].x);
-    }
+    const std::vector<glm::vec2> words = state.ground_words();
     start.write(all, std::as_bytes(std::span(words)));
+    if (!state.start.empty() && state.start != words) {
+        if (state.start.size() != words.size())
+            throw Error(fmt::format("the start that a difference counts from has {} samples, it must have {}",
+                                    state.start.size(), words.size()));
+        earlier_start = image("earlier start", gpu::Format::rg32f);
+        earlier_start->write(all, std::as_bytes(std::span(state.start)));
+    }
     write_solid(state);
     for (const LayerDescription& layer : layers())
         if (layer.is_optional()) write(layer.image, state);
@@ -117,6 +121,7 @@ TerrainState Terrain::read() const {
     }
     for (const LayerDescription& layer : layers()) read(layer, state);
     drop_zero_layers(state);
+    state.start = difference_start().read_all<glm::vec2>();
     return state;
 }
 

@@ -45,6 +45,10 @@ class Terrain {
     Layer solid;          ///< m: bedrock and regolith, two words each, in one texel (docs/benchmarks.md)
     gpu::Texture ground;  ///< m, one float: what the eye sees; every pass that writes layers writes it too
     gpu::Texture start;   ///< m, two words: the ground when the terrain was made, for the ledger
+    /// The same of TerrainState::start; none: that is `start`.
+    std::optional<gpu::Texture> earlier_start;
+    /// What a difference counts from.
+    const gpu::Texture& difference_start() const { return earlier_start ? *earlier_start : start; }
     Tiles tiles;
     // Front images hold what TerrainState says.
     /// Back: of a sub-step's first stage; front's water wherever tiles rest. None: no water was ever here.
@@ -81,7 +85,8 @@ class Terrain {
     void write_solid(const TerrainState& state);
     void write(std::optional<DeviceLayer> Terrain::*layer, const TerrainState& state);
 
-    /// Reads the layers back. Waits for the device. The clock is left at 0.
+    /// Reads the layers back, and what a difference counts from. Waits for the device. The clock is left at
+    /// 0.
     TerrainState read() const;
     /// Reads one of the optional layers into a state of this size; nothing where it is not there.
     void read(const LayerDescription& layer, TerrainState& state) const;

@@ -27,6 +27,17 @@ std::vector<float> TerrainState::ground() const {
     return heights;
 }
 
+std::vector<glm::vec2> TerrainState::ground_words() const {
+    std::vector<glm::vec2> words(bedrock.size());
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const glm::dvec2 sum = glm::dvec2(bedrock[i]) + glm::dvec2(regolith[i]);
+        const double height = sum.x + sum.y;
+        words[i].x = static_cast<float>(height);
+        words[i].y = static_cast<float>(height - words[i].x);
+    }
+    return words;
+}
+
 TerrainState bedrock_terrain(const Grid& grid, const std::vector<float>& heights_m) {
     check_grid(grid);
     TerrainState state;

@@ -87,6 +87,9 @@ struct TerrainState {
     std::vector<glm::vec4> worn_by_hand;
     /// The ground beyond the map's edges (sim/terrain/bed_beyond.h), m; empty: it is not known.
     std::vector<float> bed_beyond;
+    /// The ground that a difference counts from, m, two words; empty: the ground as it is here. No part of
+    /// the hash; of all that runs, only a mask that is made from the difference hangs on it.
+    std::vector<glm::vec2> start;
     std::vector<Spring> springs;
     std::vector<Drive> drives;
     std::vector<Event> events;
@@ -97,6 +100,8 @@ struct TerrainState {
 
     /// Ground = bedrock + regolith, rounded to one float a sample.
     std::vector<float> ground() const;
+    /// The same in two words.
+    std::vector<glm::vec2> ground_words() const;
 };
 
 /// A terrain of one layer of bedrock. Throws talus::Error when the grid cannot be used.

@@ -41,4 +41,14 @@ done
 xdotool mousemove $((600 * scale)) $((600 * scale)) key ctrl+e
 sleep 2
 import -window root export.png
+xdotool key Escape
+sleep 1
+xdotool key ctrl+n
+sleep 3
+import -window root new.png
+xdotool key Escape
+sleep 1
+xdotool key ctrl+o
+sleep 2
+import -window root open.png
 kill "$pid"

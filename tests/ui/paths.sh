@@ -68,6 +68,13 @@ xdotool mousemove 600 600 key ctrl+shift+z
 frames 6
 save redone.exr
 [ "$(hash_of redone.exr)" = "$(hash_of road.exr)" ] || fail "the road did not come back"
+# Who takes a tool of the brush sculpts, and puts no points.
+click raise
+drag 600 420 640 420
+save raised.exr
+[ "$(hash_of raised.exr)" != "$(hash_of road.exr)" ] || fail "the brush did nothing while a path was being drawn"
+xdotool mousemove 600 600 key ctrl+z
+frames 6
 
 click Tables
 click "Choose a raster…"

@@ -29,10 +29,11 @@ from ping import await_answer
 # Nothing waits longer than this for the window to answer, s. A loaded machine needs more than the two seconds of a person.
 PATIENCE_S = float(os.environ.get("TALUS_HAND_PATIENCE_S", "2"))
 
-# What would end the session in an orderly way, change how much undo keeps, or go on for a minute.
-LEFT_ALONE = {"Quit", "undo.memory_mib", "Verify this device"}
+# What would end the session in an orderly way, change how much undo keeps, go on for a minute, make a terrain that takes
+# long, or lead out of the folder that it may write to.
+LEFT_ALONE = {"Quit", "undo.memory_mib", "Verify this device", "terrain.nx", "terrain.ny", "Up", "recent folders"}
 KEYS = ["space", "period", "f", "F12", "Tab", "Escape", "bracketleft", "bracketright", "minus", "equal", "Return",
-        "ctrl+z", "ctrl+shift+z", "ctrl+y", "ctrl+s", "ctrl+e", "ctrl+o", "ctrl+shift+s", "ctrl+a", "Delete", "w", "a",
+        "ctrl+z", "ctrl+shift+z", "ctrl+y", "ctrl+s", "ctrl+e", "ctrl+o", "ctrl+n", "ctrl+shift+s", "ctrl+a", "Delete", "w", "a",
         "s", "d", "q", "e", "1", "2", "3", "4", "5", "6", "7", "8", "9", "shift+1", "shift+2", "shift+3", "shift+4",
         "shift+5", "Left", "Right", "Up", "Down", "BackSpace", "KP_Enter"]
 NUMBERS = ["0", "1", "-1", "0.5", "12", "90", "1e9", "-1e9", "1e-9", "nan", "inf", "abc", "", "1,5", "0x10", "1e400", "33",
@@ -245,7 +246,7 @@ def choose(chance, window, files):
     if "file name" in widgets and kind < 0.5:
         return ["file", str(chance.choice(files)), chance.choice(["Return", "Return", "Escape"])]
     if "export path" in widgets and kind < 0.3:
-        ending = chance.choice([".tif", ".png", ".r16", ".obj", ".exr", ".jpg", "", "/no/such/folder/a.tif", ".raw"])
+        ending = chance.choice([".tif", ".png", ".r16", ".obj", ".glb", ".exr", ".jpg", "", "/no/such/folder/a.tif", ".raw"])
         return ["export", ("" if ending.startswith("/") else "out-%d" % chance.randrange(4)) + ending]
     if widgets and kind < 0.42:
         return ["click", chance.choice(widgets), chance.choice([1, 1, 1, 1, 3, 2]), modifier if chance.random() < 0.1 else None,
@@ -355,7 +356,7 @@ def undo_everything(window, talus, folder):
             # Verifying takes minutes under a sanitizer; nothing is saved before it ends or is given up.
             window.click_on("Cancel work")
             without = 0
-        elif {"file name", "export path", "import spacing", "Cancel", "Cancel import", "Cancel export", "Close"} & set(rects):
+        elif {"file name", "export path", "import spacing", "Cancel", "Cancel import", "Cancel export", "Cancel new terrain", "Close"} & set(rects):
             window.press("Escape")
             without = 0
         else:

@@ -314,10 +314,11 @@ TEST_F(Export, MeshesInTilesMeetAndKnowWhereTheyLie) {
         EXPECT_NEAR(area / (grid.width_m() * grid.height_m()), 1, 1e-6);
         for (const auto& [place, found] : heights) EXPECT_EQ(found.size(), 1U);
         // A seam: the same bits on both sides, all samples of it.
+        const int seam_column = (grid.nx - 1) / 3;
         const auto seam = [&](const char* tile, bool east) {
             const fs::path file = path(std::string("hills_") + tile + fs::path(name).extension().string());
             const FoundMesh mesh = read_gltf(file);
-            const auto x = static_cast<float>((grid.nx - 1) / 3 * grid.dx);
+            const auto x = static_cast<float>(seam_column * grid.dx);
             std::set<std::tuple<float, float, float>> places;
             for (const glm::vec3& p : mesh.positions)
                 if (std::abs(p.x - x) < grid.dx / 2) places.insert({p.x, p.y, p.z});

@@ -90,6 +90,15 @@ TEST(Layers, AreInTheHashAndAmongTheOutputs) {
     changed.bed_beyond.back() += 1;
     EXPECT_NE(state_hash(changed), state_hash(state));
     EXPECT_THROW(output_of(state, "lava"), Error);
+    EXPECT_EQ(output_of(state, "depth"), output_of(state, "water"));
+    EXPECT_EQ(output_unit("depth"), "m");
+    // What a difference counts from is no part of the run.
+    changed = state;
+    changed.start = state.ground_words();
+    EXPECT_EQ(output_of(changed, "difference"), std::vector<float>(state.grid.count(), 0.0F));
+    changed.start[40].x -= 2;
+    EXPECT_EQ(output_of(changed, "difference")[40], 2);
+    EXPECT_EQ(state_hash(changed), state_hash(state));
 }
 
 TEST(Layers, FollowCropsAndTurns) {
