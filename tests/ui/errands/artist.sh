@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# The artist's errand: a mountain valley from New to textured export (ground of 16 bits, flow, wear, deposition, slope), a
+# picture, and a film once around it. TALUS FOLDER; pictures stay in the folder.
+set -euo pipefail
+source "$(dirname "$(realpath "${BASH_SOURCE[0]}")")/errand.sh"
+
+open_window --ui-rects rects --window-size 1280x720
+hit "New terrain…"
+await_widget Generate
+hit terrain.kind
+hit "terrain.kind=valley"
+enter terrain.nx 257
+enter terrain.ny 257
+enter terrain.relief_m 1200
+frames 60
+import -window root artist_1_new.png
+hit Generate
+await_work
+frames 8
+hit Water
+enter water.rain_mm_per_h 120
+hit Erosion
+hit erosion.on
+hit Simulation
+enter time.tick_s 0.5
+enter time.speed 100
+clicks=$((clicks + 2))
+play 25
+shot artist_2_eroded
+xdotool mousemove 600 400 key ctrl+e
+hit maps
+click "export path"
+xdotool key ctrl+a type --delay 1 "$PWD/valley.png"
+frames 8
+import -window root artist_3_export.png
+hit Write
+await_word "wrote .*valley"
+for map in ground flow wear deposition slope; do
+    is_there "valley_$map.png"
+    identify -format '%z' "valley_$map.png" | grep -q 16 || fail "$map has not 16 bits"
+done
+is_there valley.json
+xdotool mousemove 600 400 key F12
+await_word "saved the picture"
+xdotool key ctrl+shift+s
+name_file "$PWD/valley"
+await_word "saved .*valley.exr"
+took=$((SECONDS - begin))
+close_window
+"$talus" render valley.exr --turntable 24 --size 640x360 --set render.samples=1 --image turn.png 2>/dev/null
+is_there turn-0023.png
+if command -v ffmpeg >/dev/null; then
+    ffmpeg -loglevel error -y -framerate 12 -i turn-%04d.png -pix_fmt yuv420p turn.mp4
+    is_there turn.mp4
+fi
+echo "artist: $clicks clicks, $took s in the window"
