@@ -20,14 +20,6 @@ resize() {
     xdotool search --name 'Talus$' windowsize "$1" "$2"
     frames 8
 }
-# Closes a window whose work is not saved.
-drop_and_close() {
-    xdotool mousemove 600 400 key ctrl+q
-    click "Drop the changes"
-    for _ in $(seq 100); do kill -0 "$pid" 2>/dev/null || break; sleep 0.1; done
-    kill -0 "$pid" 2>/dev/null && fail "the window did not close"
-    wait "$pid" || fail "the window ended with an error"
-}
 # Whether a widget lies within a window of this width.
 within() {
     local name=$1 width=$2

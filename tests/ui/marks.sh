@@ -74,5 +74,6 @@ behind=$(count ramp_hidden "$yellow")
 thin=$(compare -fuzz 12% -metric AE before_hidden.png ramp_hidden.png null: 2>&1 || true)
 [ "$thin" -gt 20 ] || fail "behind the ridge nothing of the ramp's line is left: $thin pixels"
 
-close_window
+# A gauge that was placed is unsaved work.
+drop_and_close
 echo "the sign has $seen pixels, $hidden behind the ridge, $again once more; the ramp has $solid of its line, of what is behind $thin of the thin one"

@@ -70,7 +70,7 @@ save redone.exr
 [ "$(hash_of redone.exr)" = "$(hash_of road.exr)" ] || fail "the road did not come back"
 # Who takes a tool of the brush sculpts, and puts no points.
 click raise
-drag 600 420 640 420
+drag 440 300 480 300
 save raised.exr
 [ "$(hash_of raised.exr)" != "$(hash_of road.exr)" ] || fail "the brush did nothing while a path was being drawn"
 xdotool mousemove 600 600 key ctrl+z

@@ -74,6 +74,15 @@ close_window() {
     wait "$pid" || fail "the window ended with an error"
 }
 
+# Closes a window whose work is not saved.
+drop_and_close() {
+    xdotool mousemove 600 400 key ctrl+q
+    click "Drop the changes"
+    for _ in $(seq 100); do kill -0 "$pid" 2>/dev/null || break; sleep 0.1; done
+    kill -0 "$pid" 2>/dev/null && fail "the window did not close"
+    wait "$pid" || fail "the window ended with an error"
+}
+
 # Where a named widget is, as "left top right bottom"; the window must have been opened with --ui-rects rects.
 rect_of() { sed -n "s/^\([-0-9]* [-0-9]* [-0-9]* [-0-9]*\) $1\$/\1/p" rects 2>/dev/null | head -n 1; }
 # Waits until the widget is there.
