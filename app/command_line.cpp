@@ -10,6 +10,7 @@
 #include "app/commands/commands.h"
 #include "app/core/opening.h"
 #include "app/core/report.h"
+#include "app/panels/style.h"
 #include "app/window/glfw.h"
 #include "app/window/window.h"
 #include "sim/error.h"
@@ -394,6 +395,10 @@ Command window_command(CLI::App& app, Texts& t) {
     app.add_option("--ui-scale", options->ui_scale,
                    "size of panels and text, 0.5 to 4; as the display asks for")
         ->check(CLI::Range(0.5, 4.0));
+    std::vector<std::string> theme_names;
+    for (const Theme& one : themes()) theme_names.emplace_back(one.name);
+    app.add_option("--theme", options->theme, "colours of the panels; as they were when it was last closed")
+        ->check(CLI::IsMember(theme_names));
     app.add_option("--frame-log", options->frame_log, "write what every frame took")->type_name("FILE.csv");
     app.add_option("--ui-rects", options->ui_rects, "keep in this file where every named widget is")
         ->type_name("FILE");

@@ -54,22 +54,25 @@ Legends cells_legend(const View&, const ViewSettings& settings, glm::dvec2) {
 }
 
 Parameter band() {
-    return number("render.band_m", 100, 1e-3, 1e5, "m",
-                  "Interval of the views of height bands and contours.");
+    return number("render.band_m", 100, 1e-3, 1e5, "m", "Interval of the views of height bands and contours.")
+        .labelled("Interval");
 }
 
 Parameter depth() {
     return number("render.depth_m", 10, 1e-3, 1e5, "m",
-                  "End of the scale of the views of the water's depth, now and at its largest.");
+                  "End of the scale of the views of the water's depth, now and at its largest.")
+        .labelled("Scale ends at");
 }
 
 // What was taken, or laid down, by one of those who do, or by all.
 View worn_view(const std::string& name, const std::string& title) {
     return {.name = name,
             .numbers = {{"worn_scale_m", number("render.worn_m", 10, 1e-6, 1e5, "m",
-                                                "End of the scale of the views of wear and deposition.")},
+                                                "End of the scale of the views of wear and deposition.")
+                                             .labelled("Scale ends at")},
                         {"worn_by", choice("render.worn_by", "all", {"all", "water", "slopes", "hand"},
-                                           "Whose wear and deposition they show.")}},
+                                           "Whose wear and deposition they show.")
+                                        .labelled("Worn by")}},
             .title = title,
             .unit = "m",
             .layers = {&Terrain::worn_by_water, &Terrain::worn_by_slopes, &Terrain::worn_by_hand}};
@@ -80,17 +83,38 @@ View worn_view(const std::string& name, const std::string& title) {
 const std::vector<View>& views() {
     static const std::vector<View> all = {
         {.name = "shaded",
-         .numbers = {{"texture_taps",
-                      whole("render.texture_taps", 16, 1, 16, "",
-                            "Places of a draped picture that a pixel looks at, where the view along the "
-                            "ground draws it out: more are sharper."),
-                      0, true}},
+         .numbers =
+             {{"texture_taps",
+               whole("render.texture_taps", 16, 1, 16, "",
+                     "Places of a draped picture that a pixel looks at, where the view along the "
+                     "ground draws it out: more are sharper.")
+                   .labelled("Places a pixel"),
+               0, true},
+              {"snow_line_m",
+               number("material.snow_line_m", 1350, -1e5, 1e5, "m",
+                      "Height from which snow lies, where it is not too steep."),
+               0, false, true},
+              {"vegetation",
+               number("material.vegetation", 1, 0, 1, "",
+                      "How much of the ground that is not too steep is overgrown: 0, a desert."),
+               0, false, true},
+              {"rock_kind",
+               choice("material.rock", "grey", {"grey", "red", "dark", "pale"},
+                      "Colour of rock and scree: granite, sandstone, basalt, limestone."),
+               0, false, true},
+              {"water_kind", choice("material.water", "mountain", {"mountain", "sea", "lagoon", "muddy"},
+                                    "Colour of water.")},
+              {"water_clarity",
+               number("material.clarity", 1, 0.01, 100, "",
+                      "How far one sees into water, times as far as in nature: less shows shallow water, as "
+                      "in a basin of a laboratory.")}},
          .natural = true},
         {.name = "hillshade",
-         .numbers =
-             {{"hillshade_from",
-               choice("render.hillshade", "sun", {"sun", "four sides"},
-                      "Light of the hillshade: the sun's, or from four sides, each where slopes need it.")}},
+         .numbers = {{"hillshade_from",
+                      choice(
+                          "render.hillshade", "sun", {"sun", "four sides"},
+                          "Light of the hillshade: the sun's, or from four sides, each where slopes need it.")
+                          .labelled("Light from")}},
          .title = "Hillshade",
          .unit = "of full light",
          .scale = Scale::grey,
@@ -99,14 +123,15 @@ const std::vector<View>& views() {
          .numbers = {{"slope_scale_deg", std::nullopt, 60}},
          .title = "Slope",
          .unit = "degrees"},
-        {.name = "bands", .numbers = {{"band_m", band()}}, .legend = bands_legend},
+        {.name = "bands", .label = "Height bands", .numbers = {{"band_m", band()}}, .legend = bands_legend},
         {.name = "steps",
+         .label = "Steps of the ray",
          .numbers = {{"steps_scale", std::nullopt, 96}},
          .title = "Steps of the ray",
          .unit = "cells",
          .detail = Detail::steps,
          .sky_too = true},
-        {.name = "cells", .legend = cells_legend, .detail = Detail::kind},
+        {.name = "cells", .label = "Method of each pixel", .legend = cells_legend, .detail = Detail::kind},
         {.name = "aspect",
          .title = "Slope faces",
          .unit = "degrees from north",
@@ -114,31 +139,40 @@ const std::vector<View>& views() {
          .scale_end = 360},
         {.name = "contours", .numbers = {{"band_m", band()}}, .legend = contours_legend},
         {.name = "difference",
+         .label = "Ground since the start",
          .numbers = {{"difference_m", number("render.difference_m", 20, 1e-3, 1e5, "m",
-                                             "End of the scale of the view of differences.")}},
+                                             "End of the scale of the view of differences.")
+                                          .labelled("Scale ends at")}},
          .legend = difference_legend,
          .whole = true},
         {.name = "depth",
+         .label = "Depth of the water",
          .numbers = {{"depth_scale_m", depth()}},
          .title = "Depth of the water",
          .unit = "m",
          .layers = {&Terrain::water}},
         {.name = "speed",
+         .label = "Speed of the water",
          .numbers = {{"speed_scale", number("render.speed_m_per_s", 5, 1e-3, 1e5, "m/s",
                                             "End of the scale of the view of its speed.")
+                                         .labelled("Scale ends at")
                                          .once("render.speed")}},
          .title = "Speed of the water",
          .unit = "m/s",
          .layers = {&Terrain::water}},
         {.name = "level",
+         .label = "Level of the water",
          .numbers = {{"level_middle_m",
                       number("render.level_m", 0, -1e6, 1e6, "m",
-                             "Middle of the scale of the view of its level. Unless set, it is the sea's.")},
+                             "Middle of the scale of the view of its level. Unless set, it is the sea's.")
+                          .labelled("Scale around")},
                      {"level_scale_m", number("render.level_range_m", 2, 1e-4, 1e5, "m",
-                                              "From there to the ends of the scale.")}},
+                                              "From there to the ends of the scale.")
+                                           .labelled("Scale reaches")}},
          .legend = level_legend,
          .layers = {&Terrain::water}},
         {.name = "froude",
+         .label = "Froude number",
          .numbers = {{"froude_scale", std::nullopt, 2}},
          .title = "Froude number",
          .unit = "1: critical",
@@ -149,9 +183,11 @@ const std::vector<View>& views() {
          .unit = "m",
          .layers = {&Terrain::inundation}},
         {.name = "arrival",
+         .label = "Arrival of the water",
          .numbers = {{"arrival_scale_s",
                       number("render.arrival_s", 600, 1e-3, 1e9, "s",
-                             "End of the scale of the view of the time at which water arrived.")}},
+                             "End of the scale of the view of the time at which water arrived.")
+                          .labelled("Scale ends at")}},
          .title = "Water arrived at",
          .unit = "s",
          .layers = {&Terrain::inundation}},
@@ -162,42 +198,52 @@ const std::vector<View>& views() {
          .layers = {&Terrain::painted}},
         {.name = "mask", .title = "Mask", .unit = "share", .scale_end = 1, .layers = {&Terrain::painted}},
         {.name = "rain",
+         .label = "Painted rain",
          .numbers = {{"rain_scale", number("render.rain_mm_per_h", 200, 1e-3, 1e4, "mm/h",
                                            "End of the scale of the view of painted rain.")
+                                        .labelled("Scale ends at")
                                         .once("render.rain")}},
          .title = "Painted rain",
          .unit = "mm/h",
          .layers = {&Terrain::painted}},
         {.name = "manning",
+         .label = "Painted roughness",
          .numbers = {{"manning_scale", number("render.manning", 0.2, 1e-3, 1, "s/m^(1/3)",
-                                              "End of the scale of the view of painted roughness.")}},
+                                              "End of the scale of the view of painted roughness.")
+                                           .labelled("Scale ends at")}},
          .title = "Painted Manning's n",
          .unit = "s/m^(1/3)",
          .layers = {&Terrain::land_cover}},
         {.name = "infiltration",
+         .label = "Painted infiltration",
          .numbers = {{"infiltration_scale", number("render.infiltration_mm_per_h", 100, 1e-3, 1e4, "mm/h",
-                                                   "End of the scale of the view of painted infiltration.")}},
+                                                   "End of the scale of the view of painted infiltration.")
+                                                .labelled("Scale ends at")}},
          .title = "Painted infiltration",
          .unit = "mm/h",
          .layers = {&Terrain::land_cover}},
         {.name = "suspended",
+         .label = "Suspended solid",
          .numbers = {{"suspended_scale_mm",
                       number(
                           "render.suspended_mm", 20, 1e-6, 1e6, "mm",
                           "End of the scale of the view of suspended solid: as high as it would stand on the "
-                          "ground.")}},
+                          "ground.")
+                          .labelled("Scale ends at")}},
          .title = "Suspended solid",
          .unit = "mm",
          .layers = {&Terrain::suspended}},
         {.name = "regolith",
          .numbers = {{"regolith_scale_m", number("render.regolith_m", 5, 1e-6, 1e5, "m",
-                                                 "End of the scale of the view of regolith.")}},
+                                                 "End of the scale of the view of regolith.")
+                                              .labelled("Scale ends at")}},
          .title = "Regolith",
          .unit = "m",
          .whole = true},
         {.name = "flow",
-         .numbers = {{"flow_scale_m3", number("render.flow_m3", 1e5, 1e-3, 1e15, "m³",
-                                              "End of the scale of the view of flow.")},
+         .numbers = {{"flow_scale_m3",
+                      number("render.flow_m3", 1e5, 1e-3, 1e15, "m³", "End of the scale of the view of flow.")
+                          .labelled("Scale ends at")},
                      {"flow_decades", std::nullopt, 4}},
          .legend = flow_legend,
          .layers = {&Terrain::flow}},
@@ -246,20 +292,30 @@ std::vector<Parameter> render_parameters() {
     std::vector<std::string> method_names;
     for (const MethodEntry& method : methods()) method_names.push_back(method.name);
     std::vector<std::string> view_names;
-    for (const View& view : views()) view_names.push_back(view.name);
+    std::vector<std::string> view_labels;
+    for (const View& view : views()) {
+        view_names.push_back(view.name);
+        view_labels.push_back(view.label.empty() ? label_of_name(view.name) : view.label);
+    }
     const ViewSettings preset;
     std::vector<Parameter> declared = {
-        choice("render.method", preset.method, method_names, "How the surface is drawn."),
+        choice("render.method", preset.method, method_names, "How the surface is drawn.")
+            .labelled("Drawn by"),
         number("render.tolerance_px", preset.tolerance_px, 0, 16, "px",
                "Error that the hybrid method or tiles may make, in pixels; 0: none.")
             .once("render.tolerance"),
-        choice("render.view", preset.view, view_names, "What the colours show."),
-        number("render.sun_azimuth_deg", 315, 0, 360, "°", "Where the sun stands, clockwise from north."),
-        number("render.sun_elevation_deg", 38, 1, 90, "°", "How high the sun stands."),
+        choice("render.view", preset.view, view_names, "What the colours show.")
+            .labelled("Colours show")
+            .choices_labelled(view_labels),
+        number("render.sun_azimuth_deg", 315, 0, 360, "°", "Where the sun stands, clockwise from north.")
+            .labelled("Sun from"),
+        number("render.sun_elevation_deg", 38, 1, 90, "°", "How high the sun stands.").labelled("Sun above"),
         toggle("render.shadows", preset.shadows, "The sun casts shadows."),
         whole("render.samples", 8, 1, 64, "",
-              "Samples a pixel, as many as a picture at rest gathers: smoother silhouettes and detail."),
-        toggle("render.occlusion", preset.occlusion, "Valleys get less of the sky's light than ridges."),
+              "Samples a pixel, as many as a picture at rest gathers: smoother silhouettes and detail.")
+            .labelled("Samples a pixel"),
+        toggle("render.occlusion", preset.occlusion, "Valleys get less of the sky's light than ridges.")
+            .labelled("Sky's light"),
     };
     for (const Parameter& own : own_parameters()) declared.push_back(own);
     return declared;
@@ -285,7 +341,7 @@ ViewSettings view_settings(const Parameters& drawing, const Parameters& simulati
 bool is_heeded(const std::string& parameter, const Parameters& drawing, bool draped) {
     const auto is_it = [&](const Parameter& own) { return own.name == parameter; };
     const auto is_numbered = [&](const ViewNumber& one) {
-        return one.parameter && is_it(*one.parameter) && (draped || !one.of_drape);
+        return one.parameter && is_it(*one.parameter) && (draped ? !one.of_bare : !one.of_drape);
     };
     const MethodEntry& method = method_named(drawing.choice("render.method"));
     const View& view = view_named(drawing.choice("render.view"));

@@ -48,6 +48,7 @@ struct ViewNumber {
     std::optional<Parameter> parameter;
     double fixed = 0;
     bool of_drape = false;  ///< it colours the draped picture alone
+    bool of_bare = false;   ///< it colours ground alone over which no picture is draped
 
     /// As the settings have it. Of a choice: which one, from 0.
     double in(const ViewSettings& settings) const;
@@ -56,6 +57,7 @@ struct ViewNumber {
 /// How the surface is coloured. A view is a line of `views()` and its shader, shaders/render/views/NAME.glsl.
 struct View {
     std::string name;
+    std::string label = "";  ///< as a person reads it; empty: its name tells that
     std::vector<ViewNumber> numbers = {};
     /// Its legend: a scale from 0 to `scale_end`, or to its first number where that is not set. Without a
     /// title there is none.

@@ -33,6 +33,9 @@ void WaterShading::draw(const ShadeFrame& frame, const Terrain& terrain, const P
     program.set("sun", glm::vec3(frame.settings.sun));
     program.set("extent_m", static_cast<float>(extent_m));
     program.set("gravity", static_cast<float>(frame.settings.gravity_m_per_s2));
+    // Water has the colours of the shaded view.
+    for (const ViewNumber& number : view_named(frame.settings.view).numbers)
+        program.set(number.uniform.c_str(), static_cast<float>(number.in(frame.settings)));
     program.set("pixel_angle", static_cast<float>(pixel_at_one_metre(frame.camera, frame.height)));
     const glm::ivec2 size(frame.width, frame.height);
     bind(dry_);

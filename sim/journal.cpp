@@ -145,13 +145,15 @@ struct Writer {
         return {{"op", "stamp"}, {"source", to_json(choose.source)}};
     }
     json operator()(const MakeMask& make) const {
-        return {{"op", "mask"},
-                {"from", name_in(mask_source_names(), make.source)},
-                {"low", make.low},
-                {"high", make.high},
-                {"fade", make.fade},
-                {"join", name_in(mask_join_names(), make.join)},
-                {"inverted", make.inverted}};
+        json line = {{"op", "mask"},
+                     {"from", name_in(mask_source_names(), make.source)},
+                     {"low", make.low},
+                     {"high", make.high},
+                     {"fade", make.fade},
+                     {"join", name_in(mask_join_names(), make.join)},
+                     {"inverted", make.inverted}};
+        if (make.source == MaskSource::rectangle) line["rectangle"] = to_json(make.rectangle);
+        return line;
     }
     json operator()(const TakeRaster& take) const {
         return {{"op", "raster"}, {"number", take.number}, {"source", to_json(take.source)}};
@@ -204,7 +206,8 @@ Operation to_operation(const json& line) {
                         line.at("high"),
                         line.at("fade"),
                         value_in<MaskJoin>(mask_join_names(), line.at("join"), "way to join masks"),
-                        line.at("inverted")};
+                        line.at("inverted"),
+                        line.contains("rectangle") ? to_rectangle(line.at("rectangle")) : Rectangle()};
     if (op == "raster")
         return TakeRaster{painted_number_named(line.at("number")).name, to_source(line.at("source")),
                           nullptr};

@@ -24,7 +24,6 @@ struct Namer {
             return path_kind_names()[static_cast<std::size_t>(path->kind)];
         return brush_mode_names()[dab.effect.index()];
     }
-    // Without the value: a slider that is dragged goes on under one name.
     std::string operator()(const SetParameter& set) const { return set.name; }
     std::string operator()(const PlaceSpring&) const { return "spring"; }
     std::string operator()(const DriveParameter& drive) const {
@@ -39,7 +38,9 @@ struct Namer {
     }
     std::string operator()(const Import& import) const { return "import " + file_name(import.source); }
     std::string operator()(const ChooseStamp& choose) const {
-        return choose.source.path.empty() ? "stamp from here" : "stamp " + file_name(choose.source);
+        const std::string& path = choose.source.path;
+        if (path.starts_with(stamp_shelf)) return "stamp: " + label_of_name(path.substr(stamp_shelf.size()));
+        return path.empty() ? "stamp from here" : "stamp " + file_name(choose.source);
     }
     std::string operator()(const MakeMask& make) const {
         return "mask: " + mask_source_names()[static_cast<std::size_t>(make.source)];

@@ -73,8 +73,11 @@ struct Import {
     bool operator==(const Import& other) const { return source == other.source; }
 };
 
-/// What dabs of a stamp press into the ground from now on: a file's heights, or, without a path, a piece of
-/// this terrain as it is now.
+/// A source's path that begins so names a stamp that Talus makes (sim/terrain/stamp_shapes.h).
+inline const std::string stamp_shelf = "shelf:";
+
+/// What dabs of a stamp press into the ground from now on: a file's heights, a stamp of the shelf, or,
+/// without a path, a piece of this terrain as it is now.
 struct ChooseStamp {
     Source source;
     Rectangle piece;

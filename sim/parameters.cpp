@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 
 #include "sim/error.h"
+#include "sim/figure.h"
 
 namespace talus {
 
@@ -47,6 +49,47 @@ Parameter Parameter::following_tables(Driven how) && {
 Parameter Parameter::of_this_machine() && {
     of_machine = true;
     return std::move(*this);
+}
+
+Parameter Parameter::labelled(std::string words) && {
+    label = std::move(words);
+    return std::move(*this);
+}
+
+Parameter Parameter::choices_labelled(std::vector<std::string> words) && {
+    assert(words.size() == choices.size());
+    choice_labels = std::move(words);
+    return std::move(*this);
+}
+
+std::string label_of_name(std::string name) {
+    for (char& letter : name)
+        if (letter == '_' || letter == '.') letter = ' ';
+    if (!name.empty() && name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
+    return name;
+}
+
+std::string label_of(const Parameter& p) {
+    if (!p.label.empty()) return p.label;
+    std::string name = p.name.substr(p.name.find('.') + 1);
+    // The unit stands behind the value, so it need not stand in the label too.
+    const std::string unit = unit_in_name(p.unit);
+    if (!unit.empty() && name.ends_with(unit)) name.resize(name.size() - unit.size());
+    return label_of_name(std::move(name));
+}
+
+std::string label_of_choice(const Parameter& p, const std::string& chosen) {
+    const auto found = std::find(p.choices.begin(), p.choices.end(), chosen);
+    const auto place = static_cast<std::size_t>(found - p.choices.begin());
+    return place < p.choice_labels.size() ? p.choice_labels[place] : label_of_name(chosen);
+}
+
+std::string value_text(const Parameter& p, const Value& value) {
+    if (const auto* on = std::get_if<bool>(&value)) return *on ? "on" : "off";
+    if (const auto* name = std::get_if<std::string>(&value)) return label_of_choice(p, *name);
+    const auto* count = std::get_if<int>(&value);
+    const std::string number = figure(count ? *count : std::get<double>(value), 6);
+    return p.unit.empty() ? number : number + " " + p.unit;
 }
 
 std::string unit_in_name(const std::string& unit) {

@@ -42,12 +42,17 @@ struct Parameter {
     SetsOff sets_off = SetsOff::nothing;
     Driven driven = Driven::by_tick;
     bool of_machine = false;  ///< it is about the machine, and not kept in projects
+    std::string label = "";   ///< what a person reads beside its value; empty: its name tells that
+    std::vector<std::string> choice_labels = {};  ///< the same of its choices; empty: their names do
 
     Parameter once(std::string name) &&;
     Parameter following(std::string name) &&;
     Parameter setting_off(SetsOff what) &&;
     Parameter following_tables(Driven how) &&;
     Parameter of_this_machine() &&;
+    Parameter labelled(std::string words) &&;
+    /// In the order of its choices, one each.
+    Parameter choices_labelled(std::vector<std::string> words) &&;
 };
 
 Parameter number(std::string name, double preset, double low, double high, std::string unit,
@@ -68,6 +73,15 @@ requires std::is_enum_v<Enum> || std::is_same_v<Enum, bool> Parameter choice(std
 /// How a name says that its number has this unit: "_m_per_s" of m/s, "_mm_per_h" of mm/h, "_deg" of °. Empty
 /// for units that names leave out: counts, ratios (s/s), and those that no name could say in short.
 std::string unit_in_name(const std::string& unit);
+
+/// What a person reads beside its value: "Angle under water". Without a label of its own it is the name,
+/// without section and unit.
+std::string label_of(const Parameter& parameter);
+/// The same of one of its choices, or of any name: "largest_depth" is "Largest depth".
+std::string label_of_choice(const Parameter& parameter, const std::string& choice);
+std::string label_of_name(std::string name);
+/// A value as a person reads it, with its unit: "35 °", "off", "Largest depth".
+std::string value_text(const Parameter& parameter, const Value& value);
 
 /// The value as presets, journals and --set write it; numbers keep every bit.
 std::string to_text(const Value& value);

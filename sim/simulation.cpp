@@ -11,6 +11,7 @@
 #include "sim/drives.h"
 #include "sim/error.h"
 #include "sim/events.h"
+#include "sim/figure.h"
 #include "sim/passes/dab_region.h"
 #include "sim/passes/map_settings.h"
 #include "sim/passes/passes.h"
@@ -101,10 +102,23 @@ void Simulation::apply(const Operation& operation) {
         operation);
 }
 
+std::string Simulation::history_name(const Operation& operation) const {
+    if (const auto* set = std::get_if<SetParameter>(&operation)) {
+        const Parameter& p = parameters().declaration(set->name);
+        return label_of(p) + ": " + (set->value ? value_text(p, *set->value) : "as by default");
+    }
+    if (const auto* drive = std::get_if<DriveParameter>(&operation))
+        return (drive->series.empty() ? "End of the table: " : "Table: ") +
+               label_of(parameters().declaration(drive->parameter));
+    return name_of(operation);
+}
+
 template <typename Change>
 void Simulation::record(const Operation& operation, Change&& change) {
     const bool entry = keeps_undo_ && !undo_.is_open();
-    if (entry) undo_.open(name_of(operation), terrain_, journal_, snapshot());
+    const auto* set = std::get_if<SetParameter>(&operation);
+    if (entry)
+        undo_.open(history_name(operation), terrain_, journal_, snapshot(), set ? set->name : std::string());
     try {
         change();
     } catch (...) {
@@ -140,7 +154,7 @@ void Simulation::act(const SetParameter& wanted) {
         if (fills) fill_sea_now();
     };
     // A dragged slider extends its last undo entry. A sea that fills tiles needs an entry of its own.
-    if (keeps_undo_ && !undo_.is_open() && !fills && undo_.extends(set.name)) {
+    if (keeps_undo_ && !undo_.is_open() && !fills && undo_.extends(set.name, history_name(set))) {
         change();
         journal_.record(set);
     } else {
@@ -322,7 +336,7 @@ bool Simulation::withdraw_sea(const std::string& level) {
     const auto* drive = std::get_if<DriveParameter>(&done.back());
     const bool filled = (set && set->name == level && set->value) ||
                         (drive && drive->parameter == level && !drive->series.empty());
-    if (!filled || undo_.undo_name() != name_of(done.back())) return false;
+    if (!filled || undo_.undo_name() != history_name(done.back())) return false;
     exchange(false);
     return true;
 }
@@ -334,6 +348,11 @@ void Simulation::begin_stroke(const std::string& name) {
 }
 
 void Simulation::end_entry() {
+    const std::string run = name_of(Ticks());
+    if (undo_.is_open() && undo_.undo_name() == run) {
+        const double ran_s = moment_.clock.simulated_s - undo_.before().moment.clock.simulated_s;
+        undo_.rename_open(fmt::format("{} of {} s", run, figure(ran_s, 4)));
+    }
     undo_.close(terrain_, journal_);
 }
 
@@ -367,6 +386,18 @@ void Simulation::redo() {
     while (mid_tick()) advance(1 << 20);
     end_entry();
     if (can_redo()) exchange(true);
+}
+
+void Simulation::take_back_entry() {
+    if (!undo_.is_open()) return;
+    // Where nothing was done, what could be redone still can.
+    if (!mid_tick() && undo_.is_empty(journal_)) return undo_.abandon();
+    in_tick_ = false;
+    // So that it is kept though nothing of it was recorded so far; and it is undone at once.
+    journal_.record(Ticks{1});
+    end_entry();
+    exchange(false);
+    undo_.forget_undone();
 }
 
 void Simulation::copy_books(AskedLedger& asked) {

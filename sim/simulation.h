@@ -68,6 +68,10 @@ class Simulation {
     /// first.
     void undo();
     void redo();
+    /// Takes back all since the open entry of undo began, and leaves a tick that is half done; it cannot be
+    /// redone. For a tick that takes longer than anybody waits, and for acts of which only some could be
+    /// done.
+    void take_back_entry();
 
     /// Waits for the device.
     LedgerReading ledger();
@@ -111,6 +115,8 @@ class Simulation {
     void act(const Blur& blur);
     void act(const TakeRaster& take);
     void act_by_pass(const PassAct& act);
+    /// As name_of(), with parameters by their labels and values.
+    std::string history_name(const Operation& operation) const;
     /// Does `change` as an entry of undo, or as part of the open one, and records the operation.
     template <typename Change>
     void record(const Operation& operation, Change&& change);

@@ -94,7 +94,7 @@ void Simulation::begin_tick() {
         if (!undo_.is_open()) {
             Snapshot at_start = snapshot();
             at_start.moment = std::move(*before);
-            undo_.open("run", terrain_, journal_, std::move(at_start));
+            undo_.open(name_of(Ticks()), terrain_, journal_, std::move(at_start));
         }
         undo_.keep_all(terrain_);
     }

@@ -14,18 +14,20 @@ std::size_t Undo::Entry::bytes() const {
            (snapshot.terrain ? snapshot.terrain->bytes() : 0);
 }
 
-void Undo::open(std::string name, Terrain& terrain, const Journal& journal, Snapshot before) {
-    done_.push_back({std::move(name), {}, {}, std::move(before), journal.mark(), {}});
+void Undo::open(std::string name, Terrain& terrain, const Journal& journal, Snapshot before,
+                std::string parameter) {
+    done_.push_back({std::move(name), std::move(parameter), {}, {}, std::move(before), journal.mark(), {}});
     dropped_ = std::exchange(undone_, {});
     open_ = true;
     all_kept_ = false;
     opened_at_ = terrain.tiles.reader_now();
 }
 
-bool Undo::extends(const std::string& name) {
-    if (done_.empty() || done_.back().name != name || !done_.back().changes.empty() ||
+bool Undo::extends(const std::string& parameter, const std::string& name) {
+    if (done_.empty() || done_.back().parameter != parameter || !done_.back().changes.empty() ||
         done_.back().snapshot.terrain)
         return false;
+    done_.back().name = name;
     undone_.clear();
     return true;
 }
@@ -54,12 +56,16 @@ void Undo::keep_terrain(PackedTerrain before) {
     done_.back().snapshot.terrain = std::move(before);
 }
 
+bool Undo::is_empty(const Journal& journal) const {
+    const Journal::Mark now = journal.mark();
+    return now.count == done_.back().mark.count && now.last == done_.back().mark.last;
+}
+
 void Undo::close(Terrain& terrain, const Journal& journal) {
     if (!open_) return;
     open_ = false;
     Entry& entry = done_.back();
-    const Journal::Mark now = journal.mark();
-    if (now.count == entry.mark.count && now.last == entry.mark.last) {
+    if (is_empty(journal)) {
         done_.pop_back();
         undone_ = std::exchange(dropped_, {});
         return;

@@ -28,12 +28,15 @@ class Undo {
     /// Beyond this many bytes the oldest entries go.
     explicit Undo(std::size_t capacity_bytes) : capacity_bytes_(capacity_bytes) {}
 
-    /// Opens an entry; what could be redone is dropped when it closes. No entry may be open.
-    void open(std::string name, Terrain& terrain, const Journal& journal, Snapshot before);
+    /// Opens an entry; what could be redone is dropped when it closes. No entry may be open. `parameter`: the
+    /// one that it sets, if it does no more.
+    void open(std::string name, Terrain& terrain, const Journal& journal, Snapshot before,
+              std::string parameter = "");
     bool is_open() const { return open_; }
-    /// True when the newest entry has this name and keeps no tiles, so that another change of the same
-    /// parameter belongs to it; what could be redone is dropped then.
-    bool extends(const std::string& name);
+    void rename_open(std::string name) { done_.back().name = std::move(name); }
+    /// True when the newest entry set this parameter and keeps no tiles, so that another change of it belongs
+    /// to that entry, which has this name then; what could be redone is dropped.
+    bool extends(const std::string& parameter, const std::string& name);
     std::size_t capacity() const { return capacity_bytes_; }
     void set_capacity(std::size_t bytes);
     /// Keeps these tiles as they are now, once per entry. Call before they change.
@@ -60,6 +63,10 @@ class Undo {
     /// first.
     std::vector<std::string> done() const;
     std::vector<std::string> undone() const;
+    /// Whether nothing was recorded in the open entry so far.
+    bool is_empty(const Journal& journal) const;
+    /// Nothing can be redone any more.
+    void forget_undone() { undone_.clear(); }
     /// What undo() or redo() would give back.
     const Snapshot& before() const { return done_.back().snapshot; }
     const Snapshot& after() const { return undone_.back().snapshot; }
@@ -75,6 +82,7 @@ class Undo {
   private:
     struct Entry {
         std::string name;
+        std::string parameter;         // that it sets, if it does no more
         std::map<int, KeptTile> kept;  // as they were, while the entry is open
         TileChanges changes;           // of a closed one
         Snapshot snapshot;             // before the act; while undone, after it

@@ -7,12 +7,12 @@ namespace talus::app {
 bool PanelRequests::any() const {
     return open || save || save_scene || put_back || import || import_shown || look_at || import_here ||
            stamp || table || raster || write || map || reset || undo || redo || framing || verify ||
-           !acts.empty() || answer;
+           !acts.empty() || !parameters.empty() || answer;
 }
 
 bool is_dialog_open(const PanelState& state) {
     return state.dialog.purpose != FileDialog::Purpose::none || !state.import.path.empty() ||
-           state.write.shown || state.fresh.is_shown() || state.question.has_value() ||
+           state.write.shown || state.fresh.is_shown() || state.keys_shown || state.question.has_value() ||
            state.self_check.has_value();
 }
 

@@ -11,6 +11,7 @@
 #include "app/core/recovery.h"
 #include "app/core/self_check.h"
 #include "app/core/session.h"
+#include "app/core/stamp_folder.h"
 #include "sim/gpu/profile.h"
 #include "sim/io/export.h"
 
@@ -44,9 +45,17 @@ struct PanelRequests {
     bool quit = false;
     bool framing = false;
     bool picture = false;                             ///< saved as a file
+    bool record = false;                              ///< a film begins, or ends
     std::vector<std::function<void(Session&)>> acts;  ///< may throw; done after the panels
-    std::function<void()> answer;                     ///< to a question; may throw
-    bool cancel_work = false;                         ///< the long work that goes on
+    /// A value that a parameter is to have.
+    struct Awaited {
+        std::optional<Value> value;  ///< none: unset
+        std::size_t after_acts = 0;  ///< behind so many of the acts above
+    };
+    std::map<std::string, Awaited> parameters;  ///< by name; panels show them already
+    std::function<void()> answer;               ///< to a question; may throw
+    bool answer_at_once = false;                ///< it needs no whole tick
+    bool cancel_work = false;                   ///< the long work that goes on
     /// Whether anything was asked that may change title or picture.
     bool any() const;
 };
@@ -127,13 +136,30 @@ struct ExportDialog {
 /// A question with two or three answers, in the middle of the window.
 struct Question {
     std::string text;
-    std::vector<std::pair<std::string, std::function<void()>>> answers;  ///< the last one: Escape
+    struct Answer {
+        std::string words;
+        std::function<void()> act;
+        bool at_once = false;  ///< it needs no whole tick: nothing of the terrain is kept
+    };
+    std::vector<Answer> answers;  ///< the last one: Escape
 };
 
 /// A table's plot, and the table that it is of.
 struct TablePlot {
     TimeSeries of;
     std::vector<float> values;
+};
+
+/// A control of erosion that is being moved: it is set when it is let go.
+struct ControlInHand {
+    std::string name;
+    float position = 0;
+};
+
+/// What a key or the mouse does: a line of the list that F1 shows.
+struct KeyLine {
+    std::string keys;  ///< "Ctrl+Z"; empty: `what` is a heading
+    std::string what;
 };
 
 /// What the panels keep between frames.
@@ -144,8 +170,10 @@ struct PanelState {
     bool placing_gauge = false;
     bool placing_section = false;
     bool drawing_path = false;
+    bool drawing_mask = false;  ///< the next drag draws a rectangle that becomes the mask
+    std::optional<ControlInHand> control_in_hand;
     /// Somebody takes a tool of the brush: the next click on the ground is the brush's.
-    void take_brush() { placing_gauge = placing_section = drawing_path = false; }
+    void take_brush() { placing_gauge = placing_section = drawing_path = drawing_mask = false; }
     std::string table_of = "water.rain_mm_per_h";  ///< the number that is to follow a table
     bool table_begins_now = true;
     std::string raster_of = "manning";             ///< the painted number that a raster is to bring
@@ -155,8 +183,11 @@ struct PanelState {
     FileDialog dialog;
     ImportDialog import;
     ExportDialog write;
-    NewTerrain fresh;         ///< the dialog that generates one
-    std::string camera_name;  ///< of the camera that is to be kept
+    NewTerrain fresh;           ///< the dialog that generates one
+    std::string recording;      ///< how long the film is, and what it costs; empty: none is recorded
+    std::vector<KeyLine> keys;  ///< what all of them do
+    bool keys_shown = false;    ///< in a dialog
+    std::string camera_name;    ///< of the camera that is to be kept
     std::optional<Question> question;
     std::optional<SelfCheck> self_check;  ///< what was found of this device, while it is shown
     std::vector<std::string> recent;      ///< files, the last one first
@@ -165,6 +196,7 @@ struct PanelState {
     std::vector<gpu::PassTime> passes;    ///< of the last half second
     double passes_s = 0;                  ///< how long that was
     std::map<std::string, gpu::Texture> thumbnails;
+    StampFolder own_stamps;
 };
 
 /// Whether a dialog stands over everything else and has the keys.

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/core/figure.h"
 #include "shaders/maths/twin.h"
+#include "sim/figure.h"
 
 namespace talus::maths {
 

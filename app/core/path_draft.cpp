@@ -101,15 +101,18 @@ std::vector<Parameter> path_parameters() {
         choice("path.kind", preset.kind, kinds,
                "Road: level across its width, cut into what is higher and filled where it is lower; river: a "
                "bed "
-               "that falls from its first point to its last; wall: raised; ditch: dug."),
+               "that falls from its first point to its last; wall: raised; ditch: dug.")
+            .labelled("Path"),
         number("path.width_m", preset.width_m, 0.01, 1e5, "m",
                "Width of the road, or of a bed's or wall's level part; unless set, three samples at least."),
         number("path.side_slope", preset.side_slope, 0.01, 1000, "m/m",
                "Rise over run of embankments and banks: 0.67 is 1 in 1.5."),
-        number("path.grade_percent", 100 * preset.steepest, 0.01, 1000, "%", "Road: largest grade along it."),
+        number("path.grade_percent", 100 * preset.steepest, 0.01, 1000, "%", "Road: largest grade along it.")
+            .labelled("Largest grade"),
         number("path.depth_m", preset.depth_m, 0, 1e4, "m",
                "River and ditch: depth of the bed below the ground."),
-        number("path.fall_m_per_km", 1000 * preset.least_fall, 0, 1e5, "m/km", "River: least fall along it."),
+        number("path.fall_m_per_km", 1000 * preset.least_fall, 0, 1e5, "m/km", "River: least fall along it.")
+            .labelled("Least fall"),
         number("path.height_m", preset.height_m, 0, 1e4, "m", "Wall: height above the ground."),
         choice("path.material", "bedrock", {"bedrock", "regolith"},
                "What embankments and walls are made of."),

@@ -130,14 +130,14 @@ void Project::when_saved(const std::function<void()>& act) {
     if (!session_.unsaved()) return act();
     Question question;
     question.text = fmt::format("'{}' was changed and not saved. Save it first?", session_.scene().title);
-    question.answers.emplace_back("Save", [this, act] {
-        if (!session_.path().empty()) return save(session_.path(), act);
-        state_.dialog.begin(FileDialog::Purpose::save, "");
-        after_saving_ = act;
-    });
+    question.answers.push_back({"Save", [this, act] {
+                                    if (!session_.path().empty()) return save(session_.path(), act);
+                                    state_.dialog.begin(FileDialog::Purpose::save, "");
+                                    after_saving_ = act;
+                                }});
     // What is dropped goes once the act has succeeded.
-    question.answers.emplace_back("Drop the changes", act);
-    question.answers.emplace_back("Cancel", [] {});
+    question.answers.push_back({"Drop the changes", act, true});
+    question.answers.push_back({"Cancel", [] {}, true});
     state_.question = std::move(question);
     voice_.changed();
 }
@@ -148,8 +148,8 @@ void Project::when_replaceable(const std::string& path, const std::function<void
     if (path == session_.path() || !std::filesystem::exists(path, ignored)) return act();
     Question question;
     question.text = fmt::format("'{}' is there already. Replace it?", path);
-    question.answers.emplace_back("Replace it", act);
-    question.answers.emplace_back("Cancel", [] {});
+    question.answers.push_back({"Replace it", act});
+    question.answers.push_back({"Cancel", [] {}, true});
     state_.question = std::move(question);
     voice_.changed();
 }
@@ -269,9 +269,9 @@ void Project::put_back(const std::string& path) {
             "'{}' is there already. What was put back into it before goes: to keep it, cut out of that "
             "mosaic.",
             path);
-    question.answers.emplace_back("Put it back",
-                                  [this, document, settings] { write_back(document, settings); });
-    question.answers.emplace_back("Cancel", [] {});
+    question.answers.push_back(
+        {"Put it back", [this, document, settings] { write_back(document, settings); }});
+    question.answers.push_back({"Cancel", [] {}, true});
     state_.question = std::move(question);
     voice_.changed();
 }

@@ -148,6 +148,11 @@ Scene make_scene(const SceneRequest& request) {
         // What a document was made with holds, unless a preset was asked for by name.
         if (!document.parameters.empty()) from_toml(document.parameters, request.input, all);
         workspace = take_workspace(document, all);
+        // Rock stands steeper than its scree, so that the first play keeps peaks. Documents and presets say
+        // what they have.
+        constexpr double stands_at_deg = 60;
+        if (document.kind != "Talus document" && request.preset.empty())
+            all.set("thermal.bedrock_deg", stands_at_deg);
         if (!request.preset.empty()) apply_preset(preset, all);
     }
     if (request.size && !request.input.empty())

@@ -232,8 +232,13 @@ void Session::forget_rectangle() {
 void Session::suggest_for_terrain() {
     suggest_sizes(scene_.view, grid(), bounds_, overflight_ != nullptr);
     scene_.view.suggest("render.level_m", simulation_->parameters().number("water.sea_level_m"));
+    suggest_for_stamp();
+}
+
+void Session::suggest_for_stamp() {
     if (const Stamp* stamp = simulation_->stamp().get())
-        scene_.view.suggest("stamp.relief_m", stamp->relief_m);
+        scene_.view.suggest("stamp.relief_m",
+                            natural_relief_m(*stamp, 2 * scene_.view.number("brush.radius_m")));
 }
 
 void Session::follow_terrain() {
@@ -455,6 +460,7 @@ void Session::set(const std::string& name, const Value& value) {
         render::check_view_of_tiles(wish);
     }
     scene_.view.set(name, value);
+    if (name == "brush.radius_m") suggest_for_stamp();
     follow_undo_memory();
     if (name == "tiles.backdrop") follow_surroundings();
 }
@@ -492,6 +498,18 @@ const Parameter& Session::declaration(const std::string& name) const {
 }
 
 void Session::play(double wall_s, double budget_s) {
+    run_ticks(wall_s, budget_s, false);
+}
+
+bool Session::end_tick(double budget_s) {
+    if (!mid_tick()) return true;
+    run_ticks(0, budget_s, true);
+    if (mid_tick()) return false;
+    if (!playing && !stroking()) simulation_->end_entry();
+    return true;
+}
+
+void Session::run_ticks(double wall_s, double budget_s, bool ends) {
     const double simulated_before = simulation_->clock().simulated_s;
     if (const auto ms = tick_timer_.milliseconds()) ticks_.took(*ms, timed_);
     const bool timing = !tick_timer_.pending();
@@ -500,7 +518,7 @@ void Session::play(double wall_s, double budget_s) {
         {[&](int substeps) { return simulation_->advance(substeps); },
          [&] { return simulation_->mid_tick(); }, [&] { return simulation_->substeps_sent(); }, wall_clock_s},
         {wall_s, budget_s, simulation_->parameters().number("time.tick_s"), scene_.view.number("time.speed"),
-         stroking()});
+         stroking(), ends});
     if (timing) {
         timed_ = ran;
         if (ran.substeps > 0) tick_timer_.end();
@@ -519,8 +537,9 @@ void Session::pause() {
     if (!stroking()) simulation_->end_entry();
 }
 
-void Session::toggle_play() {
+void Session::set_playing(bool plays) {
     check_editable();
+    if (plays == playing) return;
     if (playing)
         pause();
     else
@@ -532,6 +551,23 @@ void Session::step() {
     pause();
     simulation_->apply(Ticks{1});
     simulation_->end_entry();
+}
+
+void Session::begin_step() {
+    check_editable();
+    pause();
+    simulation_->advance(1);
+    if (!mid_tick()) simulation_->end_entry();
+}
+
+void Session::give_up_run() {
+    if (!mid_tick()) return;
+    playing = false;
+    speed_reached_ = 0;
+    ticks_.stop();
+    sculpting_.forget();
+    simulation_->take_back_entry();
+    follow_terrain();
 }
 
 void Session::let_go_of_stroke() {
@@ -548,6 +584,38 @@ void Session::apply(const Operation& operation) {
         wave_note_ = app::wave_note(scene_.document.state, simulation_->parameters());
     suggest_for_terrain();
     follow_terrain();
+}
+
+void Session::apply_together(const std::string& name, const std::vector<Operation>& operations) {
+    check_editable();
+    end_stroke();
+    while (simulation_->mid_tick()) simulation_->advance(1 << 20);
+    simulation_->begin_stroke(name);
+    try {
+        for (const Operation& one : operations) simulation_->apply(one);
+    } catch (...) {
+        simulation_->take_back_entry();
+        throw;
+    }
+    simulation_->end_entry();
+    suggest_for_terrain();
+}
+
+void Session::mask_rectangle(glm::dvec2 from_m, glm::dvec2 to_m, bool limits_erosion) {
+    const glm::dvec2 low = glm::min(from_m, to_m);
+    const glm::dvec2 high = glm::max(from_m, to_m);
+    MakeMask make{MaskSource::rectangle};
+    make.rectangle = {low.x, low.y, high.x, high.y};
+    make.fade = std::min(high.x - low.x, high.y - low.y) / 20;
+    // For erosion it is where water takes; else it is joined as the panel Mask says.
+    if (!limits_erosion) {
+        make.join = scene_.view.choice_as<MaskJoin>("mask.join");
+        make.inverted = scene_.view.toggle("mask.inverted");
+    }
+    std::vector<Operation> operations = {make};
+    if (limits_erosion && simulation_->parameters().choice("erosion.over") != "mask")
+        operations.emplace_back(SetParameter{"erosion.over", Value(std::string("mask"))});
+    apply_together("mask: rectangle", operations);
 }
 
 void Session::balance() {

@@ -73,6 +73,11 @@ class Session {
     /// Heights at the last open or reset, for the camera and for legends.
     glm::dvec2 bounds() const { return bounds_; }
 
+    /// The lowest and the highest that stands there now, as of one of the last pictures.
+    glm::dvec2 heights_m() const { return overflight_ ? bounds_ : renderer_->bounds(); }
+    /// Where on Earth it lies; none: nobody said.
+    std::optional<Georeference> georeference() const;
+
     /// What is to be said of the wave maker's truth to nature (app/core/wave_note.h), of the ground that was
     /// opened.
     const std::string& wave_note() const { return wave_note_; }
@@ -121,9 +126,21 @@ class Session {
     void play(double wall_s, double budget_s);
     double speed_reached() const { return speed_reached_; }
     double tick_ms() const { return ticks_.tick_ms(); }
+    /// Completes a tick that is half done.
     void pause();
-    void toggle_play();
+    /// Plays, or pauses.
+    void set_playing(bool plays);
+    /// One tick. Waits until it is sent.
     void step();
+    /// Begins one; the window ends it by end_tick(), frame by frame.
+    void begin_step();
+    bool mid_tick() const { return simulation_->mid_tick(); }
+    /// Goes on with the tick that is half done, with `budget_s` of work as play(); no other begins. True
+    /// where none is half done any more.
+    bool end_tick(double budget_s);
+    /// Leaves the tick that is half done and takes the run, or the stroke, back that it is of; it cannot be
+    /// redone.
+    void give_up_run();
 
     /// The request for another scene: `wish` completed by options that this session was started with.
     SceneRequest request_for(const SceneRequest& wish) const;
@@ -158,6 +175,8 @@ class Session {
     /// Whether a preset, a person or a file set it.
     bool is_given(const std::string& name) const;
     const Parameter& declaration(const std::string& name) const;
+    /// Whether it is one of the simulation's; the others are of drawing and of the hand.
+    bool is_simulated(const std::string& name) const;
 
     void begin_stroke(glm::dvec3 at, const Modifiers& modifiers = {}) {
         check_editable();
@@ -176,6 +195,14 @@ class Session {
     /// An act of its own: ends what is open, pauses, and does it. Throws talus::Error, with nothing changed,
     /// when it cannot be done.
     void apply(const Operation& operation);
+
+    /// The rectangle between two places on the ground becomes the mask, its edges fading over a twentieth of
+    /// its shorter side. `limits_erosion`: water and slopes act in it alone from then on; else it is joined
+    /// as `mask.join` and `mask.inverted` say.
+    void mask_rectangle(glm::dvec2 from_m, glm::dvec2 to_m, bool limits_erosion);
+    /// Several as one act of this name; play goes on. Throws talus::Error, with nothing changed, when one
+    /// cannot be done; if that is not the first, nothing can be redone then.
+    void apply_together(const std::string& name, const std::vector<Operation>& operations);
 
     void undo();
     void redo();
@@ -225,6 +252,7 @@ class Session {
     void follow_gauges();
 
   private:
+    void run_ticks(double wall_s, double budget_s, bool ends);
     void start(Scene scene);
     /// Takes up what the project keeps besides its terrain.
     void take_up_workspace();
@@ -232,17 +260,16 @@ class Session {
     void follow_terrain();
     void follow_surroundings();
     void follow_photo();
-    std::optional<Georeference> georeference() const;
     HeightsBetween heights_under_photo() const;
     bool shows_photo() const;
     void lay_photo();
     void make_surroundings();
     void suggest_for_terrain();
+    void suggest_for_stamp();
     void forget_rectangle();
     void follow_undo_memory();
     void set_simulated(const std::string& name, const std::optional<Value>& value);
     std::string document_path() const;
-    bool is_simulated(const std::string& name) const;
 
     gpu::Device device_;
     SceneRequest request_;

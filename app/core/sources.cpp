@@ -9,6 +9,7 @@
 #include "sim/error.h"
 #include "sim/io/document.h"
 #include "sim/io/raster_values.h"
+#include "sim/terrain/stamp_shapes.h"
 #include "sim/terrain/state_hash.h"
 
 namespace talus::app {
@@ -39,6 +40,12 @@ Import read_import(const std::string& path, const io::ImportSettings& import) {
     return {source, std::make_shared<TerrainState>(std::move(state))};
 }
 
+ChooseStamp shelf_stamp(const std::string& name) {
+    auto stamp = std::make_shared<Stamp>(shaped_stamp(name));
+    const std::uint64_t hash = bytes_hash(std::as_bytes(std::span(stamp->heights)));
+    return {{stamp_shelf + name, "", hash}, {}, std::move(stamp)};
+}
+
 ChooseStamp read_stamp(const std::string& path, const io::ImportSettings& import) {
     const auto [source, state] = read_source(path, to_text(import));
     return {source, {}, stamp_in(state)};
@@ -60,6 +67,11 @@ void read_sources(Operation& operation, const Simulation& simulation, bool as_re
         auto [source, state] = read_source(import->source.path, import->source.import_guess);
         check_same(import->source, source);
         import->state = std::make_shared<TerrainState>(std::move(state));
+    } else if (auto* made = std::get_if<ChooseStamp>(&operation);
+               made && made->source.path.starts_with(stamp_shelf)) {
+        ChooseStamp again = shelf_stamp(made->source.path.substr(stamp_shelf.size()));
+        check_same(made->source, again.source);
+        made->stamp = std::move(again.stamp);
     } else if (auto* choose = std::get_if<ChooseStamp>(&operation); choose && !choose->source.path.empty()) {
         const auto [source, state] = read_source(choose->source.path, choose->source.import_guess);
         check_same(choose->source, source);

@@ -12,6 +12,8 @@ namespace talus::app {
 
 /// An import of a file, with what it holds. Throws talus::Error when it cannot be read.
 Import read_import(const std::string& path, const io::ImportSettings& import);
+/// A stamp of the shelf. Throws talus::Error where there is none of the name.
+ChooseStamp shelf_stamp(const std::string& name);
 /// A file as the stamp.
 ChooseStamp read_stamp(const std::string& path, const io::ImportSettings& import);
 

@@ -29,12 +29,20 @@ TickPacing::Ran TickPacing::play(const PacedTicks& ticks, const Frame& frame) {
     const int batch =
         substep_ms_ > 0 ? static_cast<int>(std::clamp(allowed_s * 1000 / substep_ms_, 1.0, 64.0)) : 1;
     Ran ran;
+    // Dabs wait for the end of a tick, so a stroke's frame goes on with it; but not for ever.
+    constexpr double longest_s = 0.25;
     const auto fits = [&] {
-        return (frame.stroking && ticks.is_mid_tick()) || ticks.now_s() - begin_s + substep_s <= allowed_s;
+        const double spent_s = ticks.now_s() - begin_s;
+        if (frame.stroking && ticks.is_mid_tick()) return spent_s <= std::max(longest_s, allowed_s);
+        return spent_s + substep_s <= allowed_s;
     };
-    while (owed_s_ >= frame.tick_s * 0.999 && ran.ticks < std::max(1.0, fitting) && fits()) {
+    const auto is_due = [&] {
+        if (frame.ends) return ticks.is_mid_tick();
+        return owed_s_ >= frame.tick_s * 0.999 && ran.ticks < std::max(1.0, fitting);
+    };
+    while (is_due() && fits()) {
         if (!ticks.advance(batch)) continue;
-        owed_s_ -= frame.tick_s;
+        owed_s_ = std::max(owed_s_ - frame.tick_s, 0.0);
         ++ran.ticks;
         if (frame.stroking) break;
     }

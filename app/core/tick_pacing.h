@@ -22,6 +22,7 @@ class TickPacing {
         double tick_s = 1;    ///< simulated
         double speed = 1;     ///< simulated seconds a second
         bool stroking = false;
+        bool ends = false;  ///< the tick that is half done ends, and no other begins
     };
     struct Ran {
         int ticks = 0;
@@ -31,7 +32,7 @@ class TickPacing {
 
     /// Runs the ticks that are due, within the budget. For work longer than a frame the budget is saved up;
     /// time that cannot be simulated fast enough is dropped. During a stroke a frame runs one whole tick at
-    /// most, because dabs wait for the tick's end.
+    /// most, because dabs wait for the tick's end; of a tick of more than a quarter of a second a part.
     Ran play(const PacedTicks& ticks, const Frame& frame);
     /// The device time (ms) of what play() ran. The wall clock does not measure the work of an asynchronous
     /// device.

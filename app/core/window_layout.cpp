@@ -22,6 +22,7 @@ WindowLayout read_window_layout() {
         layout.size = {side("width", layout.size.x), side("height", layout.size.y)};
         layout.panel = table["panel"].value_or(layout.panel);
         layout.panels_shown = table["panels_shown"].value_or(true);
+        layout.theme = table["theme"].value_or(layout.theme);
     } catch (const toml::parse_error&) {
         // Not there yet, or not ours.
     }
@@ -31,9 +32,10 @@ WindowLayout read_window_layout() {
 void keep_window_layout(const WindowLayout& layout) {
     try {
         std::filesystem::create_directories(config_folder());
-        io::write_atomically(config_folder() / "window.toml",
-                             fmt::format("width = {}\nheight = {}\npanel = \"{}\"\npanels_shown = {}\n",
-                                         layout.size.x, layout.size.y, layout.panel, layout.panels_shown));
+        io::write_atomically(
+            config_folder() / "window.toml",
+            fmt::format("width = {}\nheight = {}\npanel = \"{}\"\npanels_shown = {}\ntheme = \"{}\"\n",
+                        layout.size.x, layout.size.y, layout.panel, layout.panels_shown, layout.theme));
     } catch (const std::exception&) {
         // It is a convenience.
     }

@@ -9,6 +9,7 @@ struct WindowLayout {
     glm::ivec2 size{1280, 720};
     std::string panel = "Simulation";
     bool panels_shown = true;
+    std::string theme = "";  ///< of the panels; empty: the first one
 };
 
 /// As it was kept, or the first one. What cannot be read is as if it were not there.

@@ -25,8 +25,9 @@ void draw_gauges(PanelContext& context) {
     PanelRequests& requests = context.requests;
     bool& placing = context.state.placing_gauge;
     if (button(placing ? "Click on the map…" : "Place a gauge", "by the next click on the ground")) {
-        placing = !placing;
-        context.state.placing_section = false;
+        const bool begins = !placing;
+        context.state.take_brush();
+        placing = begins;
     }
     const std::vector<Gauge>& gauges = session.gauges().all();
     if (!gauges.empty()) {
@@ -62,8 +63,9 @@ void draw_sections(PanelContext& context) {
             placing ? "Drag over the map…" : "Draw a section",
             "a line through which the water is counted: press where it begins, let go where it ends; to the "
             "right of one who looks that way counts as positive")) {
-        placing = !placing;
-        context.state.placing_gauge = false;
+        const bool begins = !placing;
+        context.state.take_brush();
+        placing = begins;
     }
     const Sections& sections = session.sections();
     if (!sections.all().empty()) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/panels/panels.h"
+#include "app/panels/style.h"
 #include "sim/error.h"
 #include "sim/io/heightmap_formats.h"
 
@@ -80,7 +81,7 @@ void draw_import_dialog(PanelContext& context) {
             ImGui::TextUnformatted(note.c_str());
         }
     } else {
-        ImGui::TextColored({1, 0.7F, 0.3F, 1}, "%s", dialog.error.c_str());
+        coloured_text(theme().warning, dialog.error);
     }
     ImGui::PopTextWrapPos();
     ImGui::Spacing();

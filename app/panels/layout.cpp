@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/panels/panels.h"
+#include "app/panels/style.h"
 
 namespace talus::app {
 namespace {
@@ -152,6 +153,8 @@ void draw_panels(PanelContext& context, const StatusFigures& figures, glm::ivec2
         draw_import_dialog(context);
     else if (context.state.fresh.is_shown())
         draw_new_dialog(context);
+    else if (context.state.keys_shown)
+        draw_keys_dialog(context);
     else if (context.state.write.shown)
         draw_export_dialog(context);
     else
@@ -171,22 +174,38 @@ void draw_notice(const std::string& message, const PictureArea& area) {
     const float top = static_cast<float>(area.corner.y) + em(0.8F);
     ImDrawList* list = ImGui::GetForegroundDrawList();
     list->AddRectFilled({left - 10, top - 5}, {left + text_size.x + 10, top + text_size.y + 5},
-                        IM_COL32(70, 50, 20, 245), 4);
-    list->AddText(nullptr, 0, {left, top}, IM_COL32_WHITE, message.c_str(), nullptr, room);
+                        colour_of(theme().notice), 4);
+    list->AddText(nullptr, 0, {left, top}, colour_of(theme().text), message.c_str(), nullptr, room);
 }
 
-void draw_status_line(const Session& session, const StatusFigures& figures, int width, int height) {
+// A height without -0.0.
+std::string height_text(double height_m) {
+    return fmt::format("{:.1f}", std::round(height_m * 10) / 10 + 0.0);
+}
+
+// Where the mouse is on the ground, in the file's coordinates where there are any.
+std::string cursor_text(const Session& session, const std::optional<glm::dvec3>& cursor) {
+    if (!cursor) return "–";
+    const std::optional<Georeference> on_earth = session.georeference();
+    const glm::dvec2 place =
+        on_earth ? coordinates_of(*on_earth, session.grid(), glm::dvec2(*cursor)) : glm::dvec2(*cursor);
+    // Degrees need more digits than metres: a tenth of a sample at least.
+    const double step = on_earth ? std::abs(on_earth->transform[1]) : 1;
+    const int digits = std::clamp(static_cast<int>(std::ceil(1 - std::log10(std::max(step, 1e-9)))), 1, 9);
+    return fmt::format("{}{:.{}f}, {:.{}f}: {} m", on_earth ? "" : "x, y ", place.x, digits, place.y, digits,
+                       height_text(cursor->z));
+}
+
+std::string status_text(const Session& session, const StatusFigures& figures) {
     const Grid& grid = session.grid();
-    std::string text =
-        fmt::format("{} × {} samples, {} × {} m", grid.nx, grid.ny, figure(grid.dx, 4), figure(grid.dy, 4));
-    // Rounded first, so that nothing is written as -0.0.
-    text += figures.cursor_height_m
-                ? fmt::format("  |  height {:.1f} m", std::round(*figures.cursor_height_m * 10) / 10 + 0.0)
-                : "  |  height –";
+    const glm::dvec2 heights_m = session.heights_m();
+    std::string text = fmt::format("{} × {} samples, {} × {} m  |  {} to {} m  |  {}  |  ", grid.nx, grid.ny,
+                                   figure(grid.dx, 4), figure(grid.dy, 4), height_text(heights_m.x),
+                                   height_text(heights_m.y), cursor_text(session, figures.cursor));
     if (const Overflight* overflight = session.overflight())
-        text += fmt::format("  |  {}  |  ", overflight->tiles().state());
+        text += fmt::format("{}  |  ", overflight->tiles().state());
     else
-        text += fmt::format("  |  {:.2f} s, speed {} of {}  |  tick {:.1f} ms, ",
+        text += fmt::format("{:.2f} s, speed {} of {}  |  tick {:.1f} ms, ",
                             session.simulation().clock().simulated_s, figure(session.speed_reached(), 3),
                             figure(session.view().number("time.speed"), 3), session.tick_ms());
     if (const Surroundings* around = session.surroundings()) {
@@ -196,14 +215,20 @@ void draw_status_line(const Session& session, const StatusFigures& figures, int 
     }
     const std::string photo = session.photo() ? session.photo()->state() : "";
     if (!photo.empty()) text += photo + ", ";
-    text += fmt::format("frame {:.1f} ms at {:.0f} %  |  {}", figures.frame_ms, 100 * figures.scale,
-                        figures.device);
+    return text + fmt::format("frame {:.1f} ms at {:.0f} %  |  {}", figures.frame_ms, 100 * figures.scale,
+                              figures.device);
+}
+
+void draw_status_line(const Session& session, const StatusFigures& figures, int width, int height) {
     ImDrawList* list = ImGui::GetForegroundDrawList();
     const float line = status_height();
     const auto w = static_cast<float>(width);
     const auto h = static_cast<float>(height);
-    list->AddRectFilled({0, h - line}, {w, h}, IM_COL32(18, 20, 24, 255));
-    list->AddText({8, h - line + 4}, IM_COL32(225, 228, 232, 255), text.c_str());
+    const std::string text = shortened(status_text(session, figures), [&](const std::string& some) {
+        return ImGui::CalcTextSize(some.c_str()).x <= w - 16;
+    });
+    list->AddRectFilled({0, h - line}, {w, h}, colour_of(theme().bar));
+    list->AddText({8, h - line + 4}, colour_of(theme().text), text.c_str());
 }
 
 }  // namespace talus::app

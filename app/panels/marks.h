@@ -16,7 +16,9 @@ class Marks {
     /// What stands beside the session's own.
     struct Shown {
         std::optional<std::pair<glm::dvec3, glm::dvec3>> section{};  ///< the line of one that is being drawn
-        bool path = false;                                           ///< the path, while its panel is open
+        std::optional<std::pair<glm::dvec3, glm::dvec3>>
+            mask{};         ///< corners of a rectangle that is being drawn
+        bool path = false;  ///< the path, while its panel is open
     };
     /// Over the picture of `drawn` pixels that the window shows in `area`.
     void draw(Session& session, const PictureArea& area, glm::ivec2 drawn, glm::ivec2 window,

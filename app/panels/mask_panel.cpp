@@ -10,19 +10,53 @@ void ask(PanelContext& context, Operation operation) {
         [operation = std::move(operation)](Session& session) { session.apply(operation); });
 }
 
+// Empty: what the mask is made of has no numbers.
+std::string unit_of(MaskSource source) {
+    switch (source) {
+        case MaskSource::slope:
+            return "°";
+        case MaskSource::curvature:
+            return "1/km";
+        case MaskSource::arrival:
+            return "s";
+        case MaskSource::flow:
+            return "m³";
+        case MaskSource::itself:
+        case MaskSource::everything:
+        case MaskSource::rectangle:
+            return "";
+        default:
+            return "m";
+    }
+}
+
 }  // namespace
+
+void draw_rectangle_button(PanelContext& context, const std::string& tooltip) {
+    bool& drawing = context.state.drawing_mask;
+    if (!button(drawing ? "Drag over the ground…" : "Draw a rectangle", tooltip)) return;
+    const bool begins = !drawing;
+    context.state.take_brush();
+    drawing = begins;
+}
 
 void draw_mask_panel(PanelContext& context) {
     const Parameters& view = context.session.view();
     ImGui::TextWrapped(
-        "The mask says where brushes act (over = mask, on the left), where it rains (Water) and what erodes "
-        "(Erosion). Paint it with the tool mask, or make it here.");
+        "The mask says where brushes act (Brush where, on the left), where it rains (Water) and what erodes "
+        "(Erosion). Paint it with the tool Mask, draw it, or make it here.");
     if (choice_button("Show the mask", view.choice("render.view") == "mask", "the view of the mask", 0))
         context.session.set("render.view",
                             std::string(view.choice("render.view") == "mask" ? "shaded" : "mask"));
+    draw_rectangle_button(context, "between the places where a drag begins and ends; joined as below");
     heading("Out of the terrain");
-    draw_parameters(context.session, context.requests,
-                    {"mask.from", "mask.low", "mask.high", "mask.fade", "mask.join", "mask.inverted"});
+    draw_parameters(context.session, context.requests, {"mask.from"});
+    for (const char* name : {"mask.low", "mask.high", "mask.fade"}) {
+        Parameter declared = context.session.declaration(name);
+        declared.unit = unit_of(view.choice_as<MaskSource>("mask.from"));
+        if (!declared.unit.empty()) draw_declared(context.session, context.requests, declared);
+    }
+    draw_parameters(context.session, context.requests, {"mask.join", "mask.inverted"});
     if (button("Make the mask", "by what stands above"))
         ask(context, MakeMask{view.choice_as<MaskSource>("mask.from"), view.number("mask.low"),
                               view.number("mask.high"), view.number("mask.fade"),

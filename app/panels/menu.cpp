@@ -3,6 +3,7 @@
 #include "app/core/part.h"
 #include "app/core/scene_file.h"
 #include "app/panels/panels.h"
+#include "app/panels/style.h"
 
 namespace talus::app {
 namespace {
@@ -81,17 +82,27 @@ void draw_menu(PanelContext& context) {
         }
         if (menu_item("Panels", "Tab", true, context.state.panels_shown))
             context.state.panels_shown = !context.state.panels_shown;
+        if (ImGui::BeginMenu("Theme")) {
+            close_on_escape();
+            for (const Theme& one : themes())
+                if (menu_item(one.name, nullptr, true, one.name == theme().name, label_of_name(one.name)))
+                    set_theme(one.name);
+            ImGui::EndMenu();
+        }
+        note_widget("Theme");
         ImGui::Separator();
         const std::string& shown = context.session.view().choice("render.view");
+        const Parameter& declared = context.session.declaration("render.view");
         for (const render::View& view : render::views())
             if (menu_item(view.name, nullptr, !context.state.only_looks || render::is_of_tiles(view),
-                          shown == view.name))
+                          shown == view.name, label_of_choice(declared, view.name)))
                 context.session.set("render.view", view.name);
         ImGui::EndMenu();
     }
     note_widget("View menu");
     if (ImGui::BeginMenu("Help")) {
         close_on_escape();
+        if (menu_item("Keys and mouse", "F1")) context.state.keys_shown = true;
         if (menu_item("Verify this device", nullptr)) context.requests.verify = true;
         ImGui::EndMenu();
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/panels/panels.h"
+#include "app/panels/style.h"
 
 namespace talus::app {
 namespace {
@@ -52,7 +53,7 @@ void draw_new_dialog(PanelContext& context) {
                            .c_str());
     const std::string refusal = fresh.refusal();
     ImGui::PushTextWrapPos(0);
-    if (!refusal.empty()) ImGui::TextColored({1, 0.7F, 0.3F, 1}, "%s", refusal.c_str());
+    if (!refusal.empty()) coloured_text(theme().warning, refusal);
     ImGui::PopTextWrapPos();
     ImGui::EndChild();
     bool ended = false;

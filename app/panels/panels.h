@@ -14,7 +14,7 @@ namespace talus::app {
 struct StatusFigures {
     std::string device;
     std::string message;
-    std::optional<double> cursor_height_m;
+    std::optional<glm::dvec3> cursor;  ///< where the mouse is on the ground
     double frame_ms = 0;
     double scale = 1;
 };
@@ -46,6 +46,8 @@ void draw_water_panel(PanelContext& context);
 void draw_erosion_panel(PanelContext& context);
 void draw_view_panel(PanelContext& context);
 void draw_mask_panel(PanelContext& context);
+/// A button after which the next drag draws a rectangle that becomes the mask.
+void draw_rectangle_button(PanelContext& context, const std::string& tooltip);
 /// Roads, rivers, walls and ditches: their points, how they will be, and the act that builds them.
 void draw_paths_panel(PanelContext& context);
 /// Acts on the whole map: its size and place, its heights, noise, another heightmap.
@@ -79,6 +81,8 @@ void draw_import_dialog(PanelContext& context);
 /// A terrain that is to be generated, with a small picture of it.
 void draw_new_dialog(PanelContext& context);
 void draw_export_dialog(PanelContext& context);
+/// What keys and mouse do.
+void draw_keys_dialog(PanelContext& context);
 void draw_question(PanelContext& context);
 /// What `talus verify` found.
 void draw_self_check_dialog(PanelContext& context);

@@ -43,10 +43,10 @@ bool edit(const Parameter& p, const char* id, Value& value) {
     if (auto* real = std::get_if<double>(&value)) return edit_number(p, id, *real);
     auto& name = std::get<std::string>(value);
     bool changed = false;
-    if (ImGui::BeginCombo(id, name.c_str())) {
+    if (ImGui::BeginCombo(id, label_of_choice(p, name).c_str())) {
         close_on_escape();
         for (const std::string& choice : p.choices) {
-            if (ImGui::Selectable(choice.c_str(), choice == name)) {
+            if (ImGui::Selectable(label_of_choice(p, choice).c_str(), choice == name)) {
                 name = choice;
                 changed = true;
             }
@@ -66,7 +66,7 @@ void explain(const Parameter& p) {
     if (ranged)
         ImGui::TextUnformatted(
             fmt::format("{} to {} {}", figure(p.low, 6), figure(p.high, 6), p.unit).c_str());
-    ImGui::TextDisabled("%s", fmt::format("default {}; a right click unsets it{}", to_text(p.preset),
+    ImGui::TextDisabled("%s", fmt::format("default {}; a right click unsets it{}", value_text(p, p.preset),
                                           ranged ? "; Ctrl+click: an exact value" : "")
                                   .c_str());
     ImGui::PopTextWrapPos();
@@ -75,22 +75,15 @@ void explain(const Parameter& p) {
 
 }  // namespace
 
-std::string label_of(const Parameter& p) {
-    std::string label = p.name.substr(p.name.find('.') + 1);
-    // The unit stands behind the value, so it need not stand in the label too.
-    const std::string unit = unit_in_name(p.unit);
-    if (!unit.empty() && label.ends_with(unit)) label.resize(label.size() - unit.size());
-    for (char& c : label)
-        if (c == '_' || c == '.') c = ' ';
-    return label;
-}
-
 Edit draw_parameter(const Parameter& p, Value& value) {
     ImGui::PushID(p.name.c_str());
     ImGui::BeginGroup();
     ImGui::AlignTextToFramePadding();
     const float room = ImGui::GetContentRegionAvail().x;
-    ImGui::TextUnformatted(label_of(p).c_str());
+    const auto fits = [&](const std::string& some) {
+        return ImGui::CalcTextSize(some.c_str()).x <= 0.45F * room;
+    };
+    ImGui::TextUnformatted(shortened(label_of(p), fits).c_str());
     ImGui::SameLine(0.46F * room);
     ImGui::SetNextItemWidth(0.54F * room);
     Edit done = edit(p, "##value", value) ? Edit::set : Edit::none;

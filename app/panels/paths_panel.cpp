@@ -61,8 +61,9 @@ void draw_paths_panel(PanelContext& context) {
     heading("Points");
     if (choice_button("Draw it", drawing, "clicks on the ground put points, drags move them; Escape ends it",
                       -1)) {
-        drawing = !drawing;
-        context.state.placing_gauge = context.state.placing_section = false;
+        const bool begins = !drawing;
+        context.state.take_brush();
+        drawing = begins;
     }
     const std::size_t count = draft.points_m().size();
     figure_line("points", fmt::format("{}", count));

@@ -1,6 +1,7 @@
 #include <imgui.h>
 
 #include "app/panels/panels.h"
+#include "app/panels/style.h"
 
 namespace talus::app {
 
@@ -11,11 +12,10 @@ void draw_self_check_dialog(PanelContext& context) {
     ImGui::TextWrapped(
         "%s", check->holds ? "Everything that Talus claims of its numbers holds here."
                            : "Not everything that Talus claims of its numbers holds here: look for a newer "
-                             "driver, and report it with what 'talus verify --json FILE' writes.");
+                             "driver, and report it with what 'talus verify' prints.");
     ImGui::BeginChild("claims", {0, -2.6F * ImGui::GetFontSize()}, true);
     for (const SelfCheck::Row& row : check->rows) {
-        ImGui::TextColored(row.holds ? ImVec4(0.5F, 0.9F, 0.5F, 1) : ImVec4(1, 0.5F, 0.4F, 1), "%s",
-                           row.holds ? "holds" : "FAILS");
+        coloured_text(row.holds ? theme().good : theme().warning, row.holds ? "holds" : "FAILS");
         ImGui::SameLine(4 * ImGui::GetFontSize());
         ImGui::TextUnformatted(row.claim.c_str());
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.says.c_str());

@@ -24,12 +24,6 @@ void draw_water_panel(PanelContext& context) {
     if (!context.session.wave_note().empty()) ImGui::TextWrapped("%s", context.session.wave_note().c_str());
 }
 
-void draw_erosion_panel(PanelContext& context) {
-    draw_section(context.session, context.requests, "erosion");
-    heading("Maps");
-    draw_section(context.session, context.requests, "maps");
-}
-
 namespace {
 
 void draw_cameras(PanelContext& context) {
@@ -42,7 +36,8 @@ void draw_cameras(PanelContext& context) {
         ImGui::InputTextWithHint("##camera name", "a name", &name, ImGuiInputTextFlags_EnterReturnsTrue);
     note_widget("camera name");
     ImGui::SameLine();
-    if ((button("Keep camera", "saved with the project; talus render --camera draws it", !name.empty()) ||
+    if ((button("Keep camera", "The view from here is saved with the project, by this name.",
+                !name.empty()) ||
          entered) &&
         !name.empty())
         requests.acts.emplace_back([kept = std::exchange(name, "")](Session& s) { s.keep_camera(kept); });
@@ -74,6 +69,14 @@ void draw_view_panel(PanelContext& context) {
             (name == "render.tolerance_px" && context.session.surroundings()))
             shown.push_back(std::move(name));
     draw_parameters(context.session, context.requests, shown);
+    std::vector<std::string> materials = names_in(context.session, "material");
+    std::erase_if(materials, [&](const std::string& name) {
+        return !changes_picture(name, context.session.view(), draped);
+    });
+    if (!materials.empty()) {
+        heading("Materials");
+        draw_parameters(context.session, context.requests, materials);
+    }
     if (has_backdrop_switch(context.session)) {
         heading("Around");
         draw_parameters(context.session, context.requests, {"tiles.backdrop"});

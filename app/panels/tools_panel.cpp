@@ -1,8 +1,13 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+
+#include "app/core/small_picture.h"
+#include "app/core/sources.h"
 #include "app/panels/panels.h"
 #include "app/tools/tools.h"
+#include "sim/terrain/stamp_shapes.h"
 
 namespace talus::app {
 namespace {
@@ -12,15 +17,69 @@ std::string key_of(std::size_t tool) {
     return fmt::format("keys Shift+{}", tool - 8);
 }
 
+// From above.
+const gpu::Texture& thumbnail(PanelState& state, const StampShape& shape) {
+    gpu::Texture& texture = state.thumbnails["stamp " + shape.name];
+    if (texture.width() > 0) return texture;
+    const Stamp stamp = shaped_stamp(shape.name);
+    std::vector<float> heights_m(stamp.heights.size());
+    std::transform(stamp.heights.begin(), stamp.heights.end(), heights_m.begin(),
+                   [&](float height) { return static_cast<float>(height * stamp.relief_m); });
+    constexpr glm::ivec2 size(96, 96);
+    const std::vector<std::uint8_t> picture = small_picture(stamp.grid, heights_m, {}, size);
+    texture = gpu::Texture("stamp", gpu::Format::rgba8, size.x, size.y);
+    texture.write(texture.whole(), std::as_bytes(std::span(picture)));
+    return texture;
+}
+
+// Stamps that Talus makes, and those of the person's own folder.
+void draw_shelf(PanelContext& context) {
+    const std::size_t a_row = stamp_shapes().size();
+    const float spacing = ImGui::GetStyle().ItemSpacing.x / 2;
+    const float side = (ImGui::GetContentRegionAvail().x - static_cast<float>(a_row - 1) * spacing) /
+                           static_cast<float>(a_row) -
+                       2 * ImGui::GetStyle().FramePadding.x;
+    for (const StampShape& shape : stamp_shapes()) {
+        ImGui::PushID(shape.name.c_str());
+        if (ImGui::ImageButton(panel_image(thumbnail(context.state, shape)), {side, side}))
+            context.requests.acts.emplace_back([&shape](Session& s) {
+                const ChooseStamp choose = shelf_stamp(shape.name);
+                // As high as it is wide in proportion.
+                s.unset("stamp.relief_m");
+                s.apply_together(name_of(choose), {choose});
+            });
+        note_widget("stamp " + shape.name);
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("%s: %s", label_of_name(shape.name).c_str(), shape.what.c_str());
+        ImGui::PopID();
+        if (&shape != &stamp_shapes().back()) ImGui::SameLine(0, spacing);
+    }
+    context.state.own_stamps.follow();
+    const std::vector<std::string>& own = context.state.own_stamps.files();
+    ImGui::SetNextItemWidth(-1);
+    const bool open = ImGui::BeginCombo("##own stamps", "Own stamps");
+    note_widget("own stamps");
+    if (!open) return;
+    close_on_escape();
+    const std::string folder = StampFolder::path().string();
+    if (own.empty()) ImGui::TextWrapped("Heightmaps in %s stand here.", folder.c_str());
+    for (const std::string& file : own) {
+        if (selectable_text(file)) context.requests.stamp = (StampFolder::path() / file).string();
+        note_widget("own stamp " + file);
+    }
+    ImGui::EndCombo();
+}
+
 void draw_stamp(PanelContext& context) {
     const Stamp* stamp = context.session.simulation().stamp().get();
+    draw_shelf(context);
     if (stamp)
         ImGui::TextWrapped("%s", fmt::format("{} × {} samples, {} × {} m, {} m high", stamp->grid.nx,
                                              stamp->grid.ny, figure(stamp->grid.width_m(), 4),
                                              figure(stamp->grid.height_m(), 4), figure(stamp->relief_m, 4))
                                      .c_str());
     else
-        ImGui::TextWrapped("There is no stamp yet: take a file, or the ground under the brush.");
+        ImGui::TextWrapped("There is no stamp yet: take one above, a file, or the ground under the brush.");
     if (button("From a file…", "a heightmap or picture whose heights become the stamp"))
         context.state.dialog.begin(FileDialog::Purpose::stamp, context.session.path());
     ImGui::SameLine();
@@ -38,14 +97,17 @@ void draw_stamp(PanelContext& context) {
 void draw_tools_panel(PanelContext& context) {
     Session& session = context.session;
     PanelRequests& requests = context.requests;
-    const float spacing = ImGui::GetStyle().ItemSpacing.x;
+    const float spacing = ImGui::GetStyle().ItemSpacing.x / 2;
     const float third = (ImGui::GetContentRegionAvail().x - 2 * spacing) / 3;
+    // So that the longest name of a tool fits beside a bar to scroll by.
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {spacing, ImGui::GetStyle().ItemSpacing.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {1, ImGui::GetStyle().FramePadding.y});
     if (choice_button(session.playing ? "Pause" : "Play", session.playing, "Space: runs the simulations",
                       third))
-        requests.acts.emplace_back([](Session& s) { s.toggle_play(); });
+        requests.acts.emplace_back([plays = !session.playing](Session& s) { s.set_playing(plays); });
     ImGui::SameLine();
     if (choice_button("Step", false, "the key . : one tick", third))
-        requests.acts.emplace_back([](Session& s) { s.step(); });
+        requests.acts.emplace_back([](Session& s) { s.begin_step(); });
     ImGui::SameLine();
     if (choice_button("Frame", false, "F: the whole terrain", third)) requests.framing = true;
     if (choice_button("Undo", false, "Ctrl+Z", third)) requests.undo = true;
@@ -54,6 +116,15 @@ void draw_tools_panel(PanelContext& context) {
     ImGui::SameLine();
     if (choice_button("Reset", false, "the scene from its start; the file or generator is read anew", third))
         requests.reset = true;
+    const std::string& recording = context.state.recording;
+    if (choice_button(recording.empty() ? "Record" : "End film", !recording.empty(),
+                      "F9: a film of the view, beside the project; needs ffmpeg", third))
+        requests.record = true;
+    if (!recording.empty()) {
+        ImGui::SameLine();
+        ImGui::AlignTextToFramePadding();
+        text_line(recording);
+    }
     heading("Brush");
     const Tool& tool = tool_named(session.view().choice("brush.tool"));
     for (std::size_t i = 0; i < tools().size(); ++i) {
@@ -64,6 +135,7 @@ void draw_tools_panel(PanelContext& context) {
         }
         if (i % 3 != 2 && i + 1 < tools().size()) ImGui::SameLine();
     }
+    ImGui::PopStyleVar(2);
     ImGui::PushTextWrapPos(0);
     ImGui::TextDisabled("%s", tool.how_to.c_str());
     ImGui::PopTextWrapPos();

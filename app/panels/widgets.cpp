@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/panels/panels.h"
+#include "app/panels/style.h"
 #include "sim/drives.h"
 
 namespace talus::app {
@@ -76,15 +77,16 @@ bool button(const std::string& name, const std::string& tooltip, bool enabled) {
 
 bool choice_button(const std::string& name, bool chosen, const std::string& tooltip, float width) {
     if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-    const bool pressed = ImGui::Button(name.c_str(), {width, 0});
+    const bool pressed = ImGui::Button(label_of_name(name).c_str(), {width, 0});
     if (chosen) ImGui::PopStyleColor();
     note_widget(name);
     tooltip_of(tooltip);
     return pressed;
 }
 
-bool menu_item(const std::string& name, const char* keys, bool enabled, bool chosen) {
-    const bool pressed = ImGui::MenuItem(name.c_str(), keys, chosen, enabled);
+bool menu_item(const std::string& name, const char* keys, bool enabled, bool chosen,
+               const std::string& label) {
+    const bool pressed = ImGui::MenuItem((label.empty() ? name : label).c_str(), keys, chosen, enabled);
     note_widget(name);
     return pressed;
 }
@@ -124,28 +126,43 @@ void figure_line(const std::string& name, const std::string& value) {
     text_line(value);
 }
 
+void coloured_text(glm::vec4 colour, const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(colour));
+    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::PopStyleColor();
+}
+
 void heading(const char* text) {
     ImGui::Spacing();
-    ImGui::TextColored({0.62F, 0.78F, 0.95F, 1}, "%s", text);
+    coloured_text(theme().heading, text);
     ImGui::Separator();
 }
 
-void draw_parameters(const Session& session, PanelRequests& requests, const std::vector<std::string>& names) {
-    for (const std::string& name : names) {
-        Value value = session.value(name);
-        switch (draw_parameter(session.declaration(name), value)) {
-            case Edit::set:
-                requests.acts.emplace_back([name, value](Session& s) { s.set(name, value); });
-                break;
-            case Edit::unset:
-                if (session.is_given(name)) requests.acts.emplace_back([name](Session& s) { s.unset(name); });
-                break;
-            case Edit::none:
-                break;
-        }
-        if (series_of(session.simulation().drives(), name))
-            ImGui::TextDisabled("  follows a table until it is set here");
+void draw_declared(const Session& session, PanelRequests& requests, const Parameter& declared) {
+    const std::string& name = declared.name;
+    Value value = session.value(name);
+    // What waits to be set is shown as if it were.
+    if (const auto awaited = requests.parameters.find(name); awaited != requests.parameters.end())
+        value = awaited->second.value.value_or(declared.preset);
+    switch (draw_parameter(declared, value)) {
+        case Edit::set:
+            requests.parameters[name] = {value, requests.acts.size()};
+            break;
+        case Edit::unset:
+            if (session.is_given(name))
+                requests.parameters[name] = {std::nullopt, requests.acts.size()};
+            else
+                requests.parameters.erase(name);
+            break;
+        case Edit::none:
+            break;
     }
+    if (series_of(session.simulation().drives(), name))
+        ImGui::TextDisabled("  follows a table until it is set here");
+}
+
+void draw_parameters(const Session& session, PanelRequests& requests, const std::vector<std::string>& names) {
+    for (const std::string& name : names) draw_declared(session, requests, session.declaration(name));
 }
 
 std::vector<std::string> names_in(const Session& session, const std::string& section) {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "app/core/figure.h"
 #include "app/core/session.h"
+#include "sim/figure.h"
 
 namespace talus::app {
 
@@ -37,8 +37,9 @@ void close_on_escape();
 bool button(const std::string& name, const std::string& tooltip = "", bool enabled = true);
 /// A button that stays down while chosen, as wide as given (0: as its text).
 bool choice_button(const std::string& name, bool chosen, const std::string& tooltip, float width);
-/// A line of a menu.
-bool menu_item(const std::string& name, const char* keys, bool enabled = true, bool chosen = false);
+/// A line of a menu. `label`: what is read there, if that is not its name.
+bool menu_item(const std::string& name, const char* keys, bool enabled = true, bool chosen = false,
+               const std::string& label = "");
 /// A line that is chosen by a click, its text as it is: ImGui takes what stands behind "##" for no text.
 /// `flags`: ImGui's of a selectable.
 bool selectable_text(const std::string& text, bool chosen = false, int flags = 0);
@@ -49,16 +50,19 @@ std::string shortened(const std::string& text, const std::function<bool(const st
 void text_line(const std::string& text);
 /// A name on the left and what it is on the right.
 void figure_line(const std::string& name, const std::string& value);
+/// A text in one of the theme's colours, over several lines where it does not fit into one.
+void coloured_text(glm::vec4 colour, const std::string& text);
 /// A heading within a panel.
 void heading(const char* text);
 
 /// What a person did to a parameter: nothing, gave it a value, or took back that one was ever given.
 enum class Edit { none, set, unset };
-/// What a parameter is called beside its value: without section and unit.
-std::string label_of(const Parameter& parameter);
 /// A declared parameter: name, value with unit, a tooltip with help and range. A right click unsets it, Ctrl
 /// and a click take an exact number. The value is changed where it was set.
 Edit draw_parameter(const Parameter& parameter, Value& value);
+/// One of the session's parameters, set as it changes. `declared`: as it is, but that its unit may be
+/// another.
+void draw_declared(const Session& session, PanelRequests& requests, const Parameter& declared);
 /// The session's parameters of these names, set as they change.
 void draw_parameters(const Session& session, PanelRequests& requests, const std::vector<std::string>& names);
 /// The session's parameters of a section.

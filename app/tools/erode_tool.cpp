@@ -28,11 +28,13 @@ Tool erode_tool() {
         .parameters = {
             number("erode.rain_mm_per_h", ErodeDab().rain_mm_per_h, 0, 1e4, "mm/h",
                    "Erode: rain in the middle of the brush.")
+                .labelled("Rain")
                 .once("erode.rain"),
             number(
                 "erode.speed", 60, 1e-3, 1e6, "s/s",
                 "Erode: simulated seconds a second; unless set, it follows the spacing. A wide brush takes "
-                "its time."),
+                "its time.")
+                .labelled("Speed"),
             number(
                 "erode.acceleration", ErodeDab().acceleration, 1, 1e5, "",
                 "Erode: how often what water takes and leaves counts for the ground. How easily rock gives "

@@ -22,17 +22,20 @@ Tool noise_tool() {
                      "noise.warp", "noise.seed"},
         .strength = "brush.rate_m_per_s",
         .parameters = {
-            choice(
-                "noise.kind", noise_kind_names()[static_cast<std::size_t>(NoiseDab().kind)],
-                noise_kind_names(),
-                "Noise brush and noise over the whole map: fbm, rolling; ridged, crests; billow, hollows."),
+            choice("noise.kind", noise_kind_names()[static_cast<std::size_t>(NoiseDab().kind)],
+                   noise_kind_names(),
+                   "Noise brush and noise over the whole map: fbm, rolling; ridged, crests; billow, hollows.")
+                .labelled("Noise")
+                .choices_labelled({"Rolling (fBm)", "Ridged", "Billow"}),
             number("noise.wavelength_m", NoiseDab().wavelength_m, 1e-2, 1e6, "m",
                    "Size of its largest features; unless set, it follows the terrain's size."),
-            whole("noise.octaves", NoiseDab().octaves, 1, 16, "", "How many times finer detail is added."),
-            number("noise.gain", NoiseDab().gain, 0, 1, "",
-                   "Height of finer detail against the coarser one."),
+            whole("noise.octaves", NoiseDab().octaves, 1, 16, "", "How many times finer detail is added.")
+                .labelled("Octaves"),
+            number("noise.gain", NoiseDab().gain, 0, 1, "", "Height of finer detail against the coarser one.")
+                .labelled("Detail"),
             number("noise.warp", NoiseDab().warp, 0, 2, "",
-                   "How much the plane is bent first, in wavelengths: ridges wind."),
+                   "How much the plane is bent first, in wavelengths: ridges wind.")
+                .labelled("Winding"),
             whole("noise.seed", static_cast<int>(NoiseDab().seed), 0, 1000000, "",
                   "Another seed gives other noise.")}};
 }

@@ -67,16 +67,18 @@ Tool hardness_tool() {
 }
 
 Tool roughness_tool() {
-    return {.name = "roughness",
-            .how_to = "Manning's n of the ground that water flows over. Ctrl gives it back to water.manning.",
-            .shape = roughness,
-            .settings = {"brush.manning", "brush.blend_per_s"},
-            .strength = "brush.blend_per_s"};
+    return {
+        .name = "roughness",
+        .how_to =
+            "Manning's n of the ground that water flows over. Ctrl gives it back to that of the panel Water.",
+        .shape = roughness,
+        .settings = {"brush.manning", "brush.blend_per_s"},
+        .strength = "brush.blend_per_s"};
 }
 
 Tool infiltration_tool() {
     return {.name = "infiltration",
-            .how_to = "Water that the ground takes in. Ctrl gives it back to water.infiltration_mm_per_h.",
+            .how_to = "Water that the ground takes in. Ctrl gives it back to that of the panel Water.",
             .shape = infiltration,
             .settings = {"brush.infiltration_mm_per_h", "brush.blend_per_s"},
             .strength = "brush.blend_per_s"};

@@ -10,7 +10,8 @@ void press_stamp(const ToolUse& use, Dab& dab) {
     const Stamp* stamp = use.stamp;
     StampDab how;
     dab.blend = 1;
-    dab.amount_m = p.is_given("stamp.relief_m") || !stamp ? p.number("stamp.relief_m") : stamp->relief_m;
+    dab.amount_m = p.is_given("stamp.relief_m") || !stamp ? p.number("stamp.relief_m")
+                                                          : natural_relief_m(*stamp, 2 * dab.radius_m);
     if (use.inverted) dab.amount_m = -dab.amount_m;
     how.mode = p.choice_as<StampMode>("stamp.mode");
     how.turn_deg = p.number("stamp.turn_deg");
@@ -40,14 +41,20 @@ Tool stamp_tool() {
             choice("stamp.mode", StampDab().mode, stamp_mode_names(),
                    "Stamp: added to the ground; higher and lower: the ground gives way only where it is in "
                    "the way; "
-                   "replace: the ground becomes the stamp."),
-            number("stamp.relief_m", 100, 0, 1e5, "m", "Height of the stamp; unless set, as it came."),
+                   "replace: the ground becomes the stamp.")
+                .labelled("Pressed"),
+            number(
+                "stamp.relief_m", 100, 0, 1e5, "m",
+                "Height of the stamp; unless set, as it came, or of the shelf's in proportion to the brush.")
+                .labelled("Height"),
             choice(
                 "stamp.zero", "border", stamp_zero_names(),
                 "Stamp: which of its heights leaves the ground as it is, so that what is lower digs: that of "
-                "its border, its lowest sample, or 0 m of the file."),
+                "its border, its lowest sample, or 0 m of the file.")
+                .labelled("Zero at"),
             number("stamp.turn_deg", StampDab().turn_deg, -360, 360, "°",
-                   "The stamp turned, counterclockwise."),
+                   "The stamp turned, counterclockwise.")
+                .labelled("Turned by"),
             toggle("stamp.mirrored", StampDab().mirrored, "The stamp mirrored, west for east.")}};
 }
 

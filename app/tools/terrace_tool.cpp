@@ -19,7 +19,8 @@ Tool terrace_tool() {
             .parameters = {number("terrace.step_m", TerraceDab().step_m, 1e-2, 1e5, "m",
                                   "Terrace: height of a step; unless set, it follows the terrain's height."),
                            number("terrace.flat", TerraceDab().flat, 0, 0.99, "",
-                                  "Terrace: share of a step that is level.")}};
+                                  "Terrace: share of a step that is level.")
+                               .labelled("Level part")}};
 }
 
 }  // namespace talus::app

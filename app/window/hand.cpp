@@ -42,6 +42,7 @@ void Hand::follow_terrain(const Session& session) {
     ground_.forget();
     last_ground_m_.reset();
     section_from_.reset();
+    mask_from_.reset();
     path_point_.reset();
     cursor_readback_.cancel();
     cursor_.reset();
@@ -186,23 +187,35 @@ void Hand::draw_path(Session& session, bool held, bool presses) {
     if (path_point_ && *path_point_ < path.points_m().size() && cursor_) path.move(*path_point_, *cursor_);
 }
 
-void Hand::draw_section(Session& session, const HandMay& may, bool held, bool presses, bool& placing) {
-    if (!placing || !may.use_mouse) section_from_.reset();
-    if (presses && placing && cursor_ && !section_from_ && !placed_) {
-        section_from_ = cursor_;
+// The places where a drag began and ended, once it has; a click alone is none.
+std::optional<Corners> Hand::follow_drag(std::optional<glm::dvec3>& from, bool wanted, bool held,
+                                         bool presses) {
+    if (!wanted) from.reset();
+    if (presses && wanted && cursor_ && !from && !placed_) {
+        from = cursor_;
         placed_ = true;
     }
-    if (held || !section_from_) return;
-    const glm::dvec3 from = *std::exchange(section_from_, std::nullopt);
-    // A click alone draws nothing.
-    if (!cursor_ || glm::dvec2(*cursor_) == glm::dvec2(from)) return;
-    session.place_section(from, *cursor_);
-    placing = false;
+    // Over no ground it stays where it was last over some.
+    if (from && cursor_) drag_end_ = cursor_;
+    if (held || !from) return std::nullopt;
+    const glm::dvec3 begin = *std::exchange(from, std::nullopt);
+    const glm::dvec3 end = std::exchange(drag_end_, std::nullopt).value_or(begin);
+    if (glm::dvec2(end) == glm::dvec2(begin)) return std::nullopt;
+    return std::pair(begin, end);
 }
 
-std::optional<std::pair<glm::dvec3, glm::dvec3>> Hand::drawn_section() const {
-    if (!section_from_ || !cursor_) return std::nullopt;
-    return std::pair(*section_from_, *cursor_);
+std::optional<Corners> Hand::drawn_from(const std::optional<glm::dvec3>& from) const {
+    if (!from || !drag_end_) return std::nullopt;
+    return std::pair(*from, *drag_end_);
+}
+
+// Where the stroke goes on: none where the mouse is beside the ground. While the mouse stays where it was
+// pressed a stamp does too: what it raises comes towards the eye, and would be stamped again.
+std::optional<glm::dvec3> Hand::stroke_place(const Session& session) const {
+    const std::optional<BrushStroke>& stroke = session.sculpting().stroke();
+    const bool stamps = tool_named(session.view().choice("brush.tool")).course == StrokeCourse::stamps;
+    if (stroke && stamps && mouse_ == stroke_mouse_) return stroke->begin();
+    return cursor_;
 }
 
 void Hand::sculpt(Session& session, double passed_s, const HandMay& may, const HandErrand& errand) {
@@ -219,25 +232,37 @@ void Hand::sculpt(Session& session, double passed_s, const HandMay& may, const H
         placed_ = true;
         session.gauges().place({cursor_->x, cursor_->y});
     }
-    draw_section(session, may, held, presses, errand.placing_section);
-    if (errand.drawing_path && !errand.placing_gauge && !errand.placing_section)
+    if (const auto line =
+            follow_drag(section_from_, errand.placing_section && may.use_mouse, held, presses)) {
+        session.place_section(line->first, line->second);
+        errand.placing_section = false;
+    }
+    if (const auto corners = follow_drag(mask_from_, errand.drawing_mask && may.use_mouse, held, presses);
+        corners && corners->first.x != corners->second.x && corners->first.y != corners->second.y) {
+        errand.mask = corners;
+        errand.drawing_mask = false;
+    }
+    if (errand.drawing_path && !errand.placing_gauge && !errand.placing_section && !errand.drawing_mask)
         draw_path(session, held, presses && !placed_);
     else
         path_point_.reset();
-    // The click that placed a gauge or draws a section, or picked a height, is no stroke.
+    // The click that placed a gauge or draws a section or a mask, or picked a height, is no stroke.
     placed_ = placed_ && held;
     if (presses && !session.stroking() && cursor_ && modifiers.inverted && !modifiers.smooth &&
         tool_named(session.view().choice("brush.tool")).picks_height) {
         session.set("brush.height_m", cursor_->z);
         placed_ = true;
     }
-    if (presses && !placed_ && !session.stroking() && cursor_) session.begin_stroke(*cursor_, modifiers);
+    if (presses && !placed_ && !session.stroking() && cursor_) {
+        session.begin_stroke(*cursor_, modifiers);
+        stroke_mouse_ = mouse_;
+    }
     if (!session.stroking()) return;
     moving_s_ = 0.25;
     if (!held)
         session.let_go_of_stroke();
-    else if (cursor_)
-        session.stroke(*cursor_, passed_s);
+    else if (const auto at = stroke_place(session))
+        session.stroke(*at, passed_s);
 }
 
 }  // namespace talus::app

@@ -11,6 +11,9 @@ struct GLFWwindow;
 
 namespace talus::app {
 
+/// Where a drag over the ground began and ended.
+using Corners = std::pair<glm::dvec3, glm::dvec3>;
+
 /// What the panels leave to the hand in a frame.
 struct HandMay {
     bool use_mouse = true;
@@ -20,9 +23,11 @@ struct HandMay {
 /// What the next click or drag is for, until it is done; else it is the brush's.
 struct HandErrand {
     bool& placing_gauge;
-    bool& placing_section;  ///< from where a drag begins to where it ends
-    bool drawing_path;      ///< clicks put points, drags move them
-    bool& choosing_part;    ///< over tiles
+    bool& placing_section;         ///< from where a drag begins to where it ends
+    bool drawing_path;             ///< clicks put points, drags move them
+    bool& drawing_mask;            ///< from where a drag begins to where it ends
+    std::optional<Corners>& mask;  ///< what was drawn for it
+    bool& choosing_part;           ///< over tiles
 };
 
 /// A person's hand over the terrain: where the mouse's ray meets the ground, strokes of the brush, and the
@@ -41,8 +46,9 @@ class Hand {
     void turn_wheel(double steps) { wheel_ += steps; }
     /// Where the mouse is on the ground; none: beside it.
     const std::optional<glm::dvec3>& cursor() const { return cursor_; }
-    /// The line of a section that is being drawn.
-    std::optional<std::pair<glm::dvec3, glm::dvec3>> drawn_section() const;
+    /// The line of a section that is being drawn, or opposite corners of a rectangle.
+    std::optional<Corners> drawn_section() const { return drawn_from(section_from_); }
+    std::optional<Corners> drawn_mask() const { return drawn_from(mask_from_); }
     /// True while a read-back that it asked for is on its way.
     bool waits() const { return cursor_readback_.pending() || ground_.pending(); }
     bool camera_moved() const { return camera_moved_; }
@@ -54,8 +60,10 @@ class Hand {
     void move_camera(Session& session, glm::dvec2 mouse, double passed_s, int height, const HandMay& may);
     void meet_ground(Session& session, render::Camera& camera, bool walking, double passed_s);
     void sculpt(Session& session, double passed_s, const HandMay& may, const HandErrand& errand);
+    std::optional<glm::dvec3> stroke_place(const Session& session) const;
     void draw_path(Session& session, bool held, bool presses);
-    void draw_section(Session& session, const HandMay& may, bool held, bool presses, bool& placing);
+    std::optional<Corners> follow_drag(std::optional<glm::dvec3>& from, bool wanted, bool held, bool presses);
+    std::optional<Corners> drawn_from(const std::optional<glm::dvec3>& from) const;
     void choose_part(Session& session, const HandMay& may, bool& choosing_part);
     void follow_terrain(const Session& session);
 
@@ -70,6 +78,7 @@ class Hand {
     std::optional<glm::dvec3> seen_;  // where the mouse's ray met ground, around the terrain too
     std::optional<glm::dvec3> cursor_;
     glm::dvec2 mouse_{0};
+    glm::dvec2 stroke_mouse_{0};  // where a stroke began
     glm::dvec3 pivot_{0};
     bool turning_ = false;
     bool walking_ = false;
@@ -79,6 +88,8 @@ class Hand {
     std::optional<glm::dvec2> part_from_m_;   // where the drag began that chooses a part
     std::optional<std::size_t> path_point_;   // that is held
     std::optional<glm::dvec3> section_from_;  // where the drag began that draws a section
+    std::optional<glm::dvec3> mask_from_;     // the same of a rectangle
+    std::optional<glm::dvec3> drag_end_;      // where it was last over ground
     bool placed_ = false;                     // a gauge or a section, by the press that is held
     bool held_before_ = false;                // the left button, in the frame before
 };

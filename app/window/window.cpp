@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "app/core/frame_log.h"
@@ -26,7 +27,9 @@
 #include "app/window/glfw.h"
 #include "app/window/hand.h"
 #include "app/window/panel_input.h"
+#include "app/window/recorder.h"
 #include "app/window/shortcuts.h"
+#include "app/window/tick_wait.h"
 #include "sim/error.h"
 #include "sim/gpu/shader_text.h"
 #include "sim/gpu/window.h"
@@ -48,7 +51,7 @@ class Window {
                  [this](const InputEvents::Key& key) {
                      // A dialog would be about a scene that may be another one when the work ends.
                      if ((key.mods & GLFW_MOD_CONTROL) != 0 && waits_for_work()) return;
-                     press_key(key.key, key.mods, session_, state_, requests_);
+                     press_key({key.key, key.mods, key.action == GLFW_REPEAT}, session_, state_, requests_);
                  }),
           project_(session_, state_, options.journal,
                    {[this](const std::string& message) { tell(message); },
@@ -76,6 +79,8 @@ class Window {
         gpu::on_shader_message([this](const std::string& message) { tell(message); });
         listen();
         begin_panels(options.ui_scale);
+        state_.keys = key_lines();
+        set_theme(options.theme.empty() ? layout.theme : options.theme);
         const std::vector<std::string> panels = panel_names();
         if (std::find(panels.begin(), panels.end(), layout.panel) != panels.end())
             state_.shown = layout.panel;
@@ -125,6 +130,7 @@ class Window {
             attempt([&] { project_.poll(); });
             follow_preparation();
             if (const auto message = session_.take_message()) tell(*message);
+            if (const auto message = recorder_.take_message()) tell(*message);
             // At rest nothing is drawn and nothing presented.
             if (busy()) frame();
             if (glfwWindowShouldClose(window_) && !closing_) {
@@ -132,13 +138,17 @@ class Window {
                 quit();
             }
         }
-        session_.pause();
+        recorder_.finish();
+        if (const auto message = recorder_.take_message()) note(*message);
+        // A tick that is half done is not waited for, and in no journal.
+        session_.playing = false;
         project_.write_journal();
         if (!frame_log_path_.empty()) io::write_atomically(frame_log_path_, to_csv(frames_));
         WindowLayout layout;
         glfwGetWindowSize(window_, &layout.size.x, &layout.size.y);
         layout.panel = state_.shown;
         layout.panels_shown = state_.panels_shown;
+        layout.theme = theme().name;
         keep_window_layout(layout);
         project_.end();
     }
@@ -212,8 +222,9 @@ class Window {
     }
 
     bool busy() const {
-        return session_.playing || session_.stroking() || pacing_.is_awake() || hand_.moving() ||
-               state_.fresh.waits() || hand_.waits() || refining_ || project_.busy() || session_.has_tiles();
+        return session_.playing || session_.mid_tick() || session_.stroking() || pacing_.is_awake() ||
+               hand_.moving() || state_.fresh.waits() || hand_.waits() || refining_ || project_.busy() ||
+               session_.has_tiles();
     }
     void wake() { pacing_.wake(); }
     void note(const std::string& message) {
@@ -234,9 +245,10 @@ class Window {
         wake();
     }
     void title() {
+        titled_unsaved_ = session_.unsaved();
         glfwSetWindowTitle(
             window_,
-            fmt::format("{}{} - Talus", session_.scene().title, session_.unsaved() ? " *" : "").c_str());
+            fmt::format("{}{} - Talus", session_.scene().title, titled_unsaved_ ? " *" : "").c_str());
     }
 
     // Errors of what a person asked for are told, and everything stays as it was.
@@ -274,25 +286,92 @@ class Window {
         return busy;
     }
 
+    // What needs no whole tick.
+    void serve_at_once() {
+        for (auto next = requests_.parameters.begin(); next != requests_.parameters.end();) {
+            if (session_.is_simulated(next->first)) {
+                ++next;
+                continue;
+            }
+            attempt([&] { set(next->first, next->second.value); });
+            next = requests_.parameters.erase(next);
+            wake();
+        }
+        if (std::exchange(requests_.framing, false)) session_.frame_terrain();
+        if (std::exchange(requests_.picture, false))
+            attempt([&] { tell(fmt::format("saved the picture {}", save_picture(session_, area_.size))); });
+        if (std::exchange(requests_.record, false)) attempt([&] { recorder_.toggle(session_, area_.size); });
+        if (requests_.answer && requests_.answer_at_once) {
+            const auto answer = std::exchange(requests_.answer, nullptr);
+            attempt(answer);
+            title();
+            wake();
+        }
+    }
+
+    void set(const std::string& name, const std::optional<Value>& value) {
+        if (value)
+            session_.set(name, *value);
+        else
+            session_.unset(name);
+    }
+
     void serve_requests() {
+        const bool works = project_.work().busy();
+        if (!works) serve_at_once();
+        if (!requests_.any() && !tick_wait_.holds_undo()) tick_wait_.forget();
+        if (!works && (requests_.any() || tick_wait_.holds_undo()) &&
+            !tick_wait_.is_over(session_, requests_)) {
+            if (std::exchange(requests_.quit, false)) quit();
+            return;
+        }
         PanelRequests asked;
         std::swap(asked, requests_);
         // Long work has the session to itself.
         if (asked.any() ? waits_for_work() : project_.work().busy()) return;
+        if (!serve_acts(asked)) {
+            requests_ = std::move(asked);
+            return title();
+        }
         if (asked.answer) attempt(asked.answer);
         attempt([&] { project_.serve(asked); });
         if (project_.work().busy()) return title();
-        for (const auto& act : asked.acts) attempt([&] { act(session_); });
-        if (asked.undo) attempt([&] { session_.undo(); });
-        if (asked.redo) attempt([&] { session_.redo(); });
-        if (asked.framing) session_.frame_terrain();
-        if (asked.picture)
-            attempt([&] { tell(fmt::format("saved the picture {}", save_picture(session_, area_.size))); });
         if (asked.quit) quit();
         if (asked.any()) {
             title();
             wake();
         }
+    }
+
+    // Acts in their order, with what was set between them. False: one began a tick, and what is behind it
+    // waits for its end.
+    bool serve_acts(PanelRequests& asked) {
+        std::size_t done = 0;
+        const auto set_until = [&](std::size_t acts) {
+            for (auto next = asked.parameters.begin(); next != asked.parameters.end();) {
+                if (next->second.after_acts > acts) {
+                    ++next;
+                    continue;
+                }
+                attempt([&] { set(next->first, next->second.value); });
+                next = asked.parameters.erase(next);
+            }
+        };
+        const auto comes_to_end = [&] { return done == asked.acts.size(); };
+        while (!session_.mid_tick() && !comes_to_end()) {
+            set_until(done);
+            attempt([&] { asked.acts[done](session_); });
+            ++done;
+        }
+        if (session_.mid_tick()) {
+            asked.acts.erase(asked.acts.begin(), asked.acts.begin() + static_cast<std::ptrdiff_t>(done));
+            for (auto& one : asked.parameters) one.second.after_acts -= std::min(done, one.second.after_acts);
+            return false;
+        }
+        set_until(std::numeric_limits<std::size_t>::max());
+        if (asked.undo) attempt([&] { session_.undo(); });
+        if (asked.redo) attempt([&] { session_.redo(); });
+        return true;
     }
 
     // Milliseconds.
@@ -313,6 +392,8 @@ class Window {
         state_.only_looks = session_.overflight() != nullptr;
         state_.placing_gauge = state_.placing_gauge && !state_.only_looks;
         state_.placing_section = state_.placing_section && !state_.only_looks && shows("Gauges");
+        state_.drawing_mask =
+            state_.drawing_mask && !state_.only_looks && (shows("Mask") || shows("Erosion"));
         const bool draws_path = state_.drawing_path && !state_.only_looks && shows("Paths");
         state_.choosing_part =
             state_.choosing_part && state_.only_looks && state_.panels_shown && state_.shown == "Cut out";
@@ -326,15 +407,27 @@ class Window {
                           !io.WantTextInput && !io.KeyCtrl && !dialog};
         FrameTimes times{now};
         const int dabs_before = session_.sculpting().dabs();
+        std::optional<Corners> mask;
         attempt([&] {
             hand_.act(session_, mouse - glm::dvec2(area_.corner), passed_s, area_.size, may,
-                      {state_.placing_gauge, state_.placing_section, draws_path, state_.choosing_part});
+                      {state_.placing_gauge, state_.placing_section, draws_path, state_.drawing_mask, mask,
+                       state_.choosing_part});
         });
+        if (mask)
+            requests_.acts.emplace_back([mask, limits = shows("Erosion")](Session& s) {
+                s.mask_rectangle(mask->first, mask->second, limits);
+            });
         if (stroked && !session_.stroking()) title();
         times.act_ms = since(now);
         times.dabs = session_.sculpting().dabs() - dabs_before;
         if (times.dabs > 0) times.waited_ms = 1000 * session_.sculpting().dabs_waited_s();
-        if (session_.playing) attempt([&] { session_.play(passed_s, pacing_.ticks_budget_s()); });
+        if (session_.playing && !tick_wait_.waits())
+            attempt([&] { session_.play(passed_s, pacing_.ticks_budget_s()); });
+        else if (session_.mid_tick() && !tick_wait_.waits())
+            tick_wait_.go_on(session_, pacing_.ticks_budget_s());
+        // A tick that ends by itself is unsaved work too.
+        if (std::exchange(titled_revision_, session_.revision()) != session_.revision() && !titled_unsaved_)
+            title();
         session_.follow_gauges();
         if (shows("Paths")) attempt([&] { session_.follow_path(); });
         if (auto times_of = pass_times_.follow(state_.panels_shown && state_.shown == "Profiler", passed_s)) {
@@ -369,8 +462,8 @@ class Window {
         // A shader that does not compile is told, and the last picture stays.
         try {
             render::Ring ring;
-            const bool sculpts =
-                !state_.placing_gauge && !state_.placing_section && !(state_.drawing_path && shows("Paths"));
+            const bool sculpts = !state_.placing_gauge && !state_.placing_section && !state_.drawing_mask &&
+                                 !(state_.drawing_path && shows("Paths"));
             if (hand_.cursor() && sculpts && !ImGui::GetIO().WantCaptureMouse && !session_.overflight())
                 ring = session_.ring(*hand_.cursor());
             const render::Drawn drawn = session_.draw(settings_, drawn_size, ring);
@@ -397,14 +490,19 @@ class Window {
             session_.framebuffer().blit_to_window(
                 {0, 0, drawn_size.x, drawn_size.y},
                 {area_.corner.x, size.y - area_.corner.y - area_.size.y, area_.size.x, area_.size.y});
+        if (picture_drawn_)
+            recorder_.follow(
+                session_, settings_,
+                {area_.corner.x, size.y - area_.corner.y - area_.size.y, area_.size.x, area_.size.y});
+        state_.recording = recorder_.state();
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
         if (input_.pass()) wake();
         ImGui::NewFrame();
-        marks_.draw(session_, area_, drawn_size, size, {hand_.drawn_section(), shows("Paths")});
+        marks_.draw(session_, area_, drawn_size, size,
+                    {hand_.drawn_section(), hand_.drawn_mask(), shows("Paths")});
         StatusFigures figures{device_.renderer, glfwGetTime() < message_until_s_ ? message_ : "",
-                              std::nullopt, frame_s_ * 1000, used};
-        if (hand_.cursor()) figures.cursor_height_m = hand_.cursor()->z;
+                              hand_.cursor(), frame_s_ * 1000, used};
         draw_legend(session_.legends(settings_), area_.corner.x + area_.size.x,
                     area_.corner.y + area_.size.y);
         PanelContext context{session_, state_, requests_, project_.work()};
@@ -428,12 +526,16 @@ class Window {
     std::string message_;
     double message_until_s_ = 0;
     FramePacing pacing_;
+    Recorder recorder_;
     Project project_;
     Preparation preparation_;
     std::string frame_log_path_;
     std::vector<FrameTimes> frames_;
     RectsFile rects_;
     PanelRequests requests_;
+    TickWait tick_wait_{[this](const std::string& message) { tell(message); }};
+    std::size_t titled_revision_ = 0;
+    bool titled_unsaved_ = false;
     bool closing_ = false;
     render::ViewSettings settings_;
     PictureArea area_;  // what the panels leave to the picture

@@ -11,6 +11,7 @@ struct WindowOptions {
     std::string journal;             ///< written on every save and at the end
     std::optional<glm::ivec2> size;  ///< unless given, as it was when it was last closed
     double ui_scale = 0;             ///< of panels and text; 0: as the display asks for
+    std::string theme;               ///< of panels; empty: as it was when it was last closed
     std::string frame_log;           ///< a table of what every frame took, written at the end; empty: none
     std::string ui_rects;  ///< a file that says where every named widget is, kept up to date; empty: none
 };

@@ -11,9 +11,11 @@ namespace talus::render {
 namespace {
 
 const Parameter& cell_samples() {
-    static const Parameter declared = whole(
-        "render.ammann_cell_samples", 128, 16, 512, "",
-        "Samples in a row of a cell of the method ammann, without the one that it shares with the next.");
+    static const Parameter declared =
+        whole(
+            "render.ammann_cell_samples", 128, 16, 512, "",
+            "Samples in a row of a cell of the method ammann, without the one that it shares with the next.")
+            .labelled("Samples of a cell");
     return declared;
 }
 
@@ -21,7 +23,8 @@ const Parameter& mesh_from() {
     static const Parameter declared =
         number("render.ammann_mesh_from_px2", 70, 0, 1e6, "px²",
                "Cells where a sample covers more than this are drawn as mesh by the method ammann: its "
-               "authors' T.");
+               "authors' T.")
+            .labelled("Mesh from");
     return declared;
 }
 
@@ -29,13 +32,15 @@ const Parameter& precision_range() {
     static const Parameter declared =
         number("render.ammann_range", 1.3, 1e-3, 1e3, "",
                "Over how many of the terrain's diagonals the precision of the method ammann falls: its "
-               "authors' k.");
+               "authors' k.")
+            .labelled("Range");
     return declared;
 }
 
 const Parameter& level_count() {
     static const Parameter declared =
-        whole("render.ammann_levels", 4, 2, 10, "", "Levels of precision of the method ammann.");
+        whole("render.ammann_levels", 4, 2, 10, "", "Levels of precision of the method ammann.")
+            .labelled("Levels");
     return declared;
 }
 

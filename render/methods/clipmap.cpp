@@ -19,15 +19,17 @@ constexpr double farthest_eye = 1e7;
 const Parameter& ring_samples() {
     static const Parameter declared =
         choice("render.clipmap_samples", "511", {"63", "127", "255", "511"},
-               "Samples in a row and a column of a level of the method clipmap: its authors' n.");
+               "Samples in a row and a column of a level of the method clipmap: its authors' n.")
+            .labelled("Samples of a level");
     return declared;
 }
 
 const Parameter& ring_levels() {
-    static const Parameter declared = whole(
-        "render.clipmap_levels", 11, 2, most_levels, "",
-        "Levels of the method clipmap, each twice as wide as the finer one; more where the terrain reaches "
-        "beyond the widest.");
+    static const Parameter declared = whole("render.clipmap_levels", 11, 2, most_levels, "",
+                                            "Levels of the method clipmap, each twice as wide as the finer "
+                                            "one; more where the terrain reaches "
+                                            "beyond the widest.")
+                                          .labelled("Levels");
     return declared;
 }
 

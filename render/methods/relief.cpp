@@ -6,14 +6,16 @@ namespace {
 const Parameter& samples() {
     static const Parameter declared =
         whole("render.relief_samples", 64, 1, 16384, "",
-              "Samples along the ray of the method relief: what is thinner than their spacing is missed.");
+              "Samples along the ray of the method relief: what is thinner than their spacing is missed.")
+            .labelled("Samples along ray");
     return declared;
 }
 
 const Parameter& halvings() {
     static const Parameter declared =
         whole("render.relief_halvings", 25, 0, 30, "",
-              "How often the method relief halves the interval in which a ray goes under the ground.");
+              "How often the method relief halves the interval in which a ray goes under the ground.")
+            .labelled("Halvings");
     return declared;
 }
 

@@ -3,6 +3,7 @@
 //   mask_source  int, of maths/mask_kinds.glsl, which the including side includes
 //   mask_low, mask_high  real: from here to there it is 1
 //   mask_fade    real: and over so much beyond each it falls to 0
+//   mask_rectangle  real4: columns and rows, first and last, for a mask made of the distance from it
 
 // The angle of a tangent of 0 or more, degrees: Abramowitz & Stegun 4.4.49, within 2e-8 of a radian, and above 1 by
 // atan(t) = 90° - atan(1 / t).
@@ -56,6 +57,14 @@ real mask_band(real value) {
     return band;
 }
 
+// Metres from the rectangle; 0 within.
+real mask_distance(int2 at) {
+    real x = max(max(mask_rectangle.x - real(at.x), real(at.x) - mask_rectangle.z), real(0)) * cell_m.x;
+    real y = max(max(mask_rectangle.y - real(at.y), real(at.y) - mask_rectangle.w), real(0)) * cell_m.y;
+    precise real square = x * x + y * y;
+    return sqrt(square);
+}
+
 // `layer`: what another layer holds there, of which a mask of the sources after curvature is made; `mask`: what was painted.
 real mask_value(int2 at, real layer, real mask) {
     if (mask_source == mask_source_height) return mask_band(load_ground(at));
@@ -63,6 +72,7 @@ real mask_value(int2 at, real layer, real mask) {
     if (mask_source == mask_source_curvature) return mask_band(mask_curvature(at));
     if (mask_source == mask_source_itself) return mask;
     if (mask_source == mask_source_everything) return real(1);
+    if (mask_source == mask_source_rectangle) return mask_band(mask_distance(at));
     return mask_band(layer);
 }
 

@@ -12,6 +12,7 @@ const int mask_source_regolith = 9;  // m
 const int mask_source_difference = 10;  // m, of the ground since the start
 const int mask_source_itself = 11;
 const int mask_source_everything = 12;
+const int mask_source_rectangle = 13;  // m, the distance from it
 
 const int mask_join_replace = 0;
 const int mask_join_add = 1;

@@ -1,5 +1,8 @@
 // What the ground is made of: meadow, forest, heath, rock, scree and snow by height, steepness, curvature and loose cover;
 // or an image draped over it. Albedo, linear. The including side has footprint.glsl.
+uniform float snow_line_m;
+uniform float vegetation;  // 0: a desert
+uniform float rock_kind;   // of the colours below
 uniform sampler2D grain;  // render/grain.h: broad, middle, fine, finest
 uniform sampler2D drape;
 
@@ -38,8 +41,11 @@ float regolith_at(vec2 place) {
 }
 #endif
 
-// place: absolute columns and rows; share: of the terrain's relief that lies below.
-vec3 material(vec2 place, Footprint footprint, float share, float height_m, Relief relief) {
+// Granite, sandstone, basalt, limestone: against the first.
+const vec3 rock_tints[4] = vec3[4](vec3(1.0), vec3(1.22, 0.84, 0.66), vec3(0.42, 0.42, 0.45), vec3(1.45, 1.42, 1.32));
+
+// place: absolute columns and rows; share: of the terrain's relief (m) that lies below.
+vec3 material(vec2 place, Footprint footprint, float share, float height_m, float relief_m, Relief relief) {
     vec4 noise = grain_at(place, for_device(footprint));
     float broad = noise.x;
     float grain = 0.45 * noise.y + 0.55 * noise.z;
@@ -54,10 +60,15 @@ vec3 material(vec2 place, Footprint footprint, float share, float height_m, Reli
     vec3 scree = mix(vec3(0.240, 0.215, 0.180), vec3(0.330, 0.300, 0.260), grain);
     vec3 cover = mix(meadow, forest, 0.6 * smoothstep(0.35, 0.65, broad + 0.25 * (grain - 0.5) + 0.12 * hollow) * (1.0 - smoothstep(0.30, 0.42, level)));
     cover = mix(cover, heath, smoothstep(0.34, 0.52, level - 0.05 * hollow));
+    vec3 tint = rock_tints[int(rock_kind + 0.5)];
+    rock *= tint;
+    scree *= tint;
+    cover = mix(0.9 * scree, cover, vegetation);
     vec3 colour = mix(cover, rock, smoothstep(0.46, 0.80, steep + 0.45 * (level - 0.45) + 0.12 * (grain - 0.5) - 0.14 * hollow));
     colour = mix(colour, scree, 0.85 * (1.0 - exp(-max(regolith_at(place), 0.0) / 2.5)));
     float facing_north = normalize(vec3(-relief.gradient, 1.0)).y;
-    float snow = smoothstep(1250.0, 1450.0, height_m) * smoothstep(0.58, 0.70, level + 0.06 * facing_north + 0.05 * hollow) *
-                 (1.0 - smoothstep(0.62, 1.05, steep - 0.12 * hollow));
+    // Over the line by so much of the relief, so that its edge is as ragged on a hill as on a range.
+    float over = level - share + (height_m - snow_line_m) / max(relief_m, 1e-3);
+    float snow = smoothstep(-0.06, 0.06, over + 0.06 * facing_north + 0.05 * hollow) * (1.0 - smoothstep(0.62, 1.05, steep - 0.12 * hollow));
     return mix(colour, vec3(0.80, 0.83, 0.88), snow) * (0.55 + 0.9 * noise.w);
 }

@@ -20,9 +20,12 @@ uniform real gravity;  // m/s²
 #include "render/flow.glsl"
 #include "render/film.glsl"
 
-// Clear water takes red first, 1/m (after Pope & Fry 1997, with what a mountain river carries); what it scatters back.
-const vec3 absorption = vec3(0.42, 0.085, 0.060);
-const vec3 deep = vec3(0.012, 0.060, 0.075);
+uniform float water_kind;     // of a mountain, the sea, a lagoon, muddy
+uniform float water_clarity;  // times as far as in nature
+
+// Clear water takes red first, 1/m (after Pope & Fry 1997, with what it carries); what it scatters back.
+const vec3 absorptions[4] = vec3[4](vec3(0.42, 0.085, 0.060), vec3(0.36, 0.070, 0.025), vec3(0.30, 0.040, 0.035), vec3(0.70, 0.95, 1.40));
+const vec3 deeps[4] = vec3[4](vec3(0.012, 0.060, 0.075), vec3(0.006, 0.035, 0.095), vec3(0.015, 0.150, 0.160), vec3(0.150, 0.105, 0.055));
 const float refractive_index = 1.333;
 
 // Level over the eye.
@@ -99,8 +102,9 @@ void main() {
     }
     bed *= bed;  // pictures hold square roots of light
     float light = 0.35 + 0.65 * max(dot(normal, sun), 0.0);
-    vec3 left = exp(-absorption * (way_m + 0.6 * depth));
-    vec3 body = bed * left + deep * light * (1.0 - exp(-0.16 * way_m));
+    int kind = int(water_kind + 0.5);
+    vec3 left = exp(-absorptions[kind] * ((way_m + 0.6 * depth) / water_clarity));
+    vec3 body = bed * left + deeps[kind] * light * (1.0 - exp(-0.16 * way_m / water_clarity));
 
     // What it mirrors: sky, or terrain that stands before it. Schlick 1994.
     float facing = clamp(-dot(world_ray, normal), 0.0, 1.0);
@@ -134,7 +138,7 @@ void main() {
     float haze = 1.0 - exp(-0.16 * distance_m / extent_m);
     colour = mix(colour, sky(normalize(vec3(world_ray.xy, 0.06))), 0.85 * haze * (through_side ? 0.5 : 1.0));
     // Towards the shore it fades into the ground, a film wholly; so do sheets that run down steep ground.
-    float body_share = (1.0 - exp(-depth / (0.08 + 0.5 * length(slope)))) * smoothstep(film_m.x, film_m.y, depth);
+    float body_share = (1.0 - exp(-depth / (min(0.08, 0.08 * water_clarity) + 0.5 * length(slope)))) * smoothstep(film_m.x, film_m.y, depth);
     colour = mix(bed, colour, through_side ? 1.0 : body_share);
     colour_out = vec4(sqrt(clamp(colour, 0.0, 1.0)), 1.0);
 }

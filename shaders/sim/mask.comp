@@ -16,6 +16,7 @@ const int mask_source = MASK_SOURCE;
 uniform real mask_low;
 uniform real mask_high;
 uniform real mask_fade;
+uniform real4 mask_rectangle;
 uniform int mask_join;
 uniform int mask_inverted;
 

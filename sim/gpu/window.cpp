@@ -35,4 +35,15 @@ void draw_without_depth() {
     glDepthRangef(0, 1);
 }
 
+Buffer copy_window(const Region& region) {
+    Buffer pixels("window pixels", static_cast<std::size_t>(region.width) * region.height * 4);
+    hazards::used(hazards::Kind::buffer, pixels.name(), Use::pixel_buffer, "copy_window");
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, pixels.name());
+    glReadPixels(region.x, region.y, region.width, region.height, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    raise_errors();
+    return pixels;
+}
+
 }  // namespace talus::gpu

@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/gpu/buffer.h"
 #include "sim/gpu/region.h"
 
 namespace talus::gpu {
@@ -13,5 +14,9 @@ void bind_window_depth(const Region& viewport);
 void draw_at_depth(float depth);
 /// Draws show everywhere again.
 void draw_without_depth();
+
+/// What was drawn into this region of the window since it was presented last: RGBA, 8 bits each, rows from
+/// below. Does not wait.
+Buffer copy_window(const Region& region);
 
 }  // namespace talus::gpu

@@ -103,6 +103,9 @@ void Mask::make(Terrain& terrain, const MaskSettings& settings) {
     program.set("mask_low", static_cast<float>(settings.low));
     program.set("mask_high", static_cast<float>(settings.high));
     program.set("mask_fade", static_cast<float>(settings.fade));
+    const Rectangle& edges = settings.rectangle;
+    program.set("mask_rectangle", glm::vec4(grid.column_of(edges.west_m), grid.row_of(edges.north_m),
+                                            grid.column_of(edges.east_m), grid.row_of(edges.south_m)));
     program.set("mask_join", static_cast<int>(settings.join));
     program.set("mask_inverted", settings.inverted ? 1 : 0);
     program.dispatch(terrain.tiles.columns(), terrain.tiles.rows());

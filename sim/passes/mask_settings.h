@@ -2,6 +2,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/terrain/reshape.h"
+
 namespace talus {
 
 namespace glsl {
@@ -10,7 +12,8 @@ namespace glsl {
 
 /// What a mask is made of: height (m), slope (degrees), curvature (1/km: crests positive, hollows negative),
 /// depth of water, now and at its largest (m), when it arrived (s), flow (m³), wear and deposition by all
-/// together (m), regolith (m), the ground's change since the start (m), itself (to invert it), everything.
+/// together (m), regolith (m), the ground's change since the start (m), itself (to invert it), everything,
+/// the distance from a rectangle (m).
 enum class MaskSource {
     height = glsl::mask_source_height,
     slope = glsl::mask_source_slope,
@@ -24,7 +27,8 @@ enum class MaskSource {
     regolith = glsl::mask_source_regolith,
     difference = glsl::mask_source_difference,
     itself = glsl::mask_source_itself,
-    everything = glsl::mask_source_everything
+    everything = glsl::mask_source_everything,
+    rectangle = glsl::mask_source_rectangle
 };
 const std::vector<std::string>& mask_source_names();
 /// How it meets what is painted: takes its place, adds to it, keeps what both have, takes it away.
@@ -44,6 +48,7 @@ struct MaskSettings {
     double fade = 0;
     MaskJoin join = MaskJoin::replace;
     bool inverted = false;
+    Rectangle rectangle = {};  ///< for its source, m from the south-west sample
     bool operator==(const MaskSettings&) const = default;
 };
 /// Throws talus::Error that names the field when no mask can be made so.

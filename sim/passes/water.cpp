@@ -113,6 +113,8 @@ void Water::begin_tick(Terrain& terrain, const WaterSettings& settings, const st
                        double tick_s, double start_s) {
     settings_ = settings;
     expected_ = 1;
+    // A tick that was given up may have asked for its time.
+    poll_.cancel();
     const Grid& grid = terrain.grid();
     const auto time = static_cast<float>(tick_s);
     clock_.write(0, std::as_bytes(std::span(&time, 1)));

@@ -9,11 +9,12 @@
 namespace talus {
 namespace {
 
-BoundParameter<WaterSettings> boundary(Edge edge, const char* help) {
+BoundParameter<WaterSettings> boundary(Edge edge, const char* label, const char* help) {
     const std::string& name = boundary_parameter(edge);
     Parameter declared =
         choice(name, WaterSettings().edges[static_cast<std::size_t>(edge)], edge_kinds(), help)
-            .setting_off(SetsOff::edge_clock);
+            .setting_off(SetsOff::edge_clock)
+            .labelled(label);
     return {std::move(declared), [=](const Parameters& parameters, WaterSettings& settings) {
                 settings.edges[static_cast<std::size_t>(edge)] = parameters.choice_as<EdgeKind>(name);
             }};
@@ -51,25 +52,29 @@ const std::vector<BoundParameter<WaterSettings>>& water_parameters() {
     static const WaterSettings preset;
     static const std::vector<BoundParameter<WaterSettings>> table = {
         unbound<WaterSettings>(
-            toggle("water.on", true, "Water flows. Where there is none, and none comes, it costs nothing.")),
+            toggle("water.on", true, "Water flows. Where there is none, and none comes, it costs nothing.")
+                .labelled("Water on")),
         bound(whole("water.order", preset.order, 1, 2, "",
-                    "Order of the scheme: 1 is cheaper, 2 far more exact."),
+                    "Order of the scheme: 1 is cheaper, 2 far more exact.")
+                  .labelled("Order of scheme"),
               &WaterSettings::order),
         bound(number("water.gravity_m_per_s2", preset.gravity_m_per_s2, 0.01, 100, "m/s²",
                      "Acceleration of gravity.")
                   .once("water.gravity"),
               &WaterSettings::gravity_m_per_s2),
-        bound(number(
-                  "water.manning", preset.manning_s_per_m13, 0, 1, "s/m^(1/3)",
-                  "Manning's roughness of the bed: 0 none, 0.03 a natural stream, 0.1 a wooded flood plain."),
-              &WaterSettings::manning_s_per_m13),
+        bound(
+            number("water.manning", preset.manning_s_per_m13, 0, 1, "s/m^(1/3)",
+                   "Manning's roughness of the bed: 0 none, 0.03 a natural stream, 0.1 a wooded flood plain.")
+                .labelled("Manning's n"),
+            &WaterSettings::manning_s_per_m13),
         bound(number("water.rain_mm_per_h", preset.rain_m_per_s / mm_per_h, 0, 1e4, "mm/h",
                      "Rain: everywhere, or by the mask; what a brush of rain painted falls besides.")
                   .once("water.rain")
                   .following_tables(Driven::within_tick),
               &WaterSettings::rain_m_per_s, mm_per_h),
         bound(choice("water.rain_over", preset.rain_masked, {"everywhere", "mask"},
-                     "Where water.rain falls; by the mask: as much of it as the mask says."),
+                     "Where water.rain falls; by the mask: as much of it as the mask says.")
+                  .labelled("Rain where"),
               &WaterSettings::rain_masked),
         bound(number("water.infiltration_mm_per_h", preset.infiltration_m_per_s / mm_per_h, 0, 1e4, "mm/h",
                      "Water that the ground takes in, where there is any.")
@@ -89,12 +94,12 @@ const std::vector<BoundParameter<WaterSettings>>& water_parameters() {
                   .setting_off(SetsOff::sea)
                   .following_tables(Driven::within_tick),
               &WaterSettings::level_m),
-        boundary(Edge::north,
+        boundary(Edge::north, "Northern edge",
                  "Northern edge: a wall, open (waves leave), a held level, an inflow, a wave maker, or "
                  "periodic (joined to the opposite edge, whatever that is set to)."),
-        boundary(Edge::south, "Southern edge, as the northern one."),
-        boundary(Edge::west, "Western edge, as the northern one."),
-        boundary(Edge::east, "Eastern edge, as the northern one."),
+        boundary(Edge::south, "Southern edge", "Southern edge, as the northern one."),
+        boundary(Edge::west, "Western edge", "Western edge, as the northern one."),
+        boundary(Edge::east, "Eastern edge", "Eastern edge, as the northern one."),
         bound(number("water.inflow_m3_per_s", preset.inflow_m3_per_s, 0, 1e9, "m³/s",
                      "Discharge through all edges of kind inflow together, at its peak, each by its length.")
                   .once("water.inflow")
@@ -104,25 +109,30 @@ const std::vector<BoundParameter<WaterSettings>>& water_parameters() {
         bound(choice(
                   "water.inflow_over", preset.inflow_by_conveyance, {"evenly", "conveyance"},
                   "How it spreads along an edge: evenly, or as the ground there conveys it, by depth^(5/3) / "
-                  "Manning's n under one level; then it comes in through the valleys."),
+                  "Manning's n under one level; then it comes in through the valleys.")
+                  .labelled("Inflow spreads"),
               &WaterSettings::inflow_by_conveyance),
         bound(number("water.inflow_slope", preset.inflow_slope, 1e-6, 1, "",
                      "Slope of the river beyond the edge, for the level that water.inflow_over = conveyance "
-                     "goes by."),
+                     "goes by.")
+                  .labelled("Slope beyond edge"),
               &WaterSettings::inflow_slope),
         bound(number("water.inflow_rise_s", preset.inflow_rise_s, 0, 1e9, "s",
                      "Time that the inflow takes from nothing to its peak.")
+                  .labelled("Inflow rises in")
                   .once("water.inflow_rise")
                   .setting_off(SetsOff::edge_clock),
               &WaterSettings::inflow_rise_s),
         bound(number("water.inflow_fall_s", preset.inflow_fall_s, 0, 1e9, "s",
                      "Time that it takes from the peak back to nothing; 0: it stays at its peak.")
+                  .labelled("Inflow falls in")
                   .once("water.inflow_fall")
                   .setting_off(SetsOff::edge_clock),
               &WaterSettings::inflow_fall_s),
         bound(choice("water.wave", preset.wave_form, {"sine", "solitary", "series"},
                      "What the wave maker sends; series: what the table of water.wave_height_m says, and "
                      "nothing without one.")
+                  .labelled("Wave maker")
                   .setting_off(SetsOff::edge_clock),
               &WaterSettings::wave_form),
         bound(number("water.wave_height_m", preset.wave_height_m, -1e4, 1e4, "m",

@@ -9,40 +9,14 @@
 #include <limits>
 #include <thread>
 
-#include "shaders/maths/twin.h"
 #include "sim/error.h"
-
-namespace talus::maths {
-
-// The noise that brushes have on the device.
-template <typename Real>
-struct NoiseTwin {
-    TALUS_TWIN_NAMES(Real)
-#include "maths/noise.glsl"
-};
-
-}  // namespace talus::maths
+#include "sim/terrain/plane_noise.h"
 
 namespace talus {
 namespace {
 
 double noise(glm::dvec2 p, std::uint32_t seed) {
-    return maths::NoiseTwin<double>().gradient_noise(p, seed);
-}
-
-glm::dvec2 turn(glm::dvec2 p) {
-    return maths::NoiseTwin<double>().noise_turn(p);
-}
-
-double fbm(glm::dvec2 p, std::uint32_t seed, int octaves, double gain) {
-    double sum = 0;
-    double weight = 1;
-    for (int octave = 0; octave < octaves; ++octave) {
-        sum += weight * noise(p, seed + static_cast<std::uint32_t>(octave));
-        weight *= gain;
-        p = 2.03 * turn(p) + glm::dvec2(17.1, 9.7);
-    }
-    return sum;
+    return plane_noise(p, seed);
 }
 
 // Shapes take p in units of the terrain's larger extent, and so many octaves more than a terrain has that is
@@ -70,7 +44,7 @@ double mountains(glm::dvec2 p, std::uint32_t seed, int more) {
         sum += amplitude * weight * ridge;
         weight = std::clamp(1.7 * ridge * weight, 0.0, 1.0);
         amplitude *= 0.46;
-        q = 2.07 * turn(q) + glm::dvec2(31.4, 27.2);
+        q = 2.07 * turned_lattice(q) + glm::dvec2(31.4, 27.2);
     }
     const double ground = 0.12 * fbm(5.0 * p, seed + 201, 8 + more, 0.5);
     return sum * (0.30 + 0.70 * swell * swell * (3 - 2 * swell)) + ground;

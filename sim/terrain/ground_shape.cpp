@@ -17,6 +17,7 @@ struct GroundShapeTwin {
     real mask_low = 0;
     real mask_high = 0;
     real mask_fade = 0;
+    real4 mask_rectangle{0};
 
     real load_ground(int2 at) const {
         const auto row = static_cast<std::size_t>(std::clamp(at.y, 0, grid.ny - 1));

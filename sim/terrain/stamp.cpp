@@ -37,6 +37,11 @@ Stamp stamp_of(const Grid& grid, const std::vector<float>& heights_m) {
     return stamp;
 }
 
+double natural_relief_m(const Stamp& stamp, double width_m) {
+    if (!stamp.in_proportion) return stamp.relief_m;
+    return stamp.relief_m * width_m / std::max(stamp.grid.width_m(), stamp.grid.height_m());
+}
+
 double zero_of(const Stamp& stamp, StampZero zero) {
     switch (zero) {
         case StampZero::border:

@@ -345,6 +345,7 @@ TEST_F(Program, ReplaysAtAnotherSize) {
     std::ofstream(path("s.journal"), std::ios::app)
         << R"({"op":"dab","mode":"raise","x_m":600,"y_m":700,"radius_m":500,"falloff":1,"amount_m":2000,"blend":0,"target_m":0,"material":"bedrock"}
 {"op":"mask","from":"height","low":500,"high":5000,"fade":100,"join":"replace","inverted":false}
+{"op":"mask","from":"rectangle","low":0,"high":0,"fade":60,"join":"subtract","inverted":false,"rectangle":{"west_m":1600,"south_m":900,"east_m":1900,"north_m":1100}}
 {"op":"dab","mode":"noise","x_m":1500,"y_m":1000,"radius_m":900,"falloff":0.5,"amount_m":150,"blend":0,"target_m":0,"material":"bedrock","masked":true,"noise":{"kind":"ridged","wavelength_m":400,"octaves":3,"gain":0.5,"warp":0.2,"seed":4}}
 {"op":"dab","mode":"ramp","x_m":200,"y_m":200,"radius_m":150,"falloff":0.3,"amount_m":0,"blend":1,"target_m":900,"material":"bedrock","way_m":[800,300],"rise_m":-300}
 {"op":"stamp","piece":{"west_m":300,"south_m":400,"east_m":900,"north_m":1000}}

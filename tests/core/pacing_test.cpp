@@ -92,6 +92,31 @@ TEST(TickPacing, UnderAStrokeEndsTheTickAndBeginsNoOther) {
     EXPECT_GT(fake.ticks, 20);
 }
 
+TEST(TickPacing, NoStrokeWaitsForATickThatTakesForEver) {
+    Fake fake;
+    fake.substeps_a_tick = 1000000;
+    app::TickPacing pacing;
+    const double longest_s =
+        fake.play(pacing, 200, {.budget_s = 0.01, .tick_s = 1, .speed = 100, .stroking = true});
+    EXPECT_LE(longest_s, 0.35);
+    EXPECT_GT(fake.now_s, 1) << "it goes on";
+}
+
+TEST(TickPacing, EndsATickAndBeginsNoOther) {
+    Fake fake;
+    fake.substeps_a_tick = 100;
+    app::TickPacing pacing;
+    fake.left = 90;
+    for (int frame = 0; frame < 200 && fake.left > 0; ++frame) {
+        const double begin_s = fake.now_s;
+        pacing.play(fake.paced(), {.wall_s = 0, .budget_s = 0.005, .tick_s = 1, .speed = 100, .ends = true});
+        EXPECT_LE(fake.now_s - begin_s, 0.02);
+    }
+    EXPECT_EQ(fake.ticks, 1);
+    pacing.play(fake.paced(), {.wall_s = 1, .budget_s = 1, .tick_s = 1, .speed = 100, .ends = true});
+    EXPECT_EQ(fake.ticks, 1) << "none is half done";
+}
+
 TEST(TickPacing, StoppedItOwesNothing) {
     Fake fake;
     app::TickPacing pacing;

@@ -10,8 +10,10 @@
 
 #include "app/core/balances.h"
 #include "app/core/project.h"
+#include "app/core/wall_clock.h"
 #include "sim/error.h"
 #include "sim/gpu/context.h"
+#include "sim/terrain/state_hash.h"
 
 namespace talus::session_test {
 namespace {
@@ -58,7 +60,7 @@ class SessionFiles : public testing::Test {
     void answer(const std::string& words) {
         ASSERT_TRUE(state_.question) << words;
         const app::Question asked = *std::exchange(state_.question, std::nullopt);
-        for (const auto& [text, act] : asked.answers)
+        for (const auto& [text, act, at_once] : asked.answers)
             if (text == words) act();
         finish();
     }
@@ -176,6 +178,60 @@ TEST(Balances, KeepsAFewHundredOverAnyTimeAndForgetsWhatUndoTookBack) {
     balances.keep({{}, 5000});
     EXPECT_EQ(balances.all().back().simulated_s, 5000);
     EXPECT_LT(balances.all()[balances.all().size() - 2].simulated_s, 5000);
+}
+
+// A tick that takes for ever: the window goes on beside it, and undo takes it back as if it had never begun.
+TEST_F(SessionFiles, ATickThatTakesForEverIsGivenUp) {
+    sculpt();
+    session_->set("water.rain_mm_per_h", 500.0);
+    session_->set("time.tick_s", 0.5);
+    session_->step();
+    const std::uint64_t before = state_hash(session_->simulation().read());
+    const std::size_t done = session_->simulation().undo_history().done().size();
+    // What two ticks more would be.
+    session_->step();
+    session_->step();
+    const std::uint64_t without = state_hash(session_->simulation().read());
+    session_->undo();
+    session_->undo();
+
+    session_->set("time.tick_s", 1e7);
+    session_->begin_step();
+    for (int frame = 0; frame < 5; ++frame) {
+        const double begin_s = app::wall_clock_s();
+        EXPECT_FALSE(session_->end_tick(0.02));
+        EXPECT_LT(app::wall_clock_s() - begin_s, 2);
+    }
+    session_->give_up_run();
+    EXPECT_FALSE(session_->mid_tick());
+    EXPECT_FALSE(session_->simulation().can_redo());
+    EXPECT_EQ(session_->simulation().undo_history().done().size(), done + 1) << "the tick's length was set";
+    session_->undo();
+    EXPECT_EQ(state_hash(session_->simulation().read()), before);
+
+    // Ticks after it are those of a session that never began one.
+    session_->step();
+    session_->step();
+    EXPECT_EQ(state_hash(session_->simulation().read()), without);
+}
+
+// While a stroke and a run go on in one entry, both are taken back.
+TEST_F(SessionFiles, AStrokeOverATickThatTakesForEverIsGivenUpWithIt) {
+    session_->set("water.rain_mm_per_h", 500.0);
+    session_->set("time.tick_s", 1e7);
+    session_->set("time.speed", 1e6);
+    const std::uint64_t before = state_hash(session_->simulation().read());
+    const glm::dvec3 middle(session_->grid().width_m() / 2, session_->grid().height_m() / 2, 0);
+    session_->begin_stroke(middle);
+    session_->stroke(middle, 0.1);
+    session_->playing = true;
+    for (int frame = 0; frame < 4; ++frame) session_->play(10, 0.02);
+    ASSERT_TRUE(session_->mid_tick());
+    session_->stroke(middle, 0.1);
+    session_->give_up_run();
+    EXPECT_FALSE(session_->stroking());
+    EXPECT_FALSE(session_->playing);
+    EXPECT_EQ(state_hash(session_->simulation().read()), before);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ xdotool key Escape
 gone "Open a file…"
 
 # A right click unsets.
-type_into thermal.bedrock_deg 60
+type_into thermal.bedrock_deg 55
 set -- $(rect_of thermal.bedrock_deg)
 xdotool mousemove $((($1 + $3) / 2)) $((($2 + $4) / 2))
 frames 2

@@ -1,54 +1,76 @@
 #!/usr/bin/env bash
-# Pictures of every panel, for docs/gallery: TALUS FOLDER [SCALE]. At scale 2 the display is 2560 x 1440.
+# Pictures of every panel and of the dialogs, for docs/gallery: TALUS FOLDER [WIDTHxHEIGHT] [THEME]. Panels are as large as the
+# window is wide.
 set -euo pipefail
-scale=${3:-1}
+size=${3:-1280x720}
+theme=${4:-plain}
+width=${size%x*}
 if [ -z "${TALUS_UNDER_XVFB:-}" ]; then
-    TALUS_UNDER_XVFB=1 exec xvfb-run -a -s "-screen 0 $((1280 * scale))x$((720 * scale))x24 -noreset" bash "$0" "$@"
+    TALUS_UNDER_XVFB=1 exec xvfb-run -a -s "-screen 0 ${size}x24 -noreset" bash "$0" "$@"
 fi
 source "$(dirname "${BASH_SOURCE[0]}")/window.sh"
 
-open_window --ui-rects rects --window-size "$((1280 * scale))x$((720 * scale))" --ui-scale "$scale"
+# A place in a window of 1280 x 720, in this one.
+at() { echo $(($1 * width / 1280)) $(($2 * width / 1280)); }
+picture() {
+    sleep 1
+    frames 4
+    import -window root "$1.png"
+}
+rest() { xdotool mousemove $(at 600 600); }
+
+"$talus" run --preset slopes --size 129x97 --ticks 0 --out heights.tif 2>/dev/null
+open_window --ui-rects rects --window-size "$size" --ui-scale "$(awk "BEGIN { print $width / 1280 }")" --theme "$theme"
 await_widget "Go on with this scene"
-xdotool mousemove $((600 * scale)) $((690 * scale))
-sleep 4
-import -window root start.png
+xdotool mousemove $(at 600 690)
+sleep 3
+picture start
 click "preset rain-erosion"
 await_widget Play
-sleep 4
-xdotool mousemove $((600 * scale)) $((400 * scale))
-sleep 0.5
+sleep 3
 # Something to see in history, ledger and profiler.
-xdotool mousedown 1
+xdotool mousemove $(at 600 400) mousedown 1
 sleep 1.5
 xdotool mouseup 1
 for panel in Ledger Simulation Water Erosion Tables View Mask Paths Map History Gauges Presets Log Profiler; do
     click "$panel"
+    rest
     if [ "$panel" = Ledger ] || [ "$panel" = Profiler ]; then
-        xdotool mousemove $((600 * scale)) $((600 * scale)) key space
-        sleep 6
+        xdotool key space
+        sleep 5
         [ "$panel" = Profiler ] || xdotool key space
     fi
-    xdotool mousemove $((600 * scale)) $((600 * scale))
-    sleep 2
-    import -window root "$(echo "$panel" | tr 'A-Z' 'a-z').png"
+    picture "$(echo "$panel" | tr 'A-Z' 'a-z')"
 done
 xdotool key space
 for tool in noise terrace erode stamp; do
     click "$tool"
-    sleep 1
-    import -window root "tool_$tool.png"
+    rest
+    picture "tool_$tool"
 done
-xdotool mousemove $((600 * scale)) $((600 * scale)) key ctrl+e
-sleep 2
-import -window root export.png
+# A dialog by its key, until Escape.
+dialog() {
+    rest
+    xdotool key "$1"
+    picture "$2"
+    xdotool key Escape
+    frames 8
+}
+dialog ctrl+e export
+dialog ctrl+n new
+dialog ctrl+o open
+dialog F1 keys
+dialog ctrl+q question
+click "View menu"
+picture menu
 xdotool key Escape
-sleep 1
-xdotool key ctrl+n
-sleep 3
-import -window root new.png
-xdotool key Escape
-sleep 1
+frames 8
+rest
 xdotool key ctrl+o
-sleep 2
-import -window root open.png
+await_widget "file name"
+frames 8
+xdotool key ctrl+a type --delay 2 "$PWD/heights.tif"
+xdotool key Return
+await_widget "import spacing"
+picture import
 kill "$pid"

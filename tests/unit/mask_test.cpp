@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/error.h"
 #include "sim/gpu/context.h"
+#include "sim/journal.h"
 #include "sim/simulation.h"
 #include "sim/simulation_parameters.h"
 
@@ -94,6 +96,7 @@ TEST(Mask, EverySourceFollowsItsFormula) {
         const int row = std::clamp(y, 0, grid.ny - 1);
         return static_cast<double>(ground[static_cast<std::size_t>(row) * grid.nx + column]);
     };
+    const Rectangle rectangle{305, 100, 2004, 290};
     const auto value = [&](MaskSource source, int x, int y) {
         const double east = (height(x + 1, y) - height(x - 1, y)) / (2 * grid.dx);
         const double south = (height(x, y + 1) - height(x, y - 1)) / (2 * grid.dy);
@@ -106,18 +109,33 @@ TEST(Mask, EverySourceFollowsItsFormula) {
                 return glm::degrees(std::atan(std::hypot(east, south)));
             case MaskSource::curvature:
                 return -1000 * bend;
+            case MaskSource::rectangle: {
+                const glm::dvec2 place(x * grid.dx, (grid.ny - 1 - y) * grid.dy);
+                const glm::dvec2 low(rectangle.west_m, rectangle.south_m);
+                const glm::dvec2 high(rectangle.east_m, rectangle.north_m);
+                return glm::length(glm::max(glm::max(low - place, place - high), glm::dvec2(0)));
+            }
             default:
                 return static_cast<double>(state.water[static_cast<std::size_t>(y) * grid.nx + x].x);
         }
     };
     const std::vector<MaskSettings> all = {
-        {MaskSource::slope, 35, 80, 6},        {MaskSource::slope, 30, 90, 5},
-        {MaskSource::slope, 0, 5, 2},          {MaskSource::slope, 80, 89, 3},
-        {MaskSource::slope, 45, 45, 45},       {MaskSource::slope, 20, 40, 0},
-        {MaskSource::slope, 0, 90, 10},        {MaskSource::height, -100, 300, 200},
-        {MaskSource::height, -1e6, 0, 50},     {MaskSource::height, 500, 1e6, 0},
-        {MaskSource::curvature, -100, -1, 20}, {MaskSource::curvature, 5, 1e6, 300},
-        {MaskSource::depth, 1, 2, 0.5},        {MaskSource::depth, 0.05, 1e6, 0.02}};
+        {MaskSource::slope, 35, 80, 6},
+        {MaskSource::slope, 30, 90, 5},
+        {MaskSource::slope, 0, 5, 2},
+        {MaskSource::slope, 80, 89, 3},
+        {MaskSource::slope, 45, 45, 45},
+        {MaskSource::slope, 20, 40, 0},
+        {MaskSource::slope, 0, 90, 10},
+        {MaskSource::height, -100, 300, 200},
+        {MaskSource::height, -1e6, 0, 50},
+        {MaskSource::height, 500, 1e6, 0},
+        {MaskSource::curvature, -100, -1, 20},
+        {MaskSource::curvature, 5, 1e6, 300},
+        {MaskSource::depth, 1, 2, 0.5},
+        {MaskSource::depth, 0.05, 1e6, 0.02},
+        {MaskSource::rectangle, 0, 0, 55, MaskJoin::replace, false, rectangle},
+        {MaskSource::rectangle, 0, 30, 0, MaskJoin::replace, false, rectangle}};
     Simulation simulation(state, Parameters(simulation_parameters()), undo_bytes);
     for (const MaskSettings& settings : all) {
         simulation.apply(settings);
@@ -225,6 +243,21 @@ TEST(Mask, JoinsWithWhatIsPainted) {
     made = simulation.read();
     for (const auto& [x, mask] : {std::pair(42, 0.0F), {43, 1.0F}, {59, 0.0F}, {60, 1.0F}})
         EXPECT_EQ(mask_at(made, x, 9), mask) << x;
+}
+
+TEST(Mask, ARectangleIsKeptInJournals) {
+    Journal journal;
+    MakeMask make{MaskSource::rectangle, 0, 0, 12.5, MaskJoin::add, true, {1.25, 2, 300.1, 400}};
+    journal.record(make);
+    const JournalFile read = read_journal(write_journal({}, journal), "rectangle");
+    ASSERT_EQ(read.operations.size(), 1U);
+    EXPECT_EQ(std::get<MakeMask>(read.operations[0]), make);
+
+    const gpu::Context context;
+    Simulation simulation(bend(81), Parameters(simulation_parameters()), undo_bytes);
+    make.rectangle.east_m = 1;
+    EXPECT_THROW(simulation.apply(make), Error);
+    EXPECT_FALSE(simulation.can_undo());
 }
 
 TEST(Mask, LimitsEveryKindOfDab) {

@@ -1,6 +1,8 @@
 // Parameters, presets: what is refused, in which words, and what round-trips.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "app/core/app_parameters.h"
 #include "render/view.h"
 #include "sim/error.h"
@@ -46,6 +48,34 @@ TEST(Parameters, EveryOneIsDeclaredWithHelpAndItsDefaultIsAllowed) {
         EXPECT_FALSE(parameter.help.empty()) << parameter.name;
         EXPECT_NE(parameter.name.find('.'), std::string::npos) << parameter.name;
     }
+}
+
+// Beside a value there is room for so many letters.
+TEST(Parameters, HaveLabelsInPlainWords) {
+    std::map<std::pair<std::string, std::string>, std::string> seen;
+    for (const Parameter& p : app::all_parameters()) {
+        const std::string label = label_of(p);
+        EXPECT_LE(label.size(), 20U) << p.name << ": " << label;
+        EXPECT_TRUE(label[0] >= 'A' && label[0] <= 'Z') << p.name << ": " << label;
+        EXPECT_EQ(label.find('_'), std::string::npos) << p.name;
+        EXPECT_TRUE(p.choice_labels.empty() || p.choice_labels.size() == p.choices.size()) << p.name;
+        for (const std::string& choice : p.choices)
+            EXPECT_EQ(label_of_choice(p, choice).find('_'), std::string::npos) << p.name << ": " << choice;
+        // In a panel two that are called alike could not be told apart; of the scales of views one is shown.
+        const std::string section = p.name.substr(0, p.name.find('.'));
+        if (section == "render") continue;
+        const auto [other, is_new] = seen.emplace(std::pair(section, label), p.name);
+        EXPECT_TRUE(is_new) << p.name << " and " << other->second << " are both called " << label;
+    }
+}
+
+TEST(Parameters, ValuesAreWrittenAsPeopleWriteThem) {
+    const Parameters p(app::all_parameters());
+    EXPECT_EQ(value_text(p.declaration("thermal.repose_deg"), 35.0), "35 °");
+    EXPECT_EQ(value_text(p.declaration("water.inflow_m3_per_s"), 1e7), "10000000 m³/s");
+    EXPECT_EQ(value_text(p.declaration("render.samples"), 8), "8");
+    EXPECT_EQ(value_text(p.declaration("water.on"), true), "on");
+    EXPECT_EQ(value_text(p.declaration("render.view"), std::string("largest_depth")), "Largest depth");
 }
 
 // Also after units were converted there and back.
@@ -113,6 +143,10 @@ TEST(ViewSettings, HeedWhatTheChosenMethodAndViewDeclare) {
     drawing.set("render.view", std::string("shaded"));
     EXPECT_FALSE(render::is_heeded("render.texture_taps", drawing, false));
     EXPECT_TRUE(render::is_heeded("render.texture_taps", drawing, true));
+    EXPECT_TRUE(render::is_heeded("material.snow_line_m", drawing, false));
+    EXPECT_FALSE(render::is_heeded("material.snow_line_m", drawing, true))
+        << "a picture lies over the ground";
+    EXPECT_TRUE(render::is_heeded("material.clarity", drawing, true));
     // Two views share one.
     drawing.set("render.view", std::string("largest_depth"));
     EXPECT_TRUE(render::is_heeded("render.depth_m", drawing, false));

@@ -67,7 +67,8 @@ void simulate_everything(Simulation& simulation) {
         simulation.apply(dab);
     }
     for (std::size_t source = 0; source < mask_source_names().size(); ++source)
-        simulation.apply(MakeMask{static_cast<MaskSource>(source), 0, 40, 5});
+        simulation.apply(
+            MakeMask{static_cast<MaskSource>(source), 0, 40, 5, MaskJoin::replace, false, {0, 0, 300, 200}});
     simulation.follow_sections({{{0, 100}, {300, 300}}});
     for (const char* assignment :
          {"water.rain=100", "water.rain_over=mask", "water.order=1", "erosion.on=true", "erosion.over=mask",

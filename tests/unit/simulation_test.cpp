@@ -158,6 +158,27 @@ TEST(Simulation, RefusesRatesThatNoTickCanRun) {
     EXPECT_NO_THROW(simulation.apply(Ticks{1}));
 }
 
+TEST(Simulation, HistoryShowsWhatWasSetToWhat) {
+    const gpu::Context context;
+    Simulation simulation(mountains(), parameters(), undo_bytes);
+    simulation.apply(SetParameter{"thermal.wet_deg", 20.0});
+    // A slider that is dragged goes on in one entry, which says where it stands.
+    for (const double angle_deg : {30.0, 28.5, 25.0})
+        simulation.apply(SetParameter{"thermal.wet_deg", angle_deg});
+    simulation.apply(SetParameter{"water.boundary.north", std::string("wall")});
+    simulation.apply(SetParameter{"erosion.on", true});
+    simulation.apply(SetParameter{"erosion.on", std::nullopt});
+    const std::vector<std::string> wanted = {"Angle under water: 25 °", "Northern edge: Wall",
+                                             "Water erodes: as by default"};
+    EXPECT_EQ(simulation.undo_history().done(), wanted);
+    simulation.apply(SetParameter{"time.tick_s", 0.5});
+    simulation.apply(Ticks{5});
+    simulation.end_entry();
+    EXPECT_EQ(simulation.undo_history().undo_name(), "run of 2.5 s");
+    while (simulation.can_undo()) simulation.undo();
+    EXPECT_EQ(simulation.parameters(), Simulation(mountains(), parameters()).parameters());
+}
+
 TEST(Simulation, ANewStrokeDropsTheRedo) {
     const gpu::Context context;
     Simulation simulation(mountains(), parameters(), undo_bytes);

@@ -5,7 +5,10 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
+
+#include "app/panels/style.h"
 
 namespace talus::widgets_test {
 namespace {
@@ -26,7 +29,7 @@ TEST(Widgets, FiguresHaveNoExponentWherePeopleWriteNone) {
                                                 {999999999999999.0, 3, "999999999999999"},
                                                 {1e15, 3, "1e+15"},
                                                 {0.00001, 3, "1e-05"}})
-        EXPECT_EQ(app::figure(value, digits), wanted);
+        EXPECT_EQ(figure(value, digits), wanted);
 }
 
 TEST(Widgets, ShortenedTextsKeepWholeLetters) {
@@ -83,6 +86,37 @@ TEST(Widgets, TextsEndWithinTheirPanel) {
         ImGui::EndFrame();
     }
     ImGui::DestroyContext(context);
+}
+
+// Contrast of two colours, from 1 to 21 (WCAG 2.1, "contrast ratio" and "relative luminance").
+double contrast(glm::vec4 a, glm::vec4 b) {
+    const auto luminance = [](glm::vec4 colour) {
+        const auto linear = [](double c) {
+            return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+        };
+        return 0.2126 * linear(colour.r) + 0.7152 * linear(colour.g) + 0.0722 * linear(colour.b);
+    };
+    const double first = luminance(a) + 0.05;
+    const double second = luminance(b) + 0.05;
+    return std::max(first, second) / std::min(first, second);
+}
+
+// Text has the contrast that WCAG 2.1 asks for on level AA (4.5), and of high contrast on level AAA (7).
+TEST(Widgets, TextsCanBeReadInEveryTheme) {
+    for (const app::Theme& one : app::themes()) {
+        const double least = std::string(one.name) == "high contrast" ? 7 : 4.5;
+        for (const glm::vec4 ground : {one.panel, one.popup, one.field, one.button, one.bar}) {
+            EXPECT_GE(contrast(one.text, ground), least) << one.name;
+            EXPECT_GE(contrast(one.heading, ground), least) << one.name;
+            EXPECT_GE(contrast(one.warning, ground), least) << one.name;
+        }
+        for (const glm::vec4 ground : {one.chosen, one.hovered, one.notice})
+            EXPECT_GE(contrast(one.text, ground), least) << one.name;
+        for (const glm::vec4 ground : {one.panel, one.popup})
+            EXPECT_GE(contrast(one.faint, ground), least) << one.name;
+        EXPECT_GE(contrast(one.handle, one.field), 3) << one.name;
+        EXPECT_GE(contrast(one.text, one.handle), 4) << one.name;
+    }
 }
 
 }  // namespace

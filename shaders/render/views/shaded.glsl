@@ -19,10 +19,10 @@ vec3 view_colour(ViewPoint point) {
     vec4 photo = photo_at(point.place - origin_fraction, footprint);
     vec3 albedo = paper * photo.rgb;
 #ifndef PHOTO_COVERS
-    albedo += (1.0 - photo.a) * material(material_place(point.absolute), footprint, point.share, point.height_m, point.relief);
+    albedo += (1.0 - photo.a) * material(material_place(point.absolute), footprint, point.share, point.height_m, point.highest_m - point.lowest_m, point.relief);
 #endif
 #else
-    vec3 albedo = material(material_place(point.absolute), footprint, point.share, point.height_m, point.relief);
+    vec3 albedo = material(material_place(point.absolute), footprint, point.share, point.height_m, point.highest_m - point.lowest_m, point.relief);
 #endif
     float light = max(dot(point.normal, sun), 0.0);
 #ifdef BESIDE

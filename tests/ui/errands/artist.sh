@@ -17,13 +17,16 @@ import -window root artist_1_new.png
 hit Generate
 await_work
 frames 8
-hit Water
-enter water.rain_mm_per_h 120
 hit Erosion
-hit erosion.on
-hit Simulation
-enter time.tick_s 0.5
-enter time.speed 100
+hit climate
+hit "climate=Monsoon"
+hit rock
+hit "rock=Layered sandstone"
+frames 4
+set -- $(rect_of Age)
+clicks=$((clicks + 1))
+drag $((($1 + $3) / 2)) $((($2 + $4) / 2)) $(($3 - 10)) $((($2 + $4) / 2))
+frames 8
 clicks=$((clicks + 2))
 play 25
 shot artist_2_eroded

@@ -55,12 +55,12 @@ press 760 360
 press 790 300
 hit "Build it"
 await_work
-# A crater: a bowl, and a rim around it by a second stroke.
-hit lower
-enter brush.radius_m 50
-enter brush.rate_m_per_s 20
-clicks=$((clicks + 1))
-drag 420 430 425 430
+# A crater of the shelf.
+hit stamp
+enter brush.radius_m 90
+hit "stamp crater"
+frames 4
+press 420 430
 # Water stands in the crater and runs in the river.
 hit water
 enter brush.radius_m 20

@@ -1,10 +1,10 @@
-#include "app/core/figure.h"
+#include "sim/figure.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-namespace talus::app {
+namespace talus {
 
 std::string figure(double value, int digits) {
     const double size = std::abs(value);
@@ -14,4 +14,4 @@ std::string figure(double value, int digits) {
     return text == "-0" ? "0" : text;
 }
 
-}  // namespace talus::app
+}  // namespace talus

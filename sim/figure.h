@@ -1,9 +1,9 @@
 #pragma once
 #include <string>
 
-namespace talus::app {
+namespace talus {
 
 /// A number as people write it: without an exponent from 0.0001 to 10^15, and no -0.
 std::string figure(double value, int digits);
 
-}  // namespace talus::app
+}  // namespace talus
