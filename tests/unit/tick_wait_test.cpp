@@ -90,9 +90,11 @@ TEST_F(TickWaits, OneUndoWaitsForATickThatEnds) {
     asked_.undo = true;
     while (!wait_.is_over(*session_, asked_)) {
     }
+    // On a loaded machine it may have waited so long that it was undone with the wait.
     EXPECT_TRUE(asked_.undo || session_->simulation().can_redo());
     EXPECT_FALSE(wait_.waits());
-    EXPECT_TRUE(told_.empty());
+    if (asked_.undo) session_->undo();
+    EXPECT_EQ(state_hash(session_->simulation().read()), before_);
 }
 
 }  // namespace
