@@ -14,15 +14,14 @@ std::vector<Operation> as_operations(const std::vector<SetParameter>& changes) {
     return {changes.begin(), changes.end()};
 }
 
-void explain(const ErosionPreset& preset, bool is_climate) {
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(24 * ImGui::GetFontSize());
-    ImGui::TextUnformatted(preset.help.c_str());
-    if (is_climate)
-        ImGui::TextUnformatted("Ten times as heavy as in nature, so that one sees it work while one plays.");
-    for (const std::string& assignment : preset.assignments) ImGui::TextDisabled("%s", assignment.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
+std::string explained(const ErosionPreset& preset, bool is_climate) {
+    std::string text = preset.help;
+    if (is_climate) text += "\nTen times as heavy as in nature, so that one sees it work while one plays.";
+    for (const std::string& assignment : preset.assignments) {
+        text += '\n';
+        text += assignment;
+    }
+    return text;
 }
 
 void choose_preset(PanelContext& context, const char* label, const std::string& widget,
@@ -30,11 +29,7 @@ void choose_preset(PanelContext& context, const char* label, const std::string& 
     const Session& session = context.session;
     const Parameters& parameters = session.simulation().parameters();
     const ErosionPreset* present = present_of(presets, parameters);
-    const float room = ImGui::GetContentRegionAvail().x;
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(label);
-    ImGui::SameLine(0.46F * room);
-    ImGui::SetNextItemWidth(0.54F * room);
+    label_before(label);
     const bool open = ImGui::BeginCombo(("##" + widget).c_str(), present ? present->name.c_str() : "Own");
     note_widget(widget);
     if (!open) return;
@@ -42,7 +37,7 @@ void choose_preset(PanelContext& context, const char* label, const std::string& 
     for (const ErosionPreset& one : presets) {
         const bool pressed = ImGui::Selectable(one.name.c_str(), &one == present);
         note_widget(widget + "=" + one.name);
-        if (ImGui::IsItemHovered()) explain(one, &presets == &climates());
+        tooltip_of(explained(one, &presets == &climates()));
         if (!pressed) continue;
         context.requests.acts.emplace_back([&one, is_climate = &presets == &climates()](Session& s) {
             s.apply_together(one.name,
@@ -72,11 +67,7 @@ void draw_control(PanelContext& context, const ErosionControl& control) {
     const bool is_held = held && held->name == control.name;
     float position = is_held ? held->position
                              : static_cast<float>(position_of(control, session.simulation().parameters()));
-    const float room = ImGui::GetContentRegionAvail().x;
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(control.name.c_str());
-    ImGui::SameLine(0.46F * room);
-    ImGui::SetNextItemWidth(0.54F * room);
+    label_before(control.name);
     const std::string word = position < 0.25F ? control.low : position > 0.75F ? control.high : std::string();
     const bool moved = ImGui::SliderFloat(("##" + control.name).c_str(), &position, 0, 1, word.c_str(),
                                           ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
@@ -84,14 +75,7 @@ void draw_control(PanelContext& context, const ErosionControl& control) {
     if (moved) held = ControlInHand{control.name, position};
     const bool let_go = ImGui::IsItemDeactivated();
     const bool is_active = ImGui::IsItemActive();
-    if (ImGui::IsItemHovered()) {
-        ImGui::BeginTooltip();
-        ImGui::PushTextWrapPos(24 * ImGui::GetFontSize());
-        ImGui::TextUnformatted(
-            fmt::format("From {} to {}. {}", control.low, control.high, control.help).c_str());
-        ImGui::PopTextWrapPos();
-        ImGui::EndTooltip();
-    }
+    tooltip_of(fmt::format("From {} to {}. {}", control.low, control.high, control.help));
     coloured_text(theme().faint, standing(control, session));
     // The panel may go while it is held.
     if (is_held && !let_go && !moved && !is_active) held.reset();

@@ -78,14 +78,7 @@ void explain(const Parameter& p) {
 Edit draw_parameter(const Parameter& p, Value& value) {
     ImGui::PushID(p.name.c_str());
     ImGui::BeginGroup();
-    ImGui::AlignTextToFramePadding();
-    const float room = ImGui::GetContentRegionAvail().x;
-    const auto fits = [&](const std::string& some) {
-        return ImGui::CalcTextSize(some.c_str()).x <= 0.45F * room;
-    };
-    ImGui::TextUnformatted(shortened(label_of(p), fits).c_str());
-    ImGui::SameLine(0.46F * room);
-    ImGui::SetNextItemWidth(0.54F * room);
+    label_before(label_of(p));
     Edit done = edit(p, "##value", value) ? Edit::set : Edit::none;
     note_widget(p.name);
     ImGui::EndGroup();

@@ -18,6 +18,8 @@ std::vector<WidgetRect>& rects() {
     return the;
 }
 
+}  // namespace
+
 void tooltip_of(const std::string& text) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::BeginTooltip();
@@ -27,7 +29,17 @@ void tooltip_of(const std::string& text) {
     ImGui::EndTooltip();
 }
 
-}  // namespace
+void label_before(const std::string& label) {
+    constexpr float share = 0.46F;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const auto fits = [&](const std::string& some) {
+        return ImGui::CalcTextSize(some.c_str()).x <= (share - 0.01F) * room;
+    };
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(shortened(label, fits).c_str());
+    ImGui::SameLine(share * room);
+    ImGui::SetNextItemWidth((1 - share) * room);
+}
 
 const std::vector<WidgetRect>& widget_rects() {
     return rects();

@@ -46,6 +46,10 @@ bool selectable_text(const std::string& text, bool chosen = false, int flags = 0
 /// A text as it is where it fits, else the longest beginning that fits with an ellipsis behind it; whole
 /// letters, UTF-8.
 std::string shortened(const std::string& text, const std::function<bool(const std::string&)>& fits);
+/// Explains the last item, where the mouse is over it; nothing where the text is empty.
+void tooltip_of(const std::string& text);
+/// A label on the left, and room for the next item on its right.
+void label_before(const std::string& label);
 /// A line of text that ends with an ellipsis where the panel does; whole in the tooltip then.
 void text_line(const std::string& text);
 /// A name on the left and what it is on the right.

@@ -9,6 +9,17 @@
 
 namespace talus::app {
 
+namespace {
+
+// Who leaves, leaves.
+void drop_all_but_quit(PanelRequests& asked) {
+    const bool quits = asked.quit;
+    asked = {};
+    asked.quit = quits;
+}
+
+}  // namespace
+
 void TickWait::forget() {
     since_s_.reset();
     told_ = false;
@@ -41,14 +52,12 @@ void TickWait::give_up(Session& session) {
 void TickWait::hear_undo(Session& session, PanelRequests& asked) {
     told_ = true;
     if (asked.any()) {
-        const bool quits = asked.quit;
         if (!asked.acts.empty())
             asked.acts.pop_back();
         else if (!asked.parameters.empty())
             asked.parameters.clear();
         else
-            asked = {};
-        asked.quit = quits;
+            drop_all_but_quit(asked);
         return tell_("taken back before it was done");
     }
     ++undos_;
@@ -65,9 +74,7 @@ bool TickWait::is_over(Session& session, PanelRequests& asked) {
         // One that ends soon is waited for.
         if (!attempt(session, [=](Session& s) { s.end_tick(share_s); })) {
             if (asked.undo || undos_ > 0) give_up(session);
-            const bool quits = asked.quit;
-            asked = {};
-            asked.quit = quits;
+            drop_all_but_quit(asked);
             undos_ = 0;
         } else if (session.mid_tick() && now_s - *since_s_ >= long_s) {
             if (std::exchange(asked.undo, false)) hear_undo(session, asked);

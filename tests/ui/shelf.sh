@@ -4,15 +4,6 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/window.sh"
 
-save_as() {
-    xdotool mousemove 600 600 key ctrl+shift+s
-    await_widget "file name"
-    frames 4
-    xdotool key ctrl+a type --delay 1 "$PWD/$1"
-    xdotool key Return
-    await_word "saved .*$1"
-    await_work
-}
 highest_of() { "$talus" info --json "$1" | sed -n 's/.*"height_max": \([-0-9.e+]*\).*/\1/p'; }
 
 open_window --preset blank --set terrain.nx=193 --set terrain.ny=193 --ui-rects rects --window-size 1280x720

@@ -150,6 +150,16 @@ play() {
     xdotool key space
     frames 4
 }
+# Saves the document under a name in the folder.
+save_as() {
+    xdotool mousemove 600 600 key ctrl+shift+s
+    await_widget "file name"
+    frames 4
+    xdotool key ctrl+a type --delay 1 "$PWD/$1"
+    xdotool key Return
+    await_word "saved .*$1"
+    await_work
+}
 # How deep the water of a document is at most, m.
 depth() { "$talus" convert "$1" depth.tif --layer water && "$talus" info --json depth.tif | sed -n 's/.*"height_max": \([0-9.]*\).*/\1/p'; }
 # Saves to saved.exr, which the document must have been saved to before, and copies that.
