@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -315,6 +316,17 @@ TEST_F(Program, RefusesWhatCannotBeTiled) {
     // What it left, where it came to that, goes with the next one.
     EXPECT_EQ(talus("tile a.tif b.tif").code, 0);
     EXPECT_EQ(hidden(), 0);
+}
+
+TEST_F(Program, SaysWhereItCrashed) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "a sanitizer has a report of its own";
+#endif
+    // A fault that comes from outside is one all the same.
+    const Outcome crashed = talus(small + "--ticks 100000000", "timeout --preserve-status -s SEGV 5");
+    EXPECT_EQ(crashed.code, 128 + SIGSEGV) << crashed.output;
+    EXPECT_NE(crashed.output.find("talus: crashed: "), std::string::npos) << crashed.output;
+    EXPECT_NE(crashed.output.find("command_line"), std::string::npos) << crashed.output;
 }
 
 TEST_F(Program, RendersLargePicturesAndDrapedOnes) {

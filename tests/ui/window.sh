@@ -21,9 +21,15 @@ fail() {
         wait "$pid" || ended=$?
         echo "the window has ended with $ended"
     fi
-    cat window.log
     exit 1
 }
+# A script that does not end well says what the window said: a crash writes there what led to it.
+last_words() {
+    local code=$?
+    [ "$code" = 0 ] || cat window.log 2>/dev/null || true
+    [ -z "${pid:-}" ] || kill "$pid" 2>/dev/null || true
+}
+trap last_words EXIT
 
 # Opens it with the options given; `pid` is its process, `ping` one that knows when it has drawn.
 open_window() {
@@ -32,7 +38,6 @@ open_window() {
     wait "${ping_PID:-}" 2>/dev/null || true
     "$talus" "$@" >window.log 2>&1 &
     pid=$!
-    trap 'kill "$pid" 2>/dev/null || true' EXIT
     for _ in $(seq 100); do
         window=$(xdotool search --name 'Talus$' 2>/dev/null | head -n 1) && [ -n "$window" ] && break
         kill -0 "$pid" 2>/dev/null || fail "the window did not open"
