@@ -12,6 +12,14 @@ namespace {
 // As the shaders of views call the layers that they show.
 constexpr std::array<const char*, 3> layer_samplers = {"layer", "second_layer", "third_layer"};
 
+// Whether the mask says what the ground is made of.
+bool is_made_by_mask(const ViewSettings& settings) {
+    const std::vector<ViewNumber>& numbers = view_named(settings.view).numbers;
+    return std::any_of(numbers.begin(), numbers.end(), [&](const ViewNumber& one) {
+        return one.uniform == "masked_kind" && one.in(settings) > 0;
+    });
+}
+
 }  // namespace
 
 Shading::Shading() : grain_(grain_texture()) {}
@@ -32,26 +40,41 @@ double extent_m(const ShadedGround& ground) {
 
 ShadedGround shaded_ground(const Terrain& terrain, const Pyramid& pyramid, const SkyView& sky,
                            const std::string& view) {
-    const auto& layers = view_named(view).layers;
-    const bool there = layers.empty() || std::any_of(layers.begin(), layers.end(), [&](auto layer) {
-                           return (terrain.*layer).has_value();
-                       });
-    return {terrain.grid(), false, there, true, [&terrain, &pyramid, &sky, &layers](gpu::Program& program) {
-                program.bind_sampled("solid", terrain.solid.front);
-                program.bind_sampled("start", terrain.difference_start());
-                program.bind_sampled("sky_share", sky.share());
-                // What is absent is not read; another texture stands in for it.
-                int layers_there = 0;
-                for (std::size_t i = 0; i < layer_samplers.size(); ++i) {
-                    const bool has = i < layers.size() && terrain.*layers[i];
-                    program.bind_sampled(layer_samplers[i],
-                                         has ? (terrain.*layers[i])->front : terrain.ground);
-                    layers_there |= has ? 1 << i : 0;
-                }
-                program.set("layers_there", layers_there);
-                program.bind_sampled("water", terrain.water ? terrain.water->front : terrain.ground);
-                pyramid.bind(program, terrain);
-            }};
+    const View& shown = view_named(view);
+    ShadedGround ground{terrain.grid(), false, has_what_it_shows(shown, terrain), true,
+                        [&terrain, &pyramid, &sky, &shown](gpu::Program& program) {
+                            bind_layers(program, terrain, shown);
+                            program.bind_sampled("sky_share", sky.share());
+                            pyramid.bind(program, terrain);
+                        }};
+    ground.has_mask = terrain.painted.has_value();
+    return ground;
+}
+
+void bind_layers(gpu::Program& program, const Terrain& terrain, const View& view) {
+    program.bind_sampled("solid", terrain.solid.front);
+    program.bind_sampled("start", terrain.difference_start());
+    // What is absent is not read; another texture stands in for it.
+    int layers_there = 0;
+    for (std::size_t i = 0; i < layer_samplers.size(); ++i) {
+        const bool has = i < view.layers.size() && terrain.*view.layers[i];
+        program.bind_sampled(layer_samplers[i], has ? (terrain.*view.layers[i])->front : terrain.ground);
+        layers_there |= has ? 1 << i : 0;
+    }
+    program.set("layers_there", layers_there);
+    program.bind_sampled("painted", terrain.painted ? terrain.painted->front : terrain.ground);
+    program.bind_sampled("water", terrain.water ? terrain.water->front : terrain.ground);
+}
+
+bool has_what_it_shows(const View& view, const Terrain& terrain) {
+    return view.layers.empty() || std::any_of(view.layers.begin(), view.layers.end(),
+                                              [&](auto layer) { return (terrain.*layer).has_value(); });
+}
+
+void set_numbers(gpu::Program& program, const ViewSettings& settings) {
+    program.set("gravity", static_cast<float>(settings.gravity_m_per_s2));
+    for (const ViewNumber& number : view_named(settings.view).numbers)
+        program.set(number.uniform.c_str(), static_cast<float>(number.in(settings)));
 }
 
 gpu::Program& Shading::program_of(const View& view, const ViewSettings& settings, bool sky,
@@ -69,6 +92,7 @@ gpu::Program& Shading::program_of(const View& view, const ViewSettings& settings
     } else if (view.natural) {
         if (!gpu::filters_along()) defines.emplace_back("FILTERS_ROUND");
         if (settings.shadows && !settings.quick) defines.emplace_back("SHADOWS");
+        if (ground.has_mask && is_made_by_mask(settings)) defines.emplace_back("MASKED");
         if (settings.occlusion && ground.has_sky_share && !ground.beside) defines.emplace_back("OCCLUSION");
         if (ground.photo.surface)
             defines.insert(defines.end(), ground.photo.covers_all
@@ -107,9 +131,7 @@ void Shading::draw(const ShadeFrame& frame, const ShadedGround& ground, const Re
             program.bind_sampled("beside_shadow", *ground.beside->shadow);
         }
         program.set("pixel_angle", static_cast<float>(pixel_at_one_metre(frame.camera, frame.height)));
-        program.set("gravity", static_cast<float>(frame.settings.gravity_m_per_s2));
-        for (const ViewNumber& number : view.numbers)
-            program.set(number.uniform.c_str(), static_cast<float>(number.in(frame.settings)));
+        set_numbers(program, frame.settings);
     };
     const bool skips_sky = !redraw && !view.sky_too;
     if (!redraw) list_.make(frame.hits, frame.width, frame.height, ground.has_hole);

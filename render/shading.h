@@ -44,11 +44,19 @@ struct ShadedGround {
     bool has_hole = false;                        ///< in which another one stands
     std::optional<Beside> beside = std::nullopt;  ///< the other one; none: it is alone
     LaidPhoto photo{};                            ///< instead of its materials, where the photo covers it
+    bool has_mask = false;                        ///< a painted one, which may say what it is made of
 };
 /// What sets the haze.
 double extent_m(const ShadedGround& ground);
 ShadedGround shaded_ground(const Terrain& terrain, const Pyramid& pyramid, const SkyView& sky,
                            const std::string& view);
+
+/// Gives a program the layers of the terrain that a view's file reads (shaders/render/views).
+void bind_layers(gpu::Program& program, const Terrain& terrain, const View& view);
+/// Whether the terrain has any of the layers that the view shows.
+bool has_what_it_shows(const View& view, const Terrain& terrain);
+/// Gives a program the numbers that the file of the settings' view takes.
+void set_numbers(gpu::Program& program, const ViewSettings& settings);
 
 /// Colours the hits of a picture: one program for each view and what it looks at, made when first used.
 class Shading {

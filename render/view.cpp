@@ -58,24 +58,32 @@ Parameter band() {
         .labelled("Interval");
 }
 
-Parameter depth() {
-    return number("render.depth_m", 10, 1e-3, 1e5, "m",
-                  "End of the scale of the views of the water's depth, now and at its largest.")
-        .labelled("Scale ends at");
+// It ends where what is there does, unless somebody sets it.
+ViewNumber scale_end(const std::string& uniform, Parameter parameter, EndsScale ends = EndsScale::at_step) {
+    parameter.help += " Unless set, it follows what is there, and stays while anything moves.";
+    return {uniform, std::move(parameter), 0, false, false, ends};
+}
+
+ViewNumber depth_end() {
+    return scale_end("depth_scale_m",
+                     number("render.depth_m", 10, 1e-3, 1e5, "m",
+                            "End of the scale of the views of the water's depth, now and at its largest.")
+                         .labelled("Scale ends at"));
 }
 
 // What was taken, or laid down, by one of those who do, or by all.
 View worn_view(const std::string& name, const std::string& title) {
-    return {.name = name,
-            .numbers = {{"worn_scale_m", number("render.worn_m", 10, 1e-6, 1e5, "m",
-                                                "End of the scale of the views of wear and deposition.")
-                                             .labelled("Scale ends at")},
-                        {"worn_by", choice("render.worn_by", "all", {"all", "water", "slopes", "hand"},
-                                           "Whose wear and deposition they show.")
-                                        .labelled("Worn by")}},
-            .title = title,
-            .unit = "m",
-            .layers = {&Terrain::worn_by_water, &Terrain::worn_by_slopes, &Terrain::worn_by_hand}};
+    return {
+        .name = name,
+        .numbers = {scale_end("worn_scale_m", number("render.worn_m", 10, 1e-6, 1e5, "m",
+                                                     "End of the scale of the views of wear and deposition.")
+                                                  .labelled("Scale ends at")),
+                    {"worn_by", choice("render.worn_by", "all", {"all", "water", "slopes", "hand"},
+                                       "Whose wear and deposition they show.")
+                                    .labelled("Worn by")}},
+        .title = title,
+        .unit = "m",
+        .layers = {&Terrain::worn_by_water, &Terrain::worn_by_slopes, &Terrain::worn_by_hand}};
 }
 
 }  // namespace
@@ -101,6 +109,12 @@ const std::vector<View>& views() {
               {"rock_kind",
                choice("material.rock", "grey", {"grey", "red", "dark", "pale"},
                       "Colour of rock and scree: granite, sandstone, basalt, limestone."),
+               0, false, true},
+              {"masked_kind",
+               choice("material.masked", "as elsewhere",
+                      {"as elsewhere", "meadow", "forest", "rock", "scree", "sand", "snow"},
+                      "What the ground is made of where the mask says so (panel Mask).")
+                   .labelled("Where the mask is"),
                0, false, true},
               {"water_kind", choice("material.water", "mountain", {"mountain", "sea", "lagoon", "muddy"},
                                     "Colour of water.")},
@@ -140,23 +154,23 @@ const std::vector<View>& views() {
         {.name = "contours", .numbers = {{"band_m", band()}}, .legend = contours_legend},
         {.name = "difference",
          .label = "Ground since the start",
-         .numbers = {{"difference_m", number("render.difference_m", 20, 1e-3, 1e5, "m",
-                                             "End of the scale of the view of differences.")
-                                          .labelled("Scale ends at")}},
+         .numbers = {scale_end("difference_m", number("render.difference_m", 20, 1e-3, 1e5, "m",
+                                                      "End of the scale of the view of differences.")
+                                                   .labelled("Scale ends at"))},
          .legend = difference_legend,
          .whole = true},
         {.name = "depth",
          .label = "Depth of the water",
-         .numbers = {{"depth_scale_m", depth()}},
+         .numbers = {depth_end()},
          .title = "Depth of the water",
          .unit = "m",
          .layers = {&Terrain::water}},
         {.name = "speed",
          .label = "Speed of the water",
-         .numbers = {{"speed_scale", number("render.speed_m_per_s", 5, 1e-3, 1e5, "m/s",
-                                            "End of the scale of the view of its speed.")
-                                         .labelled("Scale ends at")
-                                         .once("render.speed")}},
+         .numbers = {scale_end("speed_scale", number("render.speed_m_per_s", 5, 1e-3, 1e5, "m/s",
+                                                     "End of the scale of the view of its speed.")
+                                                  .labelled("Scale ends at")
+                                                  .once("render.speed"))},
          .title = "Speed of the water",
          .unit = "m/s",
          .layers = {&Terrain::water}},
@@ -166,9 +180,9 @@ const std::vector<View>& views() {
                       number("render.level_m", 0, -1e6, 1e6, "m",
                              "Middle of the scale of the view of its level. Unless set, it is the sea's.")
                           .labelled("Scale around")},
-                     {"level_scale_m", number("render.level_range_m", 2, 1e-4, 1e5, "m",
-                                              "From there to the ends of the scale.")
-                                           .labelled("Scale reaches")}},
+                     scale_end("level_scale_m", number("render.level_range_m", 2, 1e-4, 1e5, "m",
+                                                       "From there to the ends of the scale.")
+                                                    .labelled("Scale reaches"))},
          .legend = level_legend,
          .layers = {&Terrain::water}},
         {.name = "froude",
@@ -178,16 +192,16 @@ const std::vector<View>& views() {
          .unit = "1: critical",
          .layers = {&Terrain::water}},
         {.name = "largest_depth",
-         .numbers = {{"depth_scale_m", depth()}},
+         .numbers = {depth_end()},
          .title = "Largest depth so far",
          .unit = "m",
          .layers = {&Terrain::inundation}},
         {.name = "arrival",
          .label = "Arrival of the water",
-         .numbers = {{"arrival_scale_s",
-                      number("render.arrival_s", 600, 1e-3, 1e9, "s",
-                             "End of the scale of the view of the time at which water arrived.")
-                          .labelled("Scale ends at")}},
+         .numbers = {scale_end("arrival_scale_s",
+                               number("render.arrival_s", 600, 1e-3, 1e9, "s",
+                                      "End of the scale of the view of the time at which water arrived.")
+                                   .labelled("Scale ends at"))},
          .title = "Water arrived at",
          .unit = "s",
          .layers = {&Terrain::inundation}},
@@ -199,51 +213,54 @@ const std::vector<View>& views() {
         {.name = "mask", .title = "Mask", .unit = "share", .scale_end = 1, .layers = {&Terrain::painted}},
         {.name = "rain",
          .label = "Painted rain",
-         .numbers = {{"rain_scale", number("render.rain_mm_per_h", 200, 1e-3, 1e4, "mm/h",
-                                           "End of the scale of the view of painted rain.")
-                                        .labelled("Scale ends at")
-                                        .once("render.rain")}},
+         .numbers = {scale_end("rain_scale", number("render.rain_mm_per_h", 200, 1e-3, 1e4, "mm/h",
+                                                    "End of the scale of the view of painted rain.")
+                                                 .labelled("Scale ends at")
+                                                 .once("render.rain"))},
          .title = "Painted rain",
          .unit = "mm/h",
          .layers = {&Terrain::painted}},
         {.name = "manning",
          .label = "Painted roughness",
-         .numbers = {{"manning_scale", number("render.manning", 0.2, 1e-3, 1, "s/m^(1/3)",
-                                              "End of the scale of the view of painted roughness.")
-                                           .labelled("Scale ends at")}},
+         .numbers = {scale_end("manning_scale", number("render.manning", 0.2, 1e-3, 1, "s/m^(1/3)",
+                                                       "End of the scale of the view of painted roughness.")
+                                                    .labelled("Scale ends at"))},
          .title = "Painted Manning's n",
          .unit = "s/m^(1/3)",
          .layers = {&Terrain::land_cover}},
         {.name = "infiltration",
          .label = "Painted infiltration",
-         .numbers = {{"infiltration_scale", number("render.infiltration_mm_per_h", 100, 1e-3, 1e4, "mm/h",
-                                                   "End of the scale of the view of painted infiltration.")
-                                                .labelled("Scale ends at")}},
+         .numbers = {scale_end("infiltration_scale",
+                               number("render.infiltration_mm_per_h", 100, 1e-3, 1e4, "mm/h",
+                                      "End of the scale of the view of painted infiltration.")
+                                   .labelled("Scale ends at"))},
          .title = "Painted infiltration",
          .unit = "mm/h",
          .layers = {&Terrain::land_cover}},
         {.name = "suspended",
          .label = "Suspended solid",
-         .numbers = {{"suspended_scale_mm",
-                      number(
-                          "render.suspended_mm", 20, 1e-6, 1e6, "mm",
-                          "End of the scale of the view of suspended solid: as high as it would stand on the "
-                          "ground.")
-                          .labelled("Scale ends at")}},
+         .numbers = {scale_end(
+             "suspended_scale_mm",
+             number("render.suspended_mm", 20, 1e-6, 1e6, "mm",
+                    "End of the scale of the view of suspended solid: as high as it would stand on the "
+                    "ground.")
+                 .labelled("Scale ends at"))},
          .title = "Suspended solid",
          .unit = "mm",
          .layers = {&Terrain::suspended}},
         {.name = "regolith",
-         .numbers = {{"regolith_scale_m", number("render.regolith_m", 5, 1e-6, 1e5, "m",
-                                                 "End of the scale of the view of regolith.")
-                                              .labelled("Scale ends at")}},
+         .numbers = {scale_end("regolith_scale_m", number("render.regolith_m", 5, 1e-6, 1e5, "m",
+                                                          "End of the scale of the view of regolith.")
+                                                       .labelled("Scale ends at"))},
          .title = "Regolith",
          .unit = "m",
          .whole = true},
         {.name = "flow",
-         .numbers = {{"flow_scale_m3",
-                      number("render.flow_m3", 1e5, 1e-3, 1e15, "m³", "End of the scale of the view of flow.")
-                          .labelled("Scale ends at")},
+         .numbers = {scale_end("flow_scale_m3",
+                               number("render.flow_m3", 1e5, 1e-3, 1e15, "m³",
+                                      "End of the scale of the view of flow.")
+                                   .labelled("Scale ends at"),
+                               EndsScale::at_power_of_ten),
                      {"flow_decades", std::nullopt, 4}},
          .legend = flow_legend,
          .layers = {&Terrain::flow}},

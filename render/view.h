@@ -42,6 +42,10 @@ struct ViewSettings {
 /// `drawing` must have render_parameters() among them, `simulation` those of the simulation.
 ViewSettings view_settings(const Parameters& drawing, const Parameters& simulation);
 
+/// Whether a number is where a scale ends, and what it is rounded up to where it follows what the terrain
+/// holds (render/view_range.h).
+enum class EndsScale { no, at_step, at_power_of_ten };
+
 /// A number that a view's shader takes as a uniform: a parameter of its own, or always the same.
 struct ViewNumber {
     std::string uniform;
@@ -49,6 +53,7 @@ struct ViewNumber {
     double fixed = 0;
     bool of_drape = false;  ///< it colours the draped picture alone
     bool of_bare = false;   ///< it colours ground alone over which no picture is draped
+    EndsScale ends_scale = EndsScale::no;
 
     /// As the settings have it. Of a choice: which one, from 0.
     double in(const ViewSettings& settings) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/core/calibration.h"
+#include "app/core/legend_scale.h"
 #include "app/core/paged_photo.h"
 #include "render/overview.h"
 
@@ -30,7 +31,9 @@ struct RunPictures::Easel {
 RunPictures::RunPictures(const Scene& scene, Simulation& simulation, const gpu::Device& device,
                          glm::ivec2 size)
     : size_(size), samples_(scene.view.whole("render.samples")) {
-    const render::ViewSettings settings = render::view_settings(scene.view, simulation.parameters());
+    Parameters view = scene.view;
+    suggest_scale_end(view, simulation.parameters(), simulation.terrain());
+    const render::ViewSettings settings = render::view_settings(view, simulation.parameters());
     const std::vector<float> ground_m = simulation.terrain().ground.read_all<float>();
     const auto [low, high] = std::minmax_element(ground_m.begin(), ground_m.end());
     first_look_ =

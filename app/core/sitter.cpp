@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/core/calibration.h"
+#include "app/core/legend_scale.h"
 #include "app/core/opening.h"
 #include "app/core/paged_photo.h"
 #include "app/core/surroundings.h"
@@ -28,6 +29,7 @@ Sitter whole_sitter(const SceneRequest& request, const gpu::Device& device) {
             : scene(std::move(made)), terrain(scene.document.state), renderer(terrain, patch_px) {}
     };
     auto held = std::make_shared<Held>(open_scene(request, on_terminal()), patch_pixels(device));
+    suggest_scale_end(held->scene.view, held->scene.simulation, held->terrain);
     const Scene& scene = held->scene;
     const std::vector<float> ground = scene.document.state.ground();
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());

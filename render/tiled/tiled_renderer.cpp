@@ -20,7 +20,8 @@ void check_view_of_tiles(const ViewSettings& settings) {
 
 bool is_heeded_in_tiles(const std::string& parameter, const Parameters& drawing, bool draped) {
     if (parameter == "render.tolerance_px") return true;
-    if (parameter == "render.method" || parameter == "render.occlusion") return false;
+    if (parameter == "render.method" || parameter == "render.occlusion" || parameter == "material.masked")
+        return false;
     for (const MethodEntry& method : methods())
         for (const Parameter& own : method.parameters)
             if (own.name == parameter) return false;

@@ -4,3 +4,6 @@
 vec3 land_cover_colour(vec2 number, float scale) {
     return number.y > 0.0 ? mix(bare, colour_map(number.x / (number.y * scale)), min(number.y, 1.0)) : bare;
 }
+
+// The number itself; 0 where the parameters hold.
+float land_cover_value(vec2 number) { return number.y > 0.0 ? number.x / number.y : 0.0; }

@@ -29,16 +29,24 @@ vec3 draped(vec2 place, Footprint footprint) {
     return paper * filtered_along(drape, place * scale, footprint, vec2(0.0), vec2(1.0)).rgb;
 }
 
+// A layer between its four samples, at absolute columns and rows.
+vec4 between_samples(sampler2D layer, vec2 place) {
+    ivec2 cell = clamp(ivec2(floor(place)), ivec2(0), patches - 1);
+    vec2 w = clamp(place - vec2(cell), 0.0, 1.0);
+    vec4 a = mix(texelFetch(layer, cell, 0), texelFetch(layer, cell + ivec2(1, 0), 0), w.x);
+    vec4 b = mix(texelFetch(layer, cell + ivec2(0, 1), 0), texelFetch(layer, cell + 1, 0), w.x);
+    return mix(a, b, w.y);
+}
+
 #ifdef TILED
 float regolith_at(vec2 place) { return 0.0; }
 #else
-float regolith_at(vec2 place) {
-    ivec2 cell = clamp(ivec2(floor(place)), ivec2(0), patches - 1);
-    vec2 w = clamp(place - vec2(cell), 0.0, 1.0);
-    float a = mix(texelFetch(solid, cell, 0).b, texelFetch(solid, cell + ivec2(1, 0), 0).b, w.x);
-    float b = mix(texelFetch(solid, cell + ivec2(0, 1), 0).b, texelFetch(solid, cell + 1, 0).b, w.x);
-    return mix(a, b, w.y);
-}
+float regolith_at(vec2 place) { return between_samples(solid, place).b; }
+#endif
+
+#ifdef MASKED
+uniform sampler2D painted;  // hardness, mask, rain
+uniform float masked_kind;  // from 1: meadow, forest, rock, scree, sand, snow
 #endif
 
 // Granite, sandstone, basalt, limestone: against the first.
@@ -70,5 +78,13 @@ vec3 material(vec2 place, Footprint footprint, float share, float height_m, floa
     // Over the line by so much of the relief, so that its edge is as ragged on a hill as on a range.
     float over = level - share + (height_m - snow_line_m) / max(relief_m, 1e-3);
     float snow = smoothstep(-0.06, 0.06, over + 0.06 * facing_north + 0.05 * hollow) * (1.0 - smoothstep(0.62, 1.05, steep - 0.12 * hollow));
-    return mix(colour, vec3(0.80, 0.83, 0.88), snow) * (0.55 + 0.9 * noise.w);
+    const vec3 white = vec3(0.80, 0.83, 0.88);
+    colour = mix(colour, white, snow);
+#ifdef MASKED
+    vec3 sand = mix(vec3(0.42, 0.35, 0.24), vec3(0.54, 0.47, 0.34), grain);
+    vec3 kinds[6] = vec3[6](meadow, forest, rock, scree, sand, white);
+    // Its edge is as ragged as that of snow.
+    colour = mix(colour, kinds[int(masked_kind - 0.5)], smoothstep(0.25, 0.75, between_samples(painted, place).g + 0.3 * (grain - 0.5)));
+#endif
+    return colour * (0.55 + 0.9 * noise.w);
 }

@@ -12,6 +12,7 @@
 #include "render/overview.h"
 #include "render/renderer.h"
 #include "render/tiled/tiled_renderer.h"
+#include "render/view_range.h"
 #include "sim/gpu/context.h"
 #include "sim/gpu/embedded_text.h"
 #include "sim/gpu/shader_text.h"
@@ -134,10 +135,17 @@ void draw_everything(Terrain& terrain) {
             settings.shadows = (choice & 1) == 0;
             settings.occlusion = (choice & 2) == 0;
             settings.quick = (choice & 4) != 0;
+            settings.numbers["material.masked"] = choice % 3;
             if ((choice & 8) != 0) renderer.drape(4, 4, std::as_bytes(std::span(picture)));
             renderer.lay((choice & 16) != 0 ? photo.laid() : render::LaidPhoto());
             renderer.draw(terrain, camera, settings, 64, 48, {glm::dvec2(300), 50});
         }
+    for (const render::View& view : render::views()) {
+        if (!render::scale_end_of(view)) continue;
+        render::ViewSettings settings;
+        settings.view = view.name;
+        render::ViewRange().start(terrain, settings);
+    }
 }
 
 // What terrain in tiles is drawn with.

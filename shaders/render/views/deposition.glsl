@@ -1,4 +1,6 @@
 // Ground that was laid down so far.
 #include "render/worn.glsl"
 
-vec3 view_colour(ViewPoint point) { return worn_colour(worn_at(point.place).y, point.lit); }
+float view_value(vec2 place) { return worn_at(place).y; }
+
+vec3 view_colour(ViewPoint point) { return worn_colour(view_value(point.place), point.lit); }

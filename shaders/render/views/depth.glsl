@@ -2,8 +2,12 @@
 uniform real depth_scale_m;
 #include "render/flow.glsl"
 
+float view_value(vec2 place) {
+    float depth_m = flow_at(place).depth_m;
+    return depth_m < wet_depth_m ? 0.0 : depth_m;
+}
+
 vec3 view_colour(ViewPoint point) {
-    Flow flow = flow_at(point.place);
-    if (flow.depth_m < wet_depth_m) return bare * point.lit;
-    return colour_map(flow.depth_m / depth_scale_m);
+    float depth_m = view_value(point.place);
+    return depth_m > 0.0 ? colour_map(depth_m / depth_scale_m) : bare * point.lit;
 }

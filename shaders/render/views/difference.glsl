@@ -14,4 +14,6 @@ float ground_change(vec2 place) {
     return mix(mix(change.x, change.y, w.x), mix(change.z, change.w, w.x), w.y);
 }
 
+float view_value(vec2 place) { return abs(ground_change(place)); }
+
 vec3 view_colour(ViewPoint point) { return difference_map(0.5 + 0.5 * ground_change(point.place) / difference_m) * point.lit; }

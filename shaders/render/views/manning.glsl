@@ -3,6 +3,8 @@
 uniform sampler2D layer;      // Manning's n and infiltration, each with its share
 uniform real manning_scale;   // s/m^(1/3)
 
+float view_value(vec2 place) { return land_cover_value(layer_at(layer, place, 0).xy); }
+
 vec3 view_colour(ViewPoint point) {
     return land_cover_colour(layer_at(layer, point.place, 0).xy, manning_scale) * point.lit;
 }

@@ -10,6 +10,8 @@ float streaks(vec2 place, vec2 velocity) {
     return clamp(1.0 + 2.2 * (sum / 21.0 - 0.5), 0.6, 1.4);
 }
 
+float view_value(vec2 place) { return length(flow_at(place).velocity); }
+
 vec3 view_colour(ViewPoint point) {
     Flow flow = flow_at(point.place);
     if (flow.depth_m < wet_depth_m) return bare * point.lit;

@@ -1,4 +1,6 @@
 // Ground that was taken so far.
 #include "render/worn.glsl"
 
-vec3 view_colour(ViewPoint point) { return worn_colour(worn_at(point.place).x, point.lit); }
+float view_value(vec2 place) { return worn_at(place).x; }
+
+vec3 view_colour(ViewPoint point) { return worn_colour(view_value(point.place), point.lit); }
