@@ -115,6 +115,8 @@ std::vector<Parameter> app_parameters() {
         toggle("mask.inverted", MaskSettings().inverted, "1 where it would be 0."),
         number("mask.blur_m", 50, 1e-3, 1e6, "m", "Standard deviation of a blur of the mask.")
             .labelled("Blur over"),
+        number("spring.rate_m3_per_s", 10, 1e-6, 1e6, "m³/s", "Rate of the next spring that is placed.")
+            .labelled("Spring gives"),
         choice("camera.mode", "orbit", {"orbit", "fly", "walk"},
                "Orbit turns about a point on the ground; fly moves with W A S D, Q and E; walk keeps the eye "
                "over the "

@@ -34,9 +34,18 @@ void Gauges::place(glm::dvec2 place_m) {
 }
 
 void Gauges::remove(std::size_t index) {
+    if (index >= gauges_.size()) return;
     gauges_.erase(gauges_.begin() + static_cast<std::ptrdiff_t>(index));
     asking_ = false;
     if (gauges_.empty()) times_s_.clear();
+}
+
+void Gauges::move(std::size_t index, glm::dvec2 place_m) {
+    check(place_m);
+    if (index >= gauges_.size() || gauges_[index].place_m == place_m) return;
+    gauges_[index] = {place_m, times_s_.size(), {}};
+    asking_ = false;
+    asked_s_ = -1;
 }
 
 void Gauges::go_back_to(double time_s) {
@@ -54,13 +63,20 @@ void Gauges::go_back_to(double time_s) {
 }
 
 void Gauges::append(double time_s, const std::vector<GaugeReading>& readings) {
-    times_s_.push_back(time_s);
-    for (std::size_t i = 0; i < gauges_.size(); ++i) gauges_[i].readings.push_back(readings[i]);
+    // A gauge that came since the last row, at the same time, completes that.
+    if (times_s_.empty() || times_s_.back() != time_s) times_s_.push_back(time_s);
+    for (std::size_t i = 0; i < gauges_.size(); ++i) {
+        Gauge& gauge = gauges_[i];
+        if (gauge.readings.empty()) gauge.first_row = times_s_.size() - 1;
+        if (gauge.first_row + gauge.readings.size() < times_s_.size()) gauge.readings.push_back(readings[i]);
+    }
 }
 
 void Gauges::record(const Terrain& terrain, double time_s) {
     go_back_to(time_s);
-    if (!times_s_.empty() && times_s_.back() == time_s) return;
+    const bool has_new = std::any_of(gauges_.begin(), gauges_.end(),
+                                     [](const Gauge& gauge) { return gauge.readings.empty(); });
+    if (!times_s_.empty() && times_s_.back() == time_s && !has_new) return;
     std::vector<GaugeReading> readings;
     readings.reserve(gauges_.size());
     for (const Gauge& gauge : gauges_)

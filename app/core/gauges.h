@@ -28,8 +28,14 @@ class Gauges {
 
     /// Throws talus::Error when the place (m) lies off the map.
     void place(glm::dvec2 place_m);
+    /// Where there is none of that number any more, these two do nothing.
     void remove(std::size_t index);
+    /// It stands elsewhere from now on: its rows begin anew. Throws talus::Error when the place lies off the
+    /// map.
+    void move(std::size_t index, glm::dvec2 place_m);
     const std::vector<Gauge>& all() const { return gauges_; }
+    /// True while a row is on its way.
+    bool pending() const { return asking_; }
     const std::vector<double>& times_s() const { return times_s_; }
 
     /// Takes a row at this simulated time, where there is none yet. Waits for the device. Rows after a time

@@ -48,6 +48,7 @@ void Sections::place(Simulation& simulation, const Section& section, glm::dvec2 
 }
 
 void Sections::remove(Simulation& simulation, std::size_t index) {
+    if (index >= sections_.size()) return;
     sections_.erase(sections_.begin() + static_cast<std::ptrdiff_t>(index));
     tell(simulation);
     asking_ = false;

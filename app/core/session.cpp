@@ -51,6 +51,8 @@ void Session::start(Scene scene) {
     gauges_ = Gauges(grid());
     sections_ = Sections();
     path_draft_ = PathDraft();
+    legend_scale_.forget();
+    spring_heights_ = SpringHeights();
     balances_.clear();
     saved_operations_.clear();
     recovered_ = false;
@@ -259,6 +261,8 @@ void Session::follow_terrain() {
     gauges_ = Gauges(grid());
     sections_ = Sections();
     path_draft_ = PathDraft();
+    legend_scale_.forget();
+    spring_heights_ = SpringHeights();
     balances_.clear();
     activity_.forget();
     forget_rectangle();
@@ -306,6 +310,9 @@ void Session::forget_picture() {
 }
 
 Still Session::still(glm::ivec2 size) {
+    // Of what is there now, though the window has not yet looked.
+    if (!overflight_ && !playing && !stroking() && !mid_tick())
+        suggest_scale_end(scene_.view, simulation_->parameters(), simulation_->terrain());
     const render::ViewSettings settings = render::view_settings(scene_.view, simulation_->parameters());
     if (overflight_) render::check_view_of_tiles(settings);
     StillPainter painter = overflight_ ? overflight_->painter(settings)
@@ -469,6 +476,7 @@ void Session::unset(const std::string& name) {
     if (is_simulated(name)) return set_simulated(name, std::nullopt);
     scene_.view.reset(name);
     suggest_for_terrain();
+    legend_scale_.unset(scene_.view, name);
     follow_undo_memory();
     if (name == "tiles.backdrop") follow_surroundings();
 }
@@ -624,6 +632,7 @@ void Session::balance() {
 }
 
 void Session::follow_gauges() {
+    if (!overflight_) spring_heights_.follow(*simulation_);
     // Within a tick the water is at no time of the clock's.
     if (simulation_->mid_tick()) return;
     gauges_.follow(simulation_->terrain(), simulation_->clock().simulated_s);

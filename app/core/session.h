@@ -9,6 +9,7 @@
 #include "app/core/balances.h"
 #include "app/core/gauges.h"
 #include "app/core/ground_samples.h"
+#include "app/core/legend_scale.h"
 #include "app/core/overflight.h"
 #include "app/core/paged_photo.h"
 #include "app/core/path_draft.h"
@@ -16,6 +17,7 @@
 #include "app/core/scene.h"
 #include "app/core/sculpting.h"
 #include "app/core/sections.h"
+#include "app/core/springs.h"
 #include "app/core/surroundings.h"
 #include "app/core/tick_pacing.h"
 #include "render/outline.h"
@@ -91,6 +93,15 @@ class Session {
     const gpu::Framebuffer& framebuffer() const;
     const gpu::Texture& hits() const;
     std::vector<render::Legend> legends(const render::ViewSettings& settings) const;
+    /// Where the scale of the view follows what is there, it does. Once a frame, before draw().
+    void follow_scale() {
+        if (!overflight_)
+            legend_scale_.follow(scene_.view, *simulation_, playing || stroking() || mid_tick());
+    }
+    /// True while the device is at what a scale, or a sign, needs.
+    bool awaits_readbacks() const {
+        return !overflight_ && (legend_scale_.pending() || spring_heights_.pending() || gauges_.pending());
+    }
     /// After draw() and refine(), for a picture of that size: lays over it the outline of the part that is
     /// chosen (app/core/part.h), or of the scene before what stands around it.
     void outline_part(bool shown, glm::ivec2 size);
@@ -248,7 +259,9 @@ class Session {
     /// A line between two places on the ground. Throws talus::Error where it cannot be one.
     void place_section(glm::dvec3 from, glm::dvec3 to);
     void remove_section(std::size_t index) { sections_.remove(*simulation_, index); }
-    /// Takes what gauges and sections show, without waiting. Once a frame.
+    /// The ground at the springs, for their signs.
+    const SpringHeights& spring_heights() const { return spring_heights_; }
+    /// Takes what gauges, sections and springs show, without waiting. Once a frame.
     void follow_gauges();
 
   private:
@@ -287,7 +300,9 @@ class Session {
     Activity activity_;
     Gauges gauges_{Grid()};
     Sections sections_;
+    SpringHeights spring_heights_;
     PathDraft path_draft_;
+    LegendScale legend_scale_;
     std::string wave_note_;
     std::string path_;
     std::vector<Operation> saved_operations_;

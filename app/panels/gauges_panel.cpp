@@ -23,12 +23,7 @@ std::vector<float> plotted(std::size_t rows, Value value) {
 void draw_gauges(PanelContext& context) {
     const Session& session = context.session;
     PanelRequests& requests = context.requests;
-    bool& placing = context.state.placing_gauge;
-    if (button(placing ? "Click on the map…" : "Place a gauge", "by the next click on the ground")) {
-        const bool begins = !placing;
-        context.state.take_brush();
-        placing = begins;
-    }
+    place_button(context.state, MarkKind::gauge, "Place a gauge");
     const std::vector<Gauge>& gauges = session.gauges().all();
     if (!gauges.empty()) {
         ImGui::SameLine();
@@ -39,10 +34,13 @@ void draw_gauges(PanelContext& context) {
     for (std::size_t i = 0; i < gauges.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         const Gauge& gauge = gauges[i];
-        ImGui::TextWrapped("Gauge %zu at %.0f, %.0f m", i + 1, gauge.place_m.x, gauge.place_m.y);
+        ImGui::TextUnformatted(fmt::format("Gauge {}", i + 1).c_str());
+        ImGui::SameLine();
         const bool removed = ImGui::SmallButton("remove");
         note_widget(fmt::format("remove gauge {}", i + 1));
         if (removed) requests.acts.emplace_back([i](Session& s) { s.gauges().remove(i); });
+        if (const auto to = place_fields(context, fmt::format("gauge {}", i + 1), gauge.place_m))
+            requests.acts.emplace_back([i, at = *to](Session& s) { s.gauges().move(i, at); });
         const std::vector<GaugeReading>& readings = gauge.readings;
         plot_line("level", plotted(readings.size(), [&](std::size_t at) { return readings[at].level_m(); }),
                   "m");

@@ -4,11 +4,13 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace talus::app {
 namespace {
 
+constexpr ImU32 blue = IM_COL32(90, 190, 255, 255);
 constexpr ImU32 yellow = IM_COL32(250, 205, 60, 255);
 constexpr ImU32 dark = IM_COL32(20, 24, 30, 255);
 constexpr ImU32 pale = IM_COL32(250, 205, 60, 110);
@@ -45,7 +47,11 @@ class Picture {
 struct Sign {
     Place foot;
     std::string name;
+    ImU32 colour = yellow;
+    std::optional<MovedMark> mark = std::nullopt;  // that it moves with
 };
+constexpr float sign_height = 28;  // of its middle over its foot
+constexpr float sign_radius = 9;
 
 // An end of a section, at the ground that was there when it was drawn.
 glm::dvec3 end_of(const PlacedSection& one, bool second) {
@@ -54,14 +60,23 @@ glm::dvec3 end_of(const PlacedSection& one, bool second) {
 }
 
 // The farthest first.
-std::vector<Sign> signs_of(const Session& session, const Picture& picture) {
+std::vector<Sign> signs_of(const Session& session, const Picture& picture,
+                           const std::optional<MovedMark>& moved) {
     std::vector<Sign> signs;
+    const auto add = [&](const MapMark& mark, glm::dvec3 place, ImU32 colour) {
+        const MovedMark stands{mark, moved && moved->mark == mark ? moved->place_m : place};
+        if (const auto foot = picture.place(stands.place_m))
+            signs.push_back({*foot, fmt::format("{}", mark.index + 1), colour, stands});
+    };
     const std::vector<Gauge>& gauges = session.gauges().all();
     for (std::size_t i = 0; i < gauges.size(); ++i) {
         if (gauges[i].readings.empty()) continue;
-        const auto foot = picture.place({gauges[i].place_m, gauges[i].readings.back().level_m()});
-        if (foot) signs.push_back({*foot, fmt::format("{}", i + 1)});
+        add({MarkKind::gauge, i}, {gauges[i].place_m, gauges[i].readings.back().level_m()}, yellow);
     }
+    const std::vector<Spring>& springs = session.simulation().springs();
+    const auto& heights_m = session.spring_heights().heights_m();
+    for (std::size_t i = 0; i < std::min(springs.size(), heights_m.size()); ++i)
+        if (heights_m[i]) add({MarkKind::spring, i}, {springs[i].x_m, springs[i].y_m, *heights_m[i]}, blue);
     const std::vector<PlacedSection>& sections = session.sections().all();
     for (std::size_t i = 0; i < sections.size(); ++i)
         if (const auto foot = picture.place(end_of(sections[i], false)))
@@ -74,7 +89,7 @@ std::vector<Sign> signs_of(const Session& session, const Picture& picture) {
 void draw_sign(ImDrawList& list, const Sign& sign) {
     const ImVec2 at = sign.foot.at;
     list.AddLine(at, {at.x, at.y - 22}, dark, 2);
-    list.AddCircleFilled({at.x, at.y - 28}, 9, yellow);
+    list.AddCircleFilled({at.x, at.y - sign_height}, sign_radius, sign.colour);
     list.AddText({at.x - ImGui::CalcTextSize(sign.name.c_str()).x / 2, at.y - 35}, dark, sign.name.c_str());
 }
 
@@ -142,10 +157,27 @@ void Marks::hide_behind(double distance_m) {
         &distances_m_.back());
 }
 
+std::optional<MarkUnderMouse> Marks::under(glm::dvec2 mouse, const render::Camera& camera,
+                                           const std::optional<glm::dvec3>& cursor) const {
+    const double ground_m =
+        cursor ? glm::distance(*cursor, camera.eye) : std::numeric_limits<double>::infinity();
+    for (auto handle = handles_.rbegin(); handle != handles_.rend(); ++handle) {
+        const glm::dvec2 from_middle = mouse - (handle->at - glm::dvec2(0, sign_height));
+        const glm::dvec2 from_foot = mouse - handle->at;
+        const bool near = glm::length(from_middle) <= sign_radius + 2 || glm::length(from_foot) <= 6;
+        if (near && nearer * handle->distance_m <= ground_m) return MarkUnderMouse{handle->mark, -from_foot};
+    }
+    return std::nullopt;
+}
+
 void Marks::draw(Session& session, const PictureArea& area, glm::ivec2 drawn, glm::ivec2 window,
                  const Shown& shown) {
     const Picture picture(session.camera(), area);
-    const std::vector<Sign> signs = signs_of(session, picture);
+    const std::vector<Sign> signs = signs_of(session, picture, shown.moved);
+    handles_.clear();
+    for (const Sign& sign : signs)
+        if (sign.mark)
+            handles_.push_back({*sign.mark, {sign.foot.at.x, sign.foot.at.y}, sign.foot.distance_m});
     std::vector<std::vector<Place>> lines;
     const auto& stroke = session.sculpting().stroke();
     if (stroke && stroke->name() == "ramp") lines.push_back(along(picture, stroke->begin(), stroke->at()));

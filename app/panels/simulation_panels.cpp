@@ -20,6 +20,8 @@ void draw_simulation_panel(PanelContext& context) {
 }
 
 void draw_water_panel(PanelContext& context) {
+    draw_springs(context);
+    heading("Water");
     draw_section(context.session, context.requests, "water");
     if (!context.session.wave_note().empty()) ImGui::TextWrapped("%s", context.session.wave_note().c_str());
 }
@@ -71,7 +73,8 @@ void draw_view_panel(PanelContext& context) {
     draw_parameters(context.session, context.requests, shown);
     std::vector<std::string> materials = names_in(context.session, "material");
     std::erase_if(materials, [&](const std::string& name) {
-        return !changes_picture(name, context.session.view(), draped);
+        return !changes_picture(name, context.session.view(), draped) ||
+               (name == "material.masked" && !context.session.simulation().terrain().painted);
     });
     if (!materials.empty()) {
         heading("Materials");

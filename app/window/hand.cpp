@@ -44,6 +44,7 @@ void Hand::follow_terrain(const Session& session) {
     section_from_.reset();
     mask_from_.reset();
     path_point_.reset();
+    held_mark_.reset();
     cursor_readback_.cancel();
     cursor_.reset();
     seen_.reset();
@@ -66,6 +67,7 @@ void Hand::read_cursor(const Session& session) {
 }
 
 void Hand::look(Session& session, glm::dvec2 mouse, glm::ivec2 size, glm::ivec2 drawn, bool changed) {
+    if (held_mark_) mouse += to_foot_px_;
     // If neither picture nor mouse has changed, the last read-back holds.
     if (!changed && mouse == cursor_mouse_) return;
     if (cursor_readback_.pending()) {
@@ -153,7 +155,8 @@ void Hand::meet_ground(Session& session, render::Camera& camera, bool walking, d
 // From where the button was pressed to where it is let go.
 void Hand::choose_part(Session& session, const HandMay& may, bool& choosing_part) {
     const bool held = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS && may.use_mouse;
-    const bool presses = std::exchange(held_before_, held) && held;
+    frames_held_ = held ? frames_held_ + 1 : 0;
+    const bool presses = frames_held_ > 1;
     if (!choosing_part) part_from_m_.reset();
     if (!choosing_part) return;
     if (presses && !part_from_m_ && cursor_) part_from_m_ = glm::dvec2(*cursor_);
@@ -185,6 +188,41 @@ void Hand::draw_path(Session& session, bool held, bool presses) {
     }
     if (!held) path_point_.reset();
     if (path_point_ && *path_point_ < path.points_m().size() && cursor_) path.move(*path_point_, *cursor_);
+}
+
+// Something new where it is clicked, or what stands there moved to where it is let go.
+void Hand::place_mark(const HandErrand& errand, bool held, bool down) {
+    // A press counts in its second frame; what was under the mouse then may have slipped from it.
+    if (frames_held_ == 1) {
+        pressed_on_ = errand.under;
+        mark_mouse_ = mouse_;
+    }
+    const bool begins = frames_held_ == 2 && !placed_;
+    if (begins && errand.placing && cursor_) {
+        errand.done.placed = {*std::exchange(errand.placing, std::nullopt), *cursor_};
+        placed_ = true;
+    } else if (begins && pressed_on_ && !errand.placing) {
+        held_mark_ = pressed_on_->at;
+        to_foot_px_ = pressed_on_->to_foot_px;
+        dragged_ = false;
+        // From now on its foot is looked for.
+        cursor_.reset();
+        cursor_mouse_ = glm::dvec2(-1);
+        placed_ = true;
+    }
+    if (!held_mark_) return;
+    moving_s_ = 0.25;
+    // A click alone moves nothing.
+    if (glm::distance(mouse_, mark_mouse_) > 3 && cursor_) {
+        held_mark_->place_m = *cursor_;
+        dragged_ = true;
+    }
+    if (held) return;
+    // Over no ground it stays where it was last over some. A dialog that comes between leaves it where it
+    // was.
+    if (dragged_ && !down) errand.done.moved = held_mark_;
+    held_mark_.reset();
+    cursor_mouse_ = glm::dvec2(-1);
 }
 
 // The places where a drag began and ended, once it has; a click alone is none.
@@ -219,19 +257,17 @@ std::optional<glm::dvec3> Hand::stroke_place(const Session& session) const {
 }
 
 void Hand::sculpt(Session& session, double passed_s, const HandMay& may, const HandErrand& errand) {
-    const bool held = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS && may.use_mouse;
+    const bool pressed = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
+    const bool held = pressed && may.use_mouse;
     const auto down = [&](int left, int right) {
         return glfwGetKey(window_, left) == GLFW_PRESS || glfwGetKey(window_, right) == GLFW_PRESS;
     };
     const Modifiers modifiers{down(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
                               down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT)};
     // A press counts from its second frame on: only then does the panel know whether it was meant for it.
-    const bool presses = std::exchange(held_before_, held) && held;
-    if (presses && errand.placing_gauge && cursor_) {
-        errand.placing_gauge = false;
-        placed_ = true;
-        session.gauges().place({cursor_->x, cursor_->y});
-    }
+    frames_held_ = held ? frames_held_ + 1 : 0;
+    const bool presses = frames_held_ > 1;
+    place_mark(errand, held, pressed);
     if (const auto line =
             follow_drag(section_from_, errand.placing_section && may.use_mouse, held, presses)) {
         session.place_section(line->first, line->second);
@@ -239,15 +275,15 @@ void Hand::sculpt(Session& session, double passed_s, const HandMay& may, const H
     }
     if (const auto corners = follow_drag(mask_from_, errand.drawing_mask && may.use_mouse, held, presses);
         corners && corners->first.x != corners->second.x && corners->first.y != corners->second.y) {
-        errand.mask = corners;
+        errand.done.mask = corners;
         errand.drawing_mask = false;
     }
-    if (errand.drawing_path && !errand.placing_gauge && !errand.placing_section && !errand.drawing_mask)
+    if (errand.drawing_path && !errand.placing && !errand.placing_section && !errand.drawing_mask)
         draw_path(session, held, presses && !placed_);
     else
         path_point_.reset();
-    // The click that placed a gauge or draws a section or a mask, or picked a height, is no stroke.
-    placed_ = placed_ && held;
+    // The click that placed or moved something, draws a section or a mask, or picked a height, is no stroke.
+    placed_ = placed_ && pressed;
     if (presses && !session.stroking() && cursor_ && modifiers.inverted && !modifiers.smooth &&
         tool_named(session.view().choice("brush.tool")).picks_height) {
         session.set("brush.height_m", cursor_->z);

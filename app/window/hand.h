@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/core/map_mark.h"
 #include "app/core/session.h"
 #include "app/window/ground_probe.h"
 #include "sim/gpu/readback.h"
@@ -20,14 +21,28 @@ struct HandMay {
     bool use_keys = true;
 };
 
+/// A place on the ground that was clicked for what is to stand there.
+struct PlacedMark {
+    MarkKind kind;
+    glm::dvec3 place_m;
+};
+
+/// What the hand has done in a frame that others take up.
+struct HandDone {
+    std::optional<Corners> mask{};       ///< a rectangle was drawn for it
+    std::optional<PlacedMark> placed{};  ///< something was placed
+    std::optional<MovedMark> moved{};    ///< something was dragged, and let go there
+};
+
 /// What the next click or drag is for, until it is done; else it is the brush's.
 struct HandErrand {
-    bool& placing_gauge;
-    bool& placing_section;         ///< from where a drag begins to where it ends
-    bool drawing_path;             ///< clicks put points, drags move them
-    bool& drawing_mask;            ///< from where a drag begins to where it ends
-    std::optional<Corners>& mask;  ///< what was drawn for it
-    bool& choosing_part;           ///< over tiles
+    std::optional<MarkKind>& placing;
+    bool& placing_section;                ///< from where a drag begins to where it ends
+    bool drawing_path;                    ///< clicks put points, drags move them
+    bool& drawing_mask;                   ///< from where a drag begins to where it ends
+    bool& choosing_part;                  ///< over tiles
+    std::optional<MarkUnderMouse> under;  ///< what a drag that begins now moves
+    HandDone& done;
 };
 
 /// A person's hand over the terrain: where the mouse's ray meets the ground, strokes of the brush, and the
@@ -49,6 +64,8 @@ class Hand {
     /// The line of a section that is being drawn, or opposite corners of a rectangle.
     std::optional<Corners> drawn_section() const { return drawn_from(section_from_); }
     std::optional<Corners> drawn_mask() const { return drawn_from(mask_from_); }
+    /// What is being dragged, and where it is.
+    const std::optional<MovedMark>& held_mark() const { return held_mark_; }
     /// True while a read-back that it asked for is on its way.
     bool waits() const { return cursor_readback_.pending() || ground_.pending(); }
     bool camera_moved() const { return camera_moved_; }
@@ -62,6 +79,7 @@ class Hand {
     void sculpt(Session& session, double passed_s, const HandMay& may, const HandErrand& errand);
     std::optional<glm::dvec3> stroke_place(const Session& session) const;
     void draw_path(Session& session, bool held, bool presses);
+    void place_mark(const HandErrand& errand, bool held, bool down);
     std::optional<Corners> follow_drag(std::optional<glm::dvec3>& from, bool wanted, bool held, bool presses);
     std::optional<Corners> drawn_from(const std::optional<glm::dvec3>& from) const;
     void choose_part(Session& session, const HandMay& may, bool& choosing_part);
@@ -85,13 +103,18 @@ class Hand {
     double wheel_ = 0;
     double moving_s_ = 0;
     bool camera_moved_ = false;
-    std::optional<glm::dvec2> part_from_m_;   // where the drag began that chooses a part
-    std::optional<std::size_t> path_point_;   // that is held
-    std::optional<glm::dvec3> section_from_;  // where the drag began that draws a section
-    std::optional<glm::dvec3> mask_from_;     // the same of a rectangle
-    std::optional<glm::dvec3> drag_end_;      // where it was last over ground
-    bool placed_ = false;                     // a gauge or a section, by the press that is held
-    bool held_before_ = false;                // the left button, in the frame before
+    std::optional<glm::dvec2> part_from_m_;     // where the drag began that chooses a part
+    std::optional<std::size_t> path_point_;     // that is held
+    std::optional<MarkUnderMouse> pressed_on_;  // what was under the mouse when the button went down
+    std::optional<MovedMark> held_mark_;        // what is dragged
+    glm::dvec2 mark_mouse_{0};                  // where it was pressed
+    glm::dvec2 to_foot_px_{0};                  // from there to its foot
+    bool dragged_ = false;                      // and not only clicked
+    int frames_held_ = 0;                       // of the left button
+    std::optional<glm::dvec3> section_from_;    // where the drag began that draws a section
+    std::optional<glm::dvec3> mask_from_;       // the same of a rectangle
+    std::optional<glm::dvec3> drag_end_;        // where it was last over ground
+    bool placed_ = false;                       // by the press that is held: it is no stroke
 };
 
 }  // namespace talus::app

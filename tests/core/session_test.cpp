@@ -81,6 +81,70 @@ class SessionFiles : public testing::Test {
     std::vector<std::string> told_;
 };
 
+// Until it is there, as the window's frames do.
+double scale_end(app::Session& session, const std::string& name) {
+    for (int frame = 0; frame < 1000; ++frame) {
+        session.follow_scale();
+        if (!session.awaits_readbacks()) break;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    EXPECT_FALSE(session.awaits_readbacks());
+    return session.view().number(name);
+}
+
+TEST_F(SessionFiles, ScalesOfViewsFollowWhatIsThereAndStayWhileItMoves) {
+    app::Session& session = *session_;
+    const std::string end = "render.difference_m";
+    session.set("render.view", std::string("difference"));
+    EXPECT_EQ(scale_end(session, end), 20);  // nothing has changed yet: as it is declared
+    sculpt();
+    EXPECT_EQ(scale_end(session, end), 5);
+    sculpt();
+    EXPECT_EQ(scale_end(session, end), 10);
+    // What is shown while anything moves keeps its scale, and follows at the end.
+    session.playing = true;
+    Dab dab;
+    dab.x_m = dab.y_m = session.grid().width_m() / 2;
+    dab.radius_m = session.grid().width_m() / 4;
+    dab.amount_m = 30;
+    session.simulation().apply(dab);
+    session.simulation().end_entry();
+    EXPECT_EQ(scale_end(session, end), 10);
+    // Another view gets one at once.
+    session.set("render.view", std::string("depth"));
+    EXPECT_EQ(scale_end(session, "render.depth_m"), 10) << "as it is declared: there is no water";
+    session.set("render.view", std::string("difference"));
+    EXPECT_EQ(scale_end(session, end), 40);
+    // Another number that is unset moves it as little.
+    dab.amount_m = 60;
+    session.simulation().apply(dab);
+    session.simulation().end_entry();
+    session.unset("render.sun_azimuth_deg");
+    EXPECT_EQ(scale_end(session, end), 40);
+    session.undo();
+    session.playing = false;
+    session.undo();
+    EXPECT_EQ(scale_end(session, end), 10);
+    // A number that somebody sets is the scale's end until it is unset.
+    session.set(end, 7.0);
+    session.undo();
+    EXPECT_EQ(scale_end(session, end), 7);
+    EXPECT_TRUE(session.is_given(end));
+    session.unset(end);
+    EXPECT_EQ(scale_end(session, end), 5);
+    EXPECT_FALSE(session.is_given(end));
+    // What it found is not saved with the project.
+    for (const std::string& kept : session.workspace().parameters)
+        EXPECT_FALSE(kept.starts_with(end)) << kept;
+    // A picture for a file has the scale of what is there, though no frame was drawn.
+    session.undo();
+    sculpt();
+    sculpt();
+    sculpt();
+    static_cast<void>(session.still({64, 48}));
+    EXPECT_EQ(session.view().number(end), 15);
+}
+
 TEST_F(SessionFiles, WhatIsDoneIsUnsavedUntilItIsSavedOrTakenBack) {
     EXPECT_FALSE(session_->unsaved());
     sculpt();
