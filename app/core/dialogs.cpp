@@ -28,6 +28,7 @@ void FileDialog::begin(Purpose what, const std::string& near) {
     name = what == Purpose::save         ? proposed.filename().string()
            : what == Purpose::save_scene ? proposed.stem().string() + ".toml"
            : what == Purpose::put_back   ? proposed.stem().string() + "-worked.vrt"
+           : what == Purpose::export_to  ? proposed.filename().string()
                                          : "";
     error.clear();
     accepted = cancelled = false;

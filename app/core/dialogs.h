@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "app/core/folder_listing.h"
+#include "app/core/map_mark.h"
 #include "app/core/new_terrain.h"
 #include "app/core/recovery.h"
 #include "app/core/self_check.h"
 #include "app/core/session.h"
 #include "app/core/stamp_folder.h"
+#include "app/core/window_layout.h"
 #include "sim/gpu/profile.h"
 #include "sim/io/export.h"
 
@@ -37,6 +39,7 @@ struct PanelRequests {
     std::optional<std::string> table;         ///< a file, as the table of the number that is chosen
     std::optional<std::string> raster;        ///< a file, as the raster of the painted number that is chosen
     std::optional<io::ExportSettings> write;  ///< files for other programs
+    std::optional<std::string> export_to;     ///< a file that the dialog of exports is to write
     std::optional<Operation> map;             ///< an act on the whole map, which may take long
     bool reset = false;
     bool verify = false;  ///< what Talus claims of its numbers, on this device
@@ -62,7 +65,7 @@ struct PanelRequests {
 
 /// A dialog that picks a path; the window keeps one.
 struct FileDialog {
-    enum class Purpose { none, open, save, save_scene, import, stamp, table, raster, put_back };
+    enum class Purpose { none, open, save, save_scene, import, stamp, table, raster, put_back, export_to };
     Purpose purpose = Purpose::none;
     std::string folder;
     std::string name;
@@ -162,18 +165,27 @@ struct KeyLine {
     std::string what;
 };
 
+/// Where keys without Ctrl move something: in the picture, or from widget to widget.
+enum class KeyboardIn { picture, tools, panels };
+
 /// What the panels keep between frames.
 struct PanelState {
     std::string shown = "Simulation";  ///< of the panels on the right
     bool panels_shown = true;
+    PanelSide tools_side = WindowLayout().tools_side;  ///< the tools at the left
+    PanelSide panels_side = WindowLayout().panels_side;
     bool start_page = false;
-    bool placing_gauge = false;
+    std::optional<MarkKind> placing;                ///< by the next click on the ground
+    std::map<std::string, double> numbers_in_hand;  ///< that are set when they are let go
     bool placing_section = false;
     bool drawing_path = false;
     bool drawing_mask = false;  ///< the next drag draws a rectangle that becomes the mask
     std::optional<ControlInHand> control_in_hand;
     /// Somebody takes a tool of the brush: the next click on the ground is the brush's.
-    void take_brush() { placing_gauge = placing_section = drawing_path = drawing_mask = false; }
+    void take_brush() {
+        placing.reset();
+        placing_section = drawing_path = drawing_mask = false;
+    }
     std::string table_of = "water.rain_mm_per_h";  ///< the number that is to follow a table
     bool table_begins_now = true;
     std::string raster_of = "manning";             ///< the painted number that a raster is to bring
@@ -186,8 +198,10 @@ struct PanelState {
     NewTerrain fresh;           ///< the dialog that generates one
     std::string recording;      ///< how long the film is, and what it costs; empty: none is recorded
     std::vector<KeyLine> keys;  ///< what all of them do
-    bool keys_shown = false;    ///< in a dialog
-    std::string camera_name;    ///< of the camera that is to be kept
+    KeyboardIn keyboard_in = KeyboardIn::picture;
+    KeyboardIn keyboard_was_in = KeyboardIn::picture;  ///< in the frame before
+    bool keys_shown = false;                           ///< in a dialog
+    std::string camera_name;                           ///< of the camera that is to be kept
     std::optional<Question> question;
     std::optional<SelfCheck> self_check;  ///< what was found of this device, while it is shown
     std::vector<std::string> recent;      ///< files, the last one first

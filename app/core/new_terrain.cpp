@@ -33,6 +33,11 @@ Grid grid_of(const Parameters& wishes) {
     return {wishes.whole("terrain.nx"), wishes.whole("terrain.ny"), spacing_m, spacing_m};
 }
 
+// Whether there is a sea at its level: where nobody gave one, at 0 there is none.
+bool has_sea(const Parameters& wishes) {
+    return wishes.is_given("water.sea_level_m") || wishes.number("water.sea_level_m") > 0;
+}
+
 // The same ground with a sample for every pixel of a small picture.
 Grid of_picture(const Grid& grid) {
     const glm::ivec2 size = small_picture_size(grid);
@@ -42,6 +47,24 @@ Grid of_picture(const Grid& grid) {
 }  // namespace
 
 NewTerrain::NewTerrain() : wishes_(declared_wishes()) {}
+
+void NewTerrain::set(const std::string& name, const Value& value) {
+    wishes_.set(name, value);
+    suggest_sea();
+}
+
+void NewTerrain::unset(const std::string& name) {
+    wishes_.reset(name);
+    suggest_sea();
+}
+
+// As high as the shore of what is made to have one.
+void NewTerrain::suggest_sea() {
+    const std::string& kind = wishes_.choice("terrain.kind");
+    constexpr double shore = 0.25;  // of the relief
+    wishes_.suggest("water.sea_level_m",
+                    kind == "island" || kind == "coast" ? shore * wishes_.number("terrain.relief_m") : 0.0);
+}
 
 std::vector<std::string> NewTerrain::heeded() const {
     const std::string& kind = wishes_.choice("terrain.kind");
@@ -77,7 +100,7 @@ NewTerrain::Drawn NewTerrain::drawn(const Parameters& wishes) {
     state.water = generate_water(grid, heights_m,
                                  {wishes.choice("terrain.water"), relief_m, sea_level_m,
                                   wishes.number("water.wave_height_m"), StartingWater().gravity_m_per_s2});
-    if (wishes.is_given("water.sea_level_m")) fill_sea(state, sea_level_m);
+    if (has_sea(wishes)) fill_sea(state, sea_level_m);
     std::vector<float> depths_m;
     if (!state.water.empty()) depths_m = output_of(state, "depth");
     Drawn drawn;
@@ -114,8 +137,7 @@ SceneRequest NewTerrain::request() const {
     request.preset = "blank";
     request.title = "New " + wishes_.choice("terrain.kind");
     for (const std::string& name : heeded())
-        // Water at level 0 is not as if there were no sea.
-        if (name != "water.sea_level_m" || wishes_.is_given(name))
+        if (name != "water.sea_level_m" || has_sea(wishes_))
             request.assignments.push_back(fmt::format("{}={}", name, to_text(wishes_.value(name))));
     return request;
 }

@@ -21,9 +21,10 @@ class NewTerrain {
 
     const Parameters& wishes() const { return wishes_; }
     /// Throws talus::Error where it cannot be, as Parameters does.
-    void set(const std::string& name, const Value& value) { wishes_.set(name, value); }
-    /// Back to the default.
-    void unset(const std::string& name) { wishes_.reset(name); }
+    void set(const std::string& name, const Value& value);
+    /// Back to the default. The sea's level is that of a coast or of an island then, where the terrain is
+    /// one.
+    void unset(const std::string& name);
     /// Names of the wishes that make a difference as the others stand.
     std::vector<std::string> heeded() const;
     /// Why it cannot be generated; empty: it can.
@@ -45,6 +46,7 @@ class NewTerrain {
         std::string failure{};  ///< why there is none
     };
     static Drawn drawn(const Parameters& wishes);
+    void suggest_sea();
 
     bool shown_ = false;
     Parameters wishes_;

@@ -108,6 +108,7 @@ void Project::serve(const PanelRequests& asked) {
                        });
     }
     if (asked.raster) take_raster(*asked.raster);
+    if (asked.export_to) state_.write.settings.path = *asked.export_to;
     if (asked.write)
         when_replaceable(asked.write->path.string(),
                          [this, settings = *asked.write] { export_files(settings); });

@@ -49,9 +49,11 @@ std::vector<std::uint8_t> small_picture(const Grid& grid, const std::vector<floa
             const glm::dvec3 ground =
                 1.15 * light * (glm::dvec3(0.55, 0.60, 0.50) + share * glm::dvec3(0.45, 0.35, 0.45));
             const double depth_m = depths_m.empty() ? 0 : between(depths_m, place);
+            // The ground shows through what is shallow.
             const double clear = std::exp(-6 * depth_m / relief);
-            put(depth_m > 0 ? glm::mix(glm::dvec3(0.08, 0.22, 0.38), glm::dvec3(0.35, 0.62, 0.72), clear)
-                            : ground);
+            const glm::dvec3 water =
+                glm::mix(glm::dvec3(0.08, 0.22, 0.38), glm::dvec3(0.35, 0.62, 0.72), clear);
+            put(depth_m > 0 ? glm::mix(water, ground, 0.6 * clear * clear) : ground);
         }
     return rgba;
 }

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "app/panels/panels.h"
+#include "app/panels/style.h"
 #include "sim/io/endings.h"
 #include "sim/io/heightmap_formats.h"
 #include "sim/terrain/layers.h"
@@ -60,7 +61,9 @@ std::string what_it_is(io::ExportKind kind) {
         case io::ExportKind::godot:
             return "For Terrain3D: .r16 or .exr, and what to type there in a .txt beside it.";
         default:
-            return "A heightmap: " + formats_written() + ".";
+            return "A heightmap: " + formats_written() +
+                   ". Files that cannot hold spacing and heights get a .json beside them, which Talus reads "
+                   "too.";
     }
 }
 
@@ -79,8 +82,10 @@ void follow_losses(const Session& session, ExportDialog& dialog) {
 }
 
 // One of several, by its place among them. `open`: becomes true while its list is; Escape is the list's then.
-int choose(const char* label, const std::vector<std::string>& choices, int chosen, bool& open) {
-    if (ImGui::BeginCombo(label, choices[static_cast<std::size_t>(chosen)].c_str())) {
+int choose(const char* name, const std::vector<std::string>& choices, int chosen, bool& open) {
+    label_before(label_of_name(name));
+    if (ImGui::BeginCombo((std::string("##") + name).c_str(),
+                          choices[static_cast<std::size_t>(chosen)].c_str())) {
         open = true;
         close_on_escape();
         for (std::size_t i = 0; i < choices.size(); ++i)
@@ -88,7 +93,7 @@ int choose(const char* label, const std::vector<std::string>& choices, int chose
                 chosen = static_cast<int>(i);
         ImGui::EndCombo();
     }
-    note_widget(label);
+    note_widget(name);
     return chosen;
 }
 
@@ -144,20 +149,25 @@ void choose_maps(io::ExportSettings& settings, bool& open) {
     settings.samples_for = taken_by[static_cast<std::size_t>(taken)];
 }
 
+// Named after the scene, beside its file; another scene forgets what was named for the one before.
+void propose_path(const Session& session, io::ExportSettings& settings) {
+    if (!settings.path.empty()) return;
+    const std::filesystem::path near = session.path().empty() ? session.request().input : session.path();
+    std::error_code ignored;
+    const auto folder = near.empty() ? std::filesystem::current_path(ignored) : near.parent_path();
+    std::string name = near.empty() ? session.scene().title : near.stem().string();
+    std::replace(name.begin(), name.end(), '/', '-');
+    settings.path = folder / (name + "-export" + usual_ending(settings.kind));
+}
+
 }  // namespace
 
 void draw_export_dialog(PanelContext& context) {
     ExportDialog& dialog = context.state.write;
     if (!dialog.shown) return;
     io::ExportSettings& settings = dialog.settings;
-    if (settings.path.empty()) {
-        const std::filesystem::path near =
-            context.session.path().empty() ? context.session.request().input : context.session.path();
-        std::error_code ignored;
-        const auto folder = near.empty() ? std::filesystem::current_path(ignored) : near.parent_path();
-        settings.path = folder / ((near.empty() ? "terrain" : near.stem().string()) + "-export.tif");
-    }
-    if (!begin_dialog("Export", 36)) return;
+    propose_path(context.session, settings);
+    if (!begin_dialog("Export", 36, 0, true)) return;
     const bool writes = context.work.busy();
     ImGui::BeginDisabled(writes);
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
@@ -176,28 +186,37 @@ void draw_export_dialog(PanelContext& context) {
     ImGui::TextWrapped("%s", what_it_is(settings.kind).c_str());
     ImGui::Spacing();
     std::string path = settings.path.string();
-    ImGui::SetNextItemWidth(-1);
+    ImGui::SetNextItemWidth(-em(6));
     if (ImGui::InputText("##path", &path)) settings.path = path;
     note_widget("export path");
-    ImGui::PushItemWidth(12 * ImGui::GetFontSize());
+    ImGui::SameLine();
+    if (button("Browse…", "the folder and the name of the file"))
+        context.state.dialog.begin(FileDialog::Purpose::export_to, settings.path.string());
     bool choosing = false;
     if (settings.kind == io::ExportKind::maps)
         choose_maps(settings, choosing);
     else
         choose_layer(settings, choosing);
     if (settings.kind != io::ExportKind::maps) {
-        ImGui::InputInt2("tiles east, south", &settings.tiles.x);
+        label_before("Tiles east, south");
+        ImGui::InputInt2("##tiles", &settings.tiles.x);
         settings.tiles = glm::clamp(settings.tiles, 1, 64);
     }
     if (settings.kind == io::ExportKind::mesh) {
-        ImGui::InputDouble("m of error", &settings.mesh_error_m, 0, 0, "%.6g");
+        label_before("Largest error");
+        ImGui::InputDouble("##error", &settings.mesh_error_m, 0, 0, "%.6g m");
     } else if (settings.kind != io::ExportKind::maps) {
         bool given = settings.range_m.has_value();
-        if (ImGui::Checkbox("heights of the smallest and largest integer", &given))
+        label_before("Heights of integers");
+        if (ImGui::Checkbox("##given", &given))
             settings.range_m = given ? std::optional<io::Range>(context.session.bounds()) : std::nullopt;
-        if (settings.range_m) ImGui::InputScalarN("m", ImGuiDataType_Double, &settings.range_m->x, 2);
+        tooltip_of("the heights of the smallest and of the largest integer; else those of the terrain");
+        if (settings.range_m) {
+            label_before("Smallest, largest");
+            ImGui::InputScalarN("##range", ImGuiDataType_Double, &settings.range_m->x, 2, nullptr, nullptr,
+                                "%.6g m");
+        }
     }
-    ImGui::PopItemWidth();
     heading("What gets lost");
     follow_losses(context.session, dialog);
     ImGui::PushTextWrapPos(0);

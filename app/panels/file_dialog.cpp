@@ -35,7 +35,7 @@ struct FilePurpose {
 };
 
 using Purpose = FileDialog::Purpose;
-constexpr std::array<FilePurpose, 8> file_purposes = {{
+constexpr std::array<FilePurpose, 9> file_purposes = {{
     {Purpose::open, "Open", &PanelRequests::import, scenes_and_heightmaps},
     {Purpose::save, "Save as", &PanelRequests::save, [] { return Endings{".exr"}; }, ".exr",
      "a Talus document ends in .exr; other formats are under File > Export"},
@@ -50,6 +50,7 @@ constexpr std::array<FilePurpose, 8> file_purposes = {{
          return Endings{".csv", ".txt"};
      }},
     {Purpose::raster, "Choose a raster", &PanelRequests::raster, io::readable_endings},
+    {Purpose::export_to, "Export to", &PanelRequests::export_to, nullptr},
 }};
 
 const FilePurpose& purpose_of(const FileDialog& dialog) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "app/panels/panels.h"
 #include "app/panels/style.h"
@@ -36,44 +37,69 @@ constexpr std::array<SidePanel, 15> side_panels = {{
     {"Log", "what was said", draw_log_panel, true},
 }};
 
-// Before the first frame too.
-float em(float times) {
-    return times * ImGui::GetIO().Fonts->ConfigData[0].SizePixels;
-}
 float menu_height() {
     return em(1) + 2 * ImGui::GetStyle().FramePadding.y;
 }
-float status_height() {
-    return em(1) + 8;
-}
 
-constexpr float tools_width_em = 17;
-constexpr float side_width_em = 23;
+constexpr float least_tools_em = 15;
+constexpr float least_side_em = 17;
+constexpr float most_em = 60;
+constexpr float folded_em = 1.7F;
 // A picture narrower than that is none to work in.
 constexpr float least_picture_em = 10;
 
 // Whether the window has no room for the tools beside the other panels: then they are one of them.
 bool is_narrow(glm::ivec2 size) {
-    return static_cast<float>(size.x) < em(tools_width_em + side_width_em + least_picture_em);
+    return static_cast<float>(size.x) < em(least_tools_em + least_side_em + least_picture_em);
 }
 
-// Widths of the panels on both sides, pixels.
+// Widths of the panels on both sides, pixels: as they were dragged, as far as the picture keeps its room.
 glm::vec2 side_widths(const PanelState& state, glm::ivec2 size) {
     if (!state.panels_shown) return {0, 0};
-    if (state.only_looks) return {0, std::min(em(side_width_em), static_cast<float>(size.x))};
-    if (!is_narrow(size)) return {em(tools_width_em), em(side_width_em)};
-    return {0, std::min(em(side_width_em), static_cast<float>(size.x))};
+    const float room = static_cast<float>(size.x) / em(1);
+    const auto width = [](const PanelSide& side, float least) {
+        return side.folded ? folded_em : std::clamp(side.width_em, least, most_em);
+    };
+    float tools = state.only_looks || is_narrow(size) ? 0 : width(state.tools_side, least_tools_em);
+    float panels = width(state.panels_side, least_side_em);
+    const float most_panels = std::max(room - tools - least_picture_em, least_side_em);
+    if (!state.panels_side.folded) panels = std::min({panels, most_panels, room});
+    if (tools > 0 && !state.tools_side.folded)
+        tools = std::min(tools, std::max(room - panels - least_picture_em, least_tools_em));
+    // Whole pixels, as windows have: else each frame would take a part of one away.
+    return {std::round(em(tools)), std::round(em(panels))};
 }
 
-// A window that fills the height between menu and status line, at one of the sides.
-bool begin_side(const char* name, bool right, float width, glm::ivec2 size) {
+// A window that fills the height between menu and status line, at one of the sides. Its inner edge can be
+// dragged. False: it is folded to a button that brings it back, and ends at once.
+bool begin_side(const char* name, bool right, float width, float most, PanelSide& side, glm::ivec2 size) {
     const auto w = static_cast<float>(size.x);
     const float height = static_cast<float>(size.y) - menu_height() - status_height();
     ImGui::SetNextWindowPos({right ? w - width : 0, menu_height()});
     ImGui::SetNextWindowSize({width, height});
-    return ImGui::Begin(name, nullptr,
-                        ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    // Where the window is narrower than they should be, they are as it is.
+    const float least = std::min(em(right ? least_side_em : least_tools_em), width);
+    ImGui::SetNextWindowSizeConstraints({least, height}, {std::max(width, most), height});
+    int flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                ImGuiWindowFlags_NoBringToFrontOnFocus;
+    if (side.folded) {
+        flags |= ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoScrollbar;
+        ImGui::SetNextWindowSizeConstraints({width, height}, {width, height});
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, ImGui::GetStyle().WindowPadding.y});
+        ImGui::Begin(name, nullptr, flags);
+        ImGui::PopStyleVar();
+        if (ImGui::Button(right ? "«" : "»", {width, 0})) side.folded = false;
+        note_widget(std::string("unfold ") + name);
+        tooltip_of(std::string("brings back: ") + name);
+        return false;
+    }
+    // Edges are enough to drag: corners show no grips.
+    for (const int grip : {ImGuiCol_ResizeGrip, ImGuiCol_ResizeGripHovered, ImGuiCol_ResizeGripActive})
+        ImGui::PushStyleColor(grip, 0);
+    ImGui::Begin(name, nullptr, flags);
+    ImGui::PopStyleColor(3);
+    if (const float dragged = ImGui::GetWindowWidth(); dragged != width) side.width_em = dragged / em(1);
+    return true;
 }
 
 void draw_side(PanelContext& context, bool with_tools) {
@@ -90,18 +116,23 @@ void draw_side(PanelContext& context, bool with_tools) {
                                       [&](const SidePanel* panel) { return panel->name == state.shown; });
     const std::string shown = is_there || (with_tools && state.shown == tools) ? state.shown : "View";
     const float spacing = ImGui::GetStyle().ItemSpacing.x / 2;
-    const float width = (ImGui::GetContentRegionAvail().x - 3 * spacing) / 4;
+    // As many in a row as their names leave room for.
+    const float room = ImGui::GetContentRegionAvail().x;
+    const auto columns = static_cast<std::size_t>(std::clamp(room / em(5.4F), 1.0F, 8.0F));
+    const float width = (room - static_cast<float>(columns - 1) * spacing) / static_cast<float>(columns);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {spacing, spacing});
     for (std::size_t i = 0; i < panels.size(); ++i) {
-        if (i % 4 != 0) ImGui::SameLine();
+        if (i % columns != 0) ImGui::SameLine();
         if (choice_button(panels[i]->name, shown == panels[i]->name, panels[i]->what, width))
             state.shown = panels[i]->name;
     }
+    if (with_tools && panels.size() % columns != 0) ImGui::SameLine();
     if (with_tools && choice_button(tools, shown == tools, "the brush and its tools", width))
         state.shown = tools;
     ImGui::PopStyleVar();
     ImGui::Separator();
-    ImGui::BeginChild("side");
+    // Keys move into it as if it were no window of its own.
+    ImGui::BeginChild("side", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
     for (const SidePanel& panel : side_panels)
         if (shown == panel.name) panel.draw(context);
     if (shown == tools) draw_tools_panel(context);
@@ -127,19 +158,40 @@ PictureArea picture_area(const PanelState& state, glm::ivec2 size) {
     return {{left, top}, glm::max(size - glm::ivec2(left + right, top + bottom), 16)};
 }
 
+namespace {
+
+// Arrow keys move from widget to widget of one of the sides, from the next frame on.
+void follow_keyboard(PanelState& state, bool has_tools) {
+    if (state.keyboard_in == KeyboardIn::tools && !has_tools) state.keyboard_in = KeyboardIn::panels;
+    if (!state.panels_shown) state.keyboard_in = KeyboardIn::picture;
+    ImGuiIO& io = ImGui::GetIO();
+    const bool moves = state.keyboard_in != KeyboardIn::picture;
+    if (moves)
+        io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    else
+        io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+    if (std::exchange(state.keyboard_was_in, state.keyboard_in) == state.keyboard_in) return;
+    ImGui::SetWindowFocus(state.keyboard_in == KeyboardIn::tools ? "Tools" : moves ? "Panels" : nullptr);
+}
+
+}  // namespace
+
 void draw_panels(PanelContext& context, const StatusFigures& figures, glm::ivec2 size) {
     begin_widgets();
+    follow_keyboard(context.state, side_widths(context.state, size).x > 0);
     if (ImGui::BeginMainMenuBar()) {
         draw_menu(context);
         ImGui::EndMainMenuBar();
     }
     if (context.state.panels_shown) {
         const glm::vec2 sides = side_widths(context.state, size);
+        const float most = static_cast<float>(size.x) - em(least_picture_em);
         if (sides.x > 0) {
-            if (begin_side("Tools", false, sides.x, size)) draw_tools_panel(context);
+            if (begin_side("Tools", false, sides.x, most - sides.y, context.state.tools_side, size))
+                draw_tools_panel(context);
             ImGui::End();
         }
-        if (begin_side("Panels", true, sides.y, size))
+        if (begin_side("Panels", true, sides.y, most - sides.x, context.state.panels_side, size))
             draw_side(context, is_narrow(size) && !context.state.only_looks);
         ImGui::End();
     }
@@ -155,80 +207,12 @@ void draw_panels(PanelContext& context, const StatusFigures& figures, glm::ivec2
         draw_new_dialog(context);
     else if (context.state.keys_shown)
         draw_keys_dialog(context);
-    else if (context.state.write.shown)
+    else if (context.state.write.shown && context.state.dialog.purpose != FileDialog::Purpose::export_to)
         draw_export_dialog(context);
     else
         draw_file_dialog(context);
     draw_status_line(context.session, figures, size.x, size.y);
     draw_notice(figures.message, picture_area(context.state, size));
-}
-
-// At the upper edge of the picture: at the lower one are its legends.
-void draw_notice(const std::string& message, const PictureArea& area) {
-    if (message.empty()) return;
-    // What does not fit into a line goes on in the next.
-    const float room = std::clamp(static_cast<float>(area.size.x) - em(2), em(12), em(60));
-    const ImVec2 text_size = ImGui::CalcTextSize(message.c_str(), nullptr, false, room);
-    const float middle = static_cast<float>(area.corner.x) + static_cast<float>(area.size.x) / 2;
-    const float left = std::max(middle - text_size.x / 2, 10.0F);
-    const float top = static_cast<float>(area.corner.y) + em(0.8F);
-    ImDrawList* list = ImGui::GetForegroundDrawList();
-    list->AddRectFilled({left - 10, top - 5}, {left + text_size.x + 10, top + text_size.y + 5},
-                        colour_of(theme().notice), 4);
-    list->AddText(nullptr, 0, {left, top}, colour_of(theme().text), message.c_str(), nullptr, room);
-}
-
-// A height without -0.0.
-std::string height_text(double height_m) {
-    return fmt::format("{:.1f}", std::round(height_m * 10) / 10 + 0.0);
-}
-
-// Where the mouse is on the ground, in the file's coordinates where there are any.
-std::string cursor_text(const Session& session, const std::optional<glm::dvec3>& cursor) {
-    if (!cursor) return "–";
-    const std::optional<Georeference> on_earth = session.georeference();
-    const glm::dvec2 place =
-        on_earth ? coordinates_of(*on_earth, session.grid(), glm::dvec2(*cursor)) : glm::dvec2(*cursor);
-    // Degrees need more digits than metres: a tenth of a sample at least.
-    const double step = on_earth ? std::abs(on_earth->transform[1]) : 1;
-    const int digits = std::clamp(static_cast<int>(std::ceil(1 - std::log10(std::max(step, 1e-9)))), 1, 9);
-    return fmt::format("{}{:.{}f}, {:.{}f}: {} m", on_earth ? "" : "x, y ", place.x, digits, place.y, digits,
-                       height_text(cursor->z));
-}
-
-std::string status_text(const Session& session, const StatusFigures& figures) {
-    const Grid& grid = session.grid();
-    const glm::dvec2 heights_m = session.heights_m();
-    std::string text = fmt::format("{} × {} samples, {} × {} m  |  {} to {} m  |  {}  |  ", grid.nx, grid.ny,
-                                   figure(grid.dx, 4), figure(grid.dy, 4), height_text(heights_m.x),
-                                   height_text(heights_m.y), cursor_text(session, figures.cursor));
-    if (const Overflight* overflight = session.overflight())
-        text += fmt::format("{}  |  ", overflight->tiles().state());
-    else
-        text += fmt::format("{:.2f} s, speed {} of {}  |  tick {:.1f} ms, ",
-                            session.simulation().clock().simulated_s, figure(session.speed_reached(), 3),
-                            figure(session.view().number("time.speed"), 3), session.tick_ms());
-    if (const Surroundings* around = session.surroundings()) {
-        if (!around->tiles().terrain().is_measured) text += "a sketch around it, ";
-        if (around->tiles().awaited_tiles() > 0)
-            text += fmt::format("{} tiles on their way, ", around->tiles().awaited_tiles());
-    }
-    const std::string photo = session.photo() ? session.photo()->state() : "";
-    if (!photo.empty()) text += photo + ", ";
-    return text + fmt::format("frame {:.1f} ms at {:.0f} %  |  {}", figures.frame_ms, 100 * figures.scale,
-                              figures.device);
-}
-
-void draw_status_line(const Session& session, const StatusFigures& figures, int width, int height) {
-    ImDrawList* list = ImGui::GetForegroundDrawList();
-    const float line = status_height();
-    const auto w = static_cast<float>(width);
-    const auto h = static_cast<float>(height);
-    const std::string text = shortened(status_text(session, figures), [&](const std::string& some) {
-        return ImGui::CalcTextSize(some.c_str()).x <= w - 16;
-    });
-    list->AddRectFilled({0, h - line}, {w, h}, colour_of(theme().bar));
-    list->AddText({8, h - line + 4}, colour_of(theme().text), text.c_str());
 }
 
 }  // namespace talus::app

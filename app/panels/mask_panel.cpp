@@ -44,7 +44,7 @@ void draw_mask_panel(PanelContext& context) {
     const Parameters& view = context.session.view();
     ImGui::TextWrapped(
         "The mask says where brushes act (Brush where, on the left), where it rains (Water) and what erodes "
-        "(Erosion). Paint it with the tool Mask, draw it, or make it here.");
+        "(Erosion), and what the ground is made of. Paint it with the tool Mask, draw it, or make it here.");
     if (choice_button("Show the mask", view.choice("render.view") == "mask", "the view of the mask", 0))
         context.session.set("render.view",
                             std::string(view.choice("render.view") == "mask" ? "shaded" : "mask"));
@@ -71,6 +71,8 @@ void draw_mask_panel(PanelContext& context) {
         ask(context, MakeMask{MaskSource::everything, 0, 0, 0, MaskJoin::replace, true});
     draw_parameters(context.session, context.requests, {"mask.blur_m"});
     if (button("Blur the mask")) ask(context, Blur{view.number("mask.blur_m"), true, false});
+    heading("Material");
+    draw_parameters(context.session, context.requests, {"material.masked"});
 }
 
 }  // namespace talus::app

@@ -50,8 +50,7 @@ void draw_edit_menu(PanelContext& context) {
     if (menu_item(undo, "Ctrl+Z", history.can_undo())) context.requests.undo = true;
     if (menu_item(redo, "Ctrl+Shift+Z", history.can_redo())) context.requests.redo = true;
     ImGui::Separator();
-    if (menu_item("Back to the start of the scene", nullptr, !context.state.only_looks))
-        context.requests.reset = true;
+    if (menu_item("Start the scene over", nullptr, !context.state.only_looks)) context.requests.reset = true;
 }
 
 }  // namespace
@@ -71,7 +70,7 @@ void draw_menu(PanelContext& context) {
     note_widget("Edit");
     if (ImGui::BeginMenu("View")) {
         close_on_escape();
-        if (menu_item("Whole terrain", "F")) context.requests.framing = true;
+        if (menu_item("Fit view", "F")) context.requests.framing = true;
         if (!context.session.cameras().empty() && ImGui::BeginMenu("Kept cameras")) {
             close_on_escape();
             for (const NamedCamera& camera : context.session.cameras())
@@ -80,8 +79,15 @@ void draw_menu(PanelContext& context) {
                         [wanted = camera.name](Session& s) { s.go_to_camera(wanted); });
             ImGui::EndMenu();
         }
-        if (menu_item("Panels", "Tab", true, context.state.panels_shown))
+        if (menu_item("All panels", "Tab", true, context.state.panels_shown))
             context.state.panels_shown = !context.state.panels_shown;
+        const bool shown_at_all = context.state.panels_shown;
+        PanelSide& tools = context.state.tools_side;
+        PanelSide& panels = context.state.panels_side;
+        if (menu_item("Tools at the left", nullptr, shown_at_all && !context.state.only_looks, !tools.folded))
+            tools.folded = !tools.folded;
+        if (menu_item("Panels at the right", nullptr, shown_at_all, !panels.folded))
+            panels.folded = !panels.folded;
         if (ImGui::BeginMenu("Theme")) {
             close_on_escape();
             for (const Theme& one : themes())

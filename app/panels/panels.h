@@ -50,6 +50,13 @@ void draw_mask_panel(PanelContext& context);
 void draw_rectangle_button(PanelContext& context, const std::string& tooltip);
 /// Roads, rivers, walls and ditches: their points, how they will be, and the act that builds them.
 void draw_paths_panel(PanelContext& context);
+/// Springs: a button to place one by the next click, and for each its rate and its place.
+void draw_springs(PanelContext& context);
+/// A button after which the next click on the ground places one of the kind.
+void place_button(PanelState& state, MarkKind kind, const char* words);
+/// Where something stands, m, as numbers that can be changed; in the file's coordinates too, where there are
+/// any. The place that was given, once it is.
+std::optional<glm::dvec2> place_fields(PanelContext& context, const std::string& name, glm::dvec2 place_m);
 /// Acts on the whole map: its size and place, its heights, noise, another heightmap.
 void draw_map_panel(PanelContext& context);
 /// The part of a terrain in tiles that is cut out to be worked in, and the way back.
@@ -91,6 +98,8 @@ void draw_work(const Work& work, bool& cancelled);
 /// At the lower edge of the picture a bar for tiles that are made ready, with the time left and a button to
 /// stop it.
 void draw_preparation(const Work& work, const PictureArea& area, bool& stopped);
+/// Of the status line, pixels.
+float status_height();
 void draw_status_line(const Session& session, const StatusFigures& figures, int width, int height);
 /// A sentence over the picture.
 void draw_notice(const std::string& message, const PictureArea& area);

@@ -59,7 +59,7 @@ bool edit(const Parameter& p, const char* id, Value& value) {
 
 void explain(const Parameter& p) {
     const bool ranged = std::holds_alternative<double>(p.preset) || std::holds_alternative<int>(p.preset);
-    ImGui::BeginTooltip();
+    begin_tooltip();
     ImGui::PushTextWrapPos(26 * ImGui::GetFontSize());
     ImGui::TextDisabled("%s", p.name.c_str());
     ImGui::TextUnformatted(p.help.c_str());
@@ -67,7 +67,7 @@ void explain(const Parameter& p) {
         ImGui::TextUnformatted(
             fmt::format("{} to {} {}", figure(p.low, 6), figure(p.high, 6), p.unit).c_str());
     ImGui::TextDisabled("%s", fmt::format("default {}; a right click unsets it{}", value_text(p, p.preset),
-                                          ranged ? "; Ctrl+click: an exact value" : "")
+                                          ranged ? "; a click, on a slider Ctrl+click: an exact value" : "")
                                   .c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();

@@ -42,13 +42,7 @@ void draw_preset_grid(PanelContext& context) {
         const bool pressed = picture.width() > 0 ? ImGui::ImageButton(panel_image(picture), size)
                                                  : ImGui::Button(preset.name.c_str(), size);
         note_widget("preset " + preset.name);
-        if (ImGui::IsItemHovered()) {
-            ImGui::BeginTooltip();
-            ImGui::PushTextWrapPos(24 * ImGui::GetFontSize());
-            ImGui::TextUnformatted(preset.description.c_str());
-            ImGui::PopTextWrapPos();
-            ImGui::EndTooltip();
-        }
+        tooltip_of(preset.description);
         ImGui::TextUnformatted(preset.title.c_str());
         ImGui::EndGroup();
         ImGui::PopID();

@@ -18,7 +18,7 @@ void draw_self_check_dialog(PanelContext& context) {
         coloured_text(row.holds ? theme().good : theme().warning, row.holds ? "holds" : "FAILS");
         ImGui::SameLine(4 * ImGui::GetFontSize());
         ImGui::TextUnformatted(row.claim.c_str());
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.says.c_str());
+        tooltip_of(row.says);
         ImGui::SameLine(14 * ImGui::GetFontSize());
         text_line(row.found);
     }

@@ -74,7 +74,7 @@ void draw_start_page(PanelContext& context, glm::ivec2 size) {
             if (ImGui::Selectable(std::filesystem::path(recent[i]).filename().string().c_str()))
                 context.requests.import = recent[i];
             note_widget(fmt::format("recent {}", i));
-            if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", recent[i].c_str());
+            tooltip_of(recent[i]);
         }
     }
     heading("Scenes");

@@ -94,6 +94,10 @@ void set_theme(const std::string& name) {
     give({0, 0, 0, 0.45F}, {ImGuiCol_ModalWindowDimBg});
 }
 
+float em(float times) {
+    return times * ImGui::GetIO().Fonts->ConfigData[0].SizePixels;
+}
+
 void set_style(float scale) {
     ImGuiStyle& style = ImGui::GetStyle();
     style.WindowRounding = 0;

@@ -38,5 +38,7 @@ std::uint32_t colour_of(glm::vec4 colour);
 
 /// How panels look, at this scale, in the first theme; loads their font. Once.
 void set_style(float scale);
+/// So many heights of a letter, pixels; before the first frame too.
+float em(float times);
 
 }  // namespace talus::app

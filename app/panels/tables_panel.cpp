@@ -25,7 +25,7 @@ void offer_numbers(PanelContext& context, bool within_tick) {
         if (ImGui::Selectable(shown_name(p).c_str(), p.name == chosen)) chosen = p.name;
         note_widget("follow " + p.name);
         if (p.name == chosen) ImGui::SetItemDefaultFocus();
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", p.help.c_str());
+        tooltip_of(p.help);
     }
 }
 

@@ -49,8 +49,7 @@ void draw_shelf(PanelContext& context) {
                 s.apply_together(name_of(choose), {choose});
             });
         note_widget("stamp " + shape.name);
-        if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("%s: %s", label_of_name(shape.name).c_str(), shape.what.c_str());
+        tooltip_of(label_of_name(shape.name) + ": " + shape.what);
         ImGui::PopID();
         if (&shape != &stamp_shapes().back()) ImGui::SameLine(0, spacing);
     }
@@ -98,29 +97,38 @@ void draw_tools_panel(PanelContext& context) {
     Session& session = context.session;
     PanelRequests& requests = context.requests;
     const float spacing = ImGui::GetStyle().ItemSpacing.x / 2;
-    const float third = (ImGui::GetContentRegionAvail().x - 2 * spacing) / 3;
-    // So that the longest name of a tool fits beside a bar to scroll by.
+    const float half = (ImGui::GetContentRegionAvail().x - spacing) / 2;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {spacing, ImGui::GetStyle().ItemSpacing.y});
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {1, ImGui::GetStyle().FramePadding.y});
-    if (choice_button(session.playing ? "Pause" : "Play", session.playing, "Space: runs the simulations",
-                      third))
+    if (icon_button(session.playing ? "Pause" : "Play", "Space: runs the simulations",
+                    {session.playing ? "5,2 5,14; 11,2 11,14" : "4,2 13,8 4,14 4,2", half, session.playing,
+                     true, "play"}))
         requests.acts.emplace_back([plays = !session.playing](Session& s) { s.set_playing(plays); });
     ImGui::SameLine();
-    if (choice_button("Step", false, "the key . : one tick", third))
+    if (icon_button("Step", "the key . : one tick", {"3,2 10,8 3,14 3,2; 13,2 13,14", half}))
         requests.acts.emplace_back([](Session& s) { s.begin_step(); });
+    const Undo& history = session.simulation().undo_history();
+    if (icon_button("Undo", history.can_undo() ? "Ctrl+Z: " + history.undo_name() : "Ctrl+Z",
+                    {"6,3 2,7 6,11; 2,7 11,7 14,9 14,13", half, false,
+                     history.can_undo() || session.playing || session.mid_tick()}))
+        requests.undo = true;
     ImGui::SameLine();
-    if (choice_button("Frame", false, "F: the whole terrain", third)) requests.framing = true;
-    if (choice_button("Undo", false, "Ctrl+Z", third)) requests.undo = true;
+    if (icon_button("Redo", history.can_redo() ? "Ctrl+Shift+Z: " + history.redo_name() : "Ctrl+Shift+Z",
+                    {"10,3 14,7 10,11; 14,7 5,7 2,9 2,13", half, false, history.can_redo()}))
+        requests.redo = true;
+    if (icon_button("Fit view", "F: the camera sees the whole terrain",
+                    {"1,5 1,1 5,1; 11,1 15,1 15,5; 15,11 15,15 11,15; 5,15 1,15 1,11", half}))
+        requests.framing = true;
     ImGui::SameLine();
-    if (choice_button("Redo", false, "Ctrl+Shift+Z", third)) requests.redo = true;
-    ImGui::SameLine();
-    if (choice_button("Reset", false, "the scene from its start; the file or generator is read anew", third))
+    if (icon_button("Start over", "the scene from its start; the file or generator is read anew",
+                    {"13,8 12,12 8,14 4,12 2,8 4,4 8,2 12,4; 12,1 12,5 8,5", half}))
         requests.reset = true;
     const std::string& recording = context.state.recording;
-    if (choice_button(recording.empty() ? "Record" : "End film", !recording.empty(),
-                      "F9: a film of the view, beside the project; needs ffmpeg", third))
+    const bool films = !recording.empty();
+    if (icon_button(films ? "End film" : "Record", "F9: a film of the view, beside the project; needs ffmpeg",
+                    {films ? "3,3 13,3 13,13 3,13 3,3" : "8,3 11,4 13,8 11,12 8,13 5,12 3,8 5,4 8,3", half,
+                     films, true, "record"}))
         requests.record = true;
-    if (!recording.empty()) {
+    if (films) {
         ImGui::SameLine();
         ImGui::AlignTextToFramePadding();
         text_line(recording);
@@ -129,13 +137,13 @@ void draw_tools_panel(PanelContext& context) {
     const Tool& tool = tool_named(session.view().choice("brush.tool"));
     for (std::size_t i = 0; i < tools().size(); ++i) {
         const std::string& name = tools()[i].name;
-        if (choice_button(name, tool.name == name, key_of(i), third)) {
+        if (icon_button(name, key_of(i), {tools()[i].icon, half, tool.name == name})) {
             session.set("brush.tool", name);
             context.state.take_brush();
         }
-        if (i % 3 != 2 && i + 1 < tools().size()) ImGui::SameLine();
+        if (i % 2 == 0 && i + 1 < tools().size()) ImGui::SameLine();
     }
-    ImGui::PopStyleVar(2);
+    ImGui::PopStyleVar();
     ImGui::PushTextWrapPos(0);
     ImGui::TextDisabled("%s", tool.how_to.c_str());
     ImGui::PopTextWrapPos();

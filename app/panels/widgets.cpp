@@ -4,7 +4,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 
+#include "app/core/icon.h"
 #include "app/panels/panels.h"
 #include "app/panels/style.h"
 #include "sim/drives.h"
@@ -20,9 +24,24 @@ std::vector<WidgetRect>& rects() {
 
 }  // namespace
 
+void begin_tooltip() {
+    const ImVec2 window = ImGui::GetMainViewport()->Size;
+    const float left = ImGui::GetWindowPos().x;
+    const float right = left + ImGui::GetWindowWidth();
+    const float edge = em(1);
+    const bool low = ImGui::GetItemRectMin().y > 0.6F * window.y;
+    const float top = low ? ImGui::GetItemRectMax().y : ImGui::GetItemRectMin().y;
+    const float gap = ImGui::GetStyle().WindowPadding.x + 4;
+    if (left <= edge && right < 0.5F * window.x)
+        ImGui::SetNextWindowPos({right + gap, top}, ImGuiCond_Always, {0, low ? 1.0F : 0.0F});
+    else if (right >= window.x - 2 * edge && left > 0.5F * window.x)
+        ImGui::SetNextWindowPos({left - gap, top}, ImGuiCond_Always, {1, low ? 1.0F : 0.0F});
+    ImGui::BeginTooltip();
+}
+
 void tooltip_of(const std::string& text) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    ImGui::BeginTooltip();
+    begin_tooltip();
     ImGui::PushTextWrapPos(24 * ImGui::GetFontSize());
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
@@ -62,15 +81,20 @@ void* panel_image(const gpu::Texture& texture) {
     return reinterpret_cast<void*>(name);
 }
 
-bool begin_dialog(const char* title, float width_em, float height_em) {
+bool begin_dialog(const char* title, float width_em, float height_em, bool grows) {
     const float em = ImGui::GetFontSize();
     const ImVec2 window = ImGui::GetMainViewport()->Size;
     const float margin = em / 2;
     const float height = std::min(height_em * em, window.y - 2 * margin);
     ImGui::OpenPopup(title);
     ImGui::SetNextWindowSize({std::min(width_em * em, window.x - 2 * margin), height});
-    ImGui::SetNextWindowSizeConstraints({0, 0}, {window.x - 2 * margin, window.y - 2 * margin});
-    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
+    const float top = std::min(3 * em, 0.1F * window.y);
+    ImGui::SetNextWindowSizeConstraints({0, 0},
+                                        {window.x - 2 * margin, window.y - margin - (grows ? top : margin)});
+    if (grows)
+        ImGui::SetNextWindowPos({window.x / 2, top}, ImGuiCond_Always, {0.5F, 0});
+    else
+        ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
     return ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize);
 }
 
@@ -87,12 +111,46 @@ bool button(const std::string& name, const std::string& tooltip, bool enabled) {
     return pressed;
 }
 
-bool choice_button(const std::string& name, bool chosen, const std::string& tooltip, float width) {
-    if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-    const bool pressed = ImGui::Button(label_of_name(name).c_str(), {width, 0});
-    if (chosen) ImGui::PopStyleColor();
+namespace {
+
+// A button that stays down while chosen. `id`: ImGui's, empty: as its label.
+bool held_button(const std::string& name, const std::string& tooltip, const IconButton& looks) {
+    ImGui::BeginDisabled(!looks.enabled);
+    if (looks.chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    const std::string label = label_of_name(name) + (looks.id.empty() ? "" : "###" + looks.id);
+    const bool pressed = ImGui::Button(label.c_str(), {looks.width, 0});
+    if (looks.chosen) ImGui::PopStyleColor();
+    ImGui::EndDisabled();
     note_widget(name);
     tooltip_of(tooltip);
+    return pressed;
+}
+
+}  // namespace
+
+bool choice_button(const std::string& name, bool chosen, const std::string& tooltip, float width) {
+    return held_button(name, tooltip, {"", width, chosen});
+}
+
+bool icon_button(const std::string& name, const std::string& tooltip, const IconButton& looks) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {0, 0.5F});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {em(1.6F), ImGui::GetStyle().FramePadding.y});
+    const bool pressed = held_button(name, tooltip, looks);
+    ImGui::PopStyleVar(2);
+    const float side = em(1);
+    const ImVec2 first{corner.x + em(0.3F), corner.y + (ImGui::GetItemRectSize().y - side) / 2};
+    const ImU32 colour = ImGui::GetColorU32(looks.enabled ? ImGuiCol_Text : ImGuiCol_TextDisabled);
+    // Each is read once.
+    static std::map<std::string, std::vector<std::vector<glm::vec2>>> icons;
+    auto lines = icons.find(looks.icon);
+    if (lines == icons.end()) lines = icons.emplace(looks.icon, icon_lines(looks.icon)).first;
+    for (const std::vector<glm::vec2>& line : lines->second) {
+        for (const glm::vec2& point : line)
+            ImGui::GetWindowDrawList()->PathLineTo(
+                {first.x + side * point.x / icon_side, first.y + side * point.y / icon_side});
+        ImGui::GetWindowDrawList()->PathStroke(colour, 0, em(0.095F));
+    }
     return pressed;
 }
 
@@ -187,6 +245,30 @@ std::vector<std::string> names_in(const Session& session, const std::string& sec
 
 void draw_section(const Session& session, PanelRequests& requests, const std::string& section) {
     draw_parameters(session, requests, names_in(session, section));
+}
+
+bool number_until_let_go(std::map<std::string, double>& in_hand, const std::string& name,
+                         const NumberField& field, double& value) {
+    const auto held = in_hand.find(name);
+    double shown = held == in_hand.end() ? value : held->second;
+    const auto speed = static_cast<float>(std::max(std::abs(shown) * 0.005, (field.high - field.low) * 1e-6));
+    ImGui::DragScalar(("##" + name).c_str(), ImGuiDataType_Double, &shown, speed, &field.low, &field.high,
+                      field.format, ImGuiSliderFlags_AlwaysClamp);
+    note_widget(name);
+    if (ImGui::IsItemActive())
+        in_hand[name] = shown;
+    else
+        in_hand.erase(name);
+    if (!ImGui::IsItemDeactivatedAfterEdit()) return false;
+    // What reads as before is as before: Escape takes back to what was written, which is rounded.
+    const auto written = [&](double number) {
+        std::array<char, 64> text{};
+        std::snprintf(text.data(), text.size(), field.format, number);
+        return std::string(text.data());
+    };
+    if (written(shown) == written(value)) return false;
+    value = shown;
+    return true;
 }
 
 void plot_line(const char* label, const std::vector<float>& values, const char* unit) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,13 +31,23 @@ void* panel_image(const gpu::Texture& texture);
 
 /// Begins a dialog in the middle of the window, wherever that is now, as wide and high as given (in letters;
 /// height 0: as its content) but never beyond the window. Where it is true, ImGui::EndPopup() ends it.
-bool begin_dialog(const char* title, float width_em, float height_em = 0);
+/// `grows`: its upper edge stays where it is while its content changes.
+bool begin_dialog(const char* title, float width_em, float height_em = 0, bool grows = false);
 /// Within a menu or a list of choices: Escape closes it.
 void close_on_escape();
 /// A button that is named and explained.
 bool button(const std::string& name, const std::string& tooltip = "", bool enabled = true);
 /// A button that stays down while chosen, as wide as given (0: as its text).
 bool choice_button(const std::string& name, bool chosen, const std::string& tooltip, float width);
+/// What a button with an icon looks like.
+struct IconButton {
+    std::string icon;     ///< app/core/icon.h
+    float width = 0;      ///< pixels; 0: as its text
+    bool chosen = false;  ///< it stays down
+    bool enabled = true;
+    std::string id = "";  ///< of one whose name changes: keys stay on it; empty: its name
+};
+bool icon_button(const std::string& name, const std::string& tooltip, const IconButton& looks);
 /// A line of a menu. `label`: what is read there, if that is not its name.
 bool menu_item(const std::string& name, const char* keys, bool enabled = true, bool chosen = false,
                const std::string& label = "");
@@ -46,6 +57,9 @@ bool selectable_text(const std::string& text, bool chosen = false, int flags = 0
 /// A text as it is where it fits, else the longest beginning that fits with an ellipsis behind it; whole
 /// letters, UTF-8.
 std::string shortened(const std::string& text, const std::function<bool(const std::string&)>& fits);
+/// Begins a tooltip of the last item: beside the panel where that is at one of the window's sides, so that it
+/// covers none of its widgets.
+void begin_tooltip();
 /// Explains the last item, where the mouse is over it; nothing where the text is empty.
 void tooltip_of(const std::string& text);
 /// A label on the left, and room for the next item on its right.
@@ -73,6 +87,17 @@ void draw_parameters(const Session& session, PanelRequests& requests, const std:
 std::vector<std::string> names_in(const Session& session, const std::string& section);
 /// All parameters of a section, set as they change.
 void draw_section(const Session& session, PanelRequests& requests, const std::string& section);
+
+/// How a number is shown, and between what it may lie.
+struct NumberField {
+    const char* format;
+    double low;
+    double high;
+};
+/// A number that is set once it is let go, so that a drag is one act: true then. Until then it is kept in
+/// `in_hand`, by its name.
+bool number_until_let_go(std::map<std::string, double>& in_hand, const std::string& name,
+                         const NumberField& field, double& value);
 
 /// A line of values with its name, its last value and its range.
 void plot_line(const char* label, const std::vector<float>& values, const char* unit);

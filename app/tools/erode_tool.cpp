@@ -20,6 +20,7 @@ void erode(const ToolUse& use, Dab& dab) {
 Tool erode_tool() {
     return {
         .name = "erode",
+        .icon = "1,3 15,3; 4,3 6,8 5,14; 8,3 8,9 9,14; 12,3 11,8 13,14",
         .how_to = "Hold: rain gathers, carves and settles, under the brush alone.",
         .shape = erode,
         .settings = {"erode.acceleration", "erode.rain_mm_per_h", "erode.speed"},

@@ -16,6 +16,7 @@ void add_noise(const ToolUse& use, Dab& dab) {
 Tool noise_tool() {
     return {
         .name = "noise",
+        .icon = "1,9 3,4 5,12 7,5 9,11 11,3 13,12 15,7",
         .how_to = "Ctrl turns it around, Shift smooths.",
         .shape = add_noise,
         .settings = {"brush.rate_m_per_s", "noise.kind", "noise.wavelength_m", "noise.octaves", "noise.gain",

@@ -44,6 +44,7 @@ void mask(const ToolUse& use, Dab& dab) {
 
 Tool water_tool() {
     return {.name = "water",
+            .icon = "8,1 12,7 13,10 11,13 8,14 5,13 3,10 4,7 8,1",
             .how_to = "Ctrl takes water away.",
             .shape = water,
             .settings = {"brush.rate_m_per_s"},
@@ -52,6 +53,7 @@ Tool water_tool() {
 
 Tool rain_tool() {
     return {.name = "rain",
+            .icon = "3,8 1,6 3,3 6,3 9,1 12,3 15,5 13,8 3,8; 5,10 4,14; 8,10 7,14; 11,10 10,14",
             .how_to = wipes,
             .shape = rain,
             .settings = {"brush.rain_mm_per_h", "brush.blend_per_s"},
@@ -60,6 +62,7 @@ Tool rain_tool() {
 
 Tool hardness_tool() {
     return {.name = "hardness",
+            .icon = "4,2 12,2 15,6 8,14 1,6 4,2; 1,6 15,6",
             .how_to = wipes,
             .shape = hardness,
             .settings = {"brush.value", "brush.blend_per_s"},
@@ -69,6 +72,7 @@ Tool hardness_tool() {
 Tool roughness_tool() {
     return {
         .name = "roughness",
+        .icon = "3,14 2,7; 5,14 6,5; 8,14 8,3; 11,14 10,5; 13,14 14,7",
         .how_to =
             "Manning's n of the ground that water flows over. Ctrl gives it back to that of the panel Water.",
         .shape = roughness,
@@ -78,6 +82,7 @@ Tool roughness_tool() {
 
 Tool infiltration_tool() {
     return {.name = "infiltration",
+            .icon = "1,5 15,5; 5,2 5,14; 3,11 5,14 7,11; 11,2 11,14; 9,11 11,14 13,11",
             .how_to = "Water that the ground takes in. Ctrl gives it back to that of the panel Water.",
             .shape = infiltration,
             .settings = {"brush.infiltration_mm_per_h", "brush.blend_per_s"},
@@ -86,6 +91,7 @@ Tool infiltration_tool() {
 
 Tool mask_tool() {
     return {.name = "mask",
+            .icon = "8,1 13,3 15,8 13,13 8,15 3,13 1,8 3,3 8,1; 8,1 8,15; 8,5 11,5; 8,8 13,8; 8,11 11,11",
             .how_to = wipes,
             .shape = mask,
             .settings = {"brush.value", "brush.blend_per_s"},

@@ -32,6 +32,7 @@ void press_stamp(const ToolUse& use, Dab& dab) {
 Tool stamp_tool() {
     return {
         .name = "stamp",
+        .icon = "5,2 11,2 11,6 9,8 9,10 14,10 14,14 2,14 2,10 7,10 7,8 5,6 5,2",
         .how_to = "Ctrl turns it around, Shift smooths.",
         .shape = press_stamp,
         .settings = {"stamp.mode", "stamp.relief_m", "stamp.zero", "stamp.turn_deg", "stamp.mirrored"},

@@ -12,6 +12,7 @@ void terrace(const ToolUse& use, Dab& dab) {
 
 Tool terrace_tool() {
     return {.name = "terrace",
+            .icon = "1,14 5,14 5,10 9,10 9,6 13,6 13,2 15,2",
             .how_to = "Cuts steps of equal height. Shift smooths.",
             .shape = terrace,
             .settings = {"terrace.step_m", "terrace.flat", "brush.blend_per_s"},

@@ -28,6 +28,7 @@ enum class StrokeCourse {
 /// A tool of the brush: a line of `tools()`, and a file of this folder that makes it.
 struct Tool {
     std::string name;    ///< the choice of brush.tool
+    std::string icon;    ///< of its button (app/core/icon.h)
     std::string how_to;  ///< a sentence in the panel
     /// What it makes of a dab that has the brush's place, size and fading.
     void (*shape)(const ToolUse&, Dab&);

@@ -53,10 +53,22 @@ void save_as(const Desk& on) {
 }
 
 void leave(const Desk& on) {
+    on.state.keyboard_in = KeyboardIn::picture;
     // An open menu or list of choices has it first.
     if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return;
     on.state.start_page = false;
     on.state.take_brush();
+}
+
+// From the picture to the tools, to the panels, and back.
+void move_keyboard(const Desk& on) {
+    KeyboardIn& now = on.state.keyboard_in;
+    on.state.panels_shown = true;
+    on.state.tools_side.folded = on.state.panels_side.folded = false;
+    if (now == KeyboardIn::picture && !on.state.only_looks)
+        now = KeyboardIn::tools;
+    else
+        now = now == KeyboardIn::panels ? KeyboardIn::picture : KeyboardIn::panels;
 }
 
 bool draws_path(const Desk& on) {
@@ -92,7 +104,7 @@ struct Shortcut {
     Held held = Held::once;
 };
 
-constexpr std::array<Shortcut, 24> shortcuts = {{
+constexpr std::array<Shortcut, 25> shortcuts = {{
     {GLFW_KEY_N, With::control, "Ctrl+N", "New terrain", [](const Desk& on) { on.state.fresh.begin(); },
      "Files"},
     {GLFW_KEY_O, With::control, "Ctrl+O", "Open a file",
@@ -124,7 +136,9 @@ constexpr std::array<Shortcut, 24> shortcuts = {{
      Held::at_rest},
     {GLFW_KEY_TAB, With::nothing, "Tab", "Hide panels, show them",
      [](const Desk& on) { on.state.panels_shown = !on.state.panels_shown; }},
-    {GLFW_KEY_F, With::nothing, "F", "Frame the whole terrain",
+    {GLFW_KEY_F6, With::nothing, "F6", "The keyboard moves in the tools, in the panels, in the picture",
+     move_keyboard},
+    {GLFW_KEY_F, With::nothing, "F", "Fit the view to the whole terrain",
      [](const Desk& on) { on.requests.framing = true; }},
     {GLFW_KEY_F1, With::nothing, "F1", "This list", [](const Desk& on) { on.state.keys_shown = true; }},
     {GLFW_KEY_LEFT_BRACKET, With::nothing, "[", "Smaller brush",
@@ -138,7 +152,7 @@ constexpr std::array<Shortcut, 24> shortcuts = {{
 }};
 
 // What is no key's alone.
-const std::array<KeyLine, 15> ways_of_the_mouse = {{
+const std::array<KeyLine, 20> ways_of_the_mouse = {{
     {"Left button", "The brush; places what is to be placed"},
     {"Ctrl, Shift", "Held under a stroke: turns the tool around; smooths"},
     {"", "Camera"},
@@ -149,8 +163,13 @@ const std::array<KeyLine, 15> ways_of_the_mouse = {{
     {"Q, E", "Down, up"},
     {"", "Numbers in panels"},
     {"Drag", "Changes a number"},
-    {"Ctrl and a click", "An exact number is typed, Enter takes it"},
+    {"Click", "An exact number is typed, Enter takes it"},
+    {"Ctrl and a click", "The same on a slider"},
     {"Right click", "Unsets it"},
+    {"", "The keyboard in panels (F6)"},
+    {"Arrows", "From one to the next; Alt: the menu"},
+    {"Space", "Presses a button, takes a number to change by arrows"},
+    {"Enter", "Types a number"},
     {"", "Dialogs and menus"},
     {"Enter", "Does what the dialog of files is for"},
     {"Escape", "Closes a dialog, a menu or a list"},
@@ -200,6 +219,10 @@ void press_key(const PressedKey& pressed, Session& session, PanelState& state, P
         return;
     auto found = std::find_if(shortcuts.begin(), shortcuts.end(),
                               [&](const Shortcut& one) { return one.key == key && one.with == with; });
+    // Where they move from widget to widget, keys are the panels': but for Ctrl's, F6's and its like, and
+    // Escape.
+    const bool is_special = key == GLFW_KEY_ESCAPE || (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25);
+    if (state.keyboard_in != KeyboardIn::picture && with == With::nothing && !is_special) return;
     // Where Shift says nothing else, it says nothing.
     if (found == shortcuts.end() && with == With::control_shift)
         found = std::find_if(shortcuts.begin(), shortcuts.end(), [&](const Shortcut& one) {

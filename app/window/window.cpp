@@ -62,6 +62,7 @@ class Window {
                     },
                     [this] {
                         picture_drawn_ = false;
+                        state_.write.settings.path.clear();
                         // Other panels may be there now.
                         state_.only_looks = session_.overflight() != nullptr;
                         glm::ivec2 size(0);
@@ -85,6 +86,8 @@ class Window {
         if (std::find(panels.begin(), panels.end(), layout.panel) != panels.end())
             state_.shown = layout.panel;
         state_.panels_shown = layout.panels_shown;
+        state_.tools_side = layout.tools_side;
+        state_.panels_side = layout.panels_side;
         // The start page opens where nothing was named; a file that was named is not covered by it.
         state_.start_page = options.scene.input.empty() && options.scene.preset.empty();
         if (!state_.start_page && !state_.left.empty())
@@ -148,6 +151,8 @@ class Window {
         glfwGetWindowSize(window_, &layout.size.x, &layout.size.y);
         layout.panel = state_.shown;
         layout.panels_shown = state_.panels_shown;
+        layout.tools_side = state_.tools_side;
+        layout.panels_side = state_.panels_side;
         layout.theme = theme().name;
         keep_window_layout(layout);
         project_.end();
@@ -199,6 +204,7 @@ class Window {
         ImGui::CreateContext();
         ImGui::GetIO().IniFilename = nullptr;
         ImGui::GetIO().ConfigWindowsMoveFromTitleBarOnly = true;
+        ImGui::GetIO().ConfigDragClickToInputText = true;
         float asked = 1;
         glfwGetWindowContentScale(window_, &asked, nullptr);
         const float used = scale > 0 ? static_cast<float>(scale) : std::clamp(asked, 1.0F, 4.0F);
@@ -224,7 +230,7 @@ class Window {
     bool busy() const {
         return session_.playing || session_.mid_tick() || session_.stroking() || pacing_.is_awake() ||
                hand_.moving() || state_.fresh.waits() || hand_.waits() || refining_ || project_.busy() ||
-               session_.has_tiles();
+               session_.has_tiles() || session_.awaits_readbacks();
     }
     void wake() { pacing_.wake(); }
     void note(const std::string& message) {
@@ -375,7 +381,9 @@ class Window {
     }
 
     // Milliseconds.
-    bool shows(const char* panel) const { return state_.panels_shown && state_.shown == panel; }
+    bool shows(const char* panel) const {
+        return state_.panels_shown && !state_.panels_side.folded && state_.shown == panel;
+    }
     static double since(double begin_s) { return 1000 * (glfwGetTime() - begin_s); }
 
     void frame() {
@@ -390,33 +398,31 @@ class Window {
         if (mouse != mouse_) wake();
         mouse_ = mouse;
         state_.only_looks = session_.overflight() != nullptr;
-        state_.placing_gauge = state_.placing_gauge && !state_.only_looks;
+        if (state_.placing && (state_.only_looks || !shows(panel_of(*state_.placing))))
+            state_.placing.reset();
         state_.placing_section = state_.placing_section && !state_.only_looks && shows("Gauges");
         state_.drawing_mask =
             state_.drawing_mask && !state_.only_looks && (shows("Mask") || shows("Erosion"));
         const bool draws_path = state_.drawing_path && !state_.only_looks && shows("Paths");
-        state_.choosing_part =
-            state_.choosing_part && state_.only_looks && state_.panels_shown && state_.shown == "Cut out";
+        state_.choosing_part = state_.choosing_part && state_.only_looks && shows("Cut out");
         follow_area(size);
 
         const ImGuiIO& io = ImGui::GetIO();
         const bool dialog = is_dialog_open(state_) || project_.work().busy();
         const bool stroked = session_.stroking();
-        // A stroke goes on while keys are heard.
-        const HandMay may{!io.WantCaptureMouse && !dialog && (stroked || !input_.waits()),
-                          !io.WantTextInput && !io.KeyCtrl && !dialog};
+        // A stroke, or a drag, goes on while keys are heard.
+        const HandMay may{
+            !io.WantCaptureMouse && !dialog && (stroked || !input_.waits()),
+            !io.WantTextInput && !io.KeyCtrl && !dialog && state_.keyboard_in == KeyboardIn::picture};
         FrameTimes times{now};
         const int dabs_before = session_.sculpting().dabs();
-        std::optional<Corners> mask;
+        HandDone done;
         attempt([&] {
             hand_.act(session_, mouse - glm::dvec2(area_.corner), passed_s, area_.size, may,
-                      {state_.placing_gauge, state_.placing_section, draws_path, state_.drawing_mask, mask,
-                       state_.choosing_part});
+                      {state_.placing, state_.placing_section, draws_path, state_.drawing_mask,
+                       state_.choosing_part, mark_under_mouse(), done});
         });
-        if (mask)
-            requests_.acts.emplace_back([mask, limits = shows("Erosion")](Session& s) {
-                s.mask_rectangle(mask->first, mask->second, limits);
-            });
+        take_up(done);
         if (stroked && !session_.stroking()) title();
         times.act_ms = since(now);
         times.dabs = session_.sculpting().dabs() - dabs_before;
@@ -430,7 +436,7 @@ class Window {
             title();
         session_.follow_gauges();
         if (shows("Paths")) attempt([&] { session_.follow_path(); });
-        if (auto times_of = pass_times_.follow(state_.panels_shown && state_.shown == "Profiler", passed_s)) {
+        if (auto times_of = pass_times_.follow(shows("Profiler"), passed_s)) {
             state_.passes = std::move(times_of->passes);
             state_.passes_s = times_of->span_s;
         }
@@ -456,14 +462,50 @@ class Window {
         frame_s_ = glfwGetTime() - now;
     }
 
+    // What a drag moves that begins where the mouse is: of what the panel lists that is open.
+    std::optional<MarkUnderMouse> mark_under_mouse() const {
+        const std::optional<MarkUnderMouse> mark = marks_.under(mouse_, session_.camera(), hand_.cursor());
+        const bool is_listed = mark && shows(panel_of(mark->at.mark.kind));
+        return is_listed && !state_.only_looks ? mark : std::nullopt;
+    }
+    // That lists what is of this kind.
+    static const char* panel_of(MarkKind kind) { return kind == MarkKind::gauge ? "Gauges" : "Water"; }
+
+    // As acts, which wait for the end of a tick.
+    void take_up(const HandDone& done) {
+        auto& acts = requests_.acts;
+        if (done.mask)
+            acts.emplace_back([mask = *done.mask, limits = shows("Erosion")](Session& s) {
+                s.mask_rectangle(mask.first, mask.second, limits);
+            });
+        if (done.placed)
+            acts.emplace_back([placed = *done.placed](Session& s) {
+                if (placed.kind == MarkKind::gauge)
+                    s.gauges().place(placed.place_m);
+                else
+                    place_spring(s, placed.place_m);
+            });
+        if (!done.moved) return;
+        const std::size_t index = done.moved->mark.index;
+        const std::vector<Spring>& springs = session_.simulation().springs();
+        if (done.moved->mark.kind == MarkKind::gauge)
+            acts.emplace_back([index, to = done.moved->place_m](Session& s) { s.gauges().move(index, to); });
+        else if (index < springs.size())
+            acts.emplace_back([spring = springs[index], to = done.moved->place_m](Session& s) {
+                move_spring(s, spring, to);
+            });
+    }
+
     void draw_picture(glm::dvec2 mouse, glm::ivec2 size, glm::ivec2 drawn_size, bool moving) {
+        attempt([&] { session_.follow_scale(); });
         settings_ = render::view_settings(session_.view(), session_.simulation().parameters());
         settings_.quick = moving && pacing_.is_late();
         // A shader that does not compile is told, and the last picture stays.
         try {
             render::Ring ring;
-            const bool sculpts = !state_.placing_gauge && !state_.placing_section && !state_.drawing_mask &&
-                                 !(state_.drawing_path && shows("Paths"));
+            const bool sculpts = !state_.placing && !state_.placing_section && !state_.drawing_mask &&
+                                 !(state_.drawing_path && shows("Paths")) && !mark_under_mouse() &&
+                                 !hand_.held_mark();
             if (hand_.cursor() && sculpts && !ImGui::GetIO().WantCaptureMouse && !session_.overflight())
                 ring = session_.ring(*hand_.cursor());
             const render::Drawn drawn = session_.draw(settings_, drawn_size, ring);
@@ -476,7 +518,7 @@ class Window {
             else
                 refining_ =
                     !pacing_.is_awake() && refining_ && !session_.awaits_tiles() && !ImGui::IsAnyItemActive();
-            session_.outline_part(state_.panels_shown && state_.shown == "Cut out", drawn_size);
+            session_.outline_part(shows("Cut out"), drawn_size);
         } catch (const std::exception& error) {
             refining_ = false;
             if (message_ != error.what()) tell(error.what());
@@ -500,9 +542,11 @@ class Window {
         if (input_.pass()) wake();
         ImGui::NewFrame();
         marks_.draw(session_, area_, drawn_size, size,
-                    {hand_.drawn_section(), hand_.drawn_mask(), shows("Paths")});
+                    {hand_.drawn_section(), hand_.drawn_mask(), shows("Paths"), hand_.held_mark()});
+        // Over a panel or a dialog the mouse is nowhere on the ground.
+        const bool points = !ImGui::GetIO().WantCaptureMouse && !is_dialog_open(state_);
         StatusFigures figures{device_.renderer, glfwGetTime() < message_until_s_ ? message_ : "",
-                              hand_.cursor(), frame_s_ * 1000, used};
+                              points ? hand_.cursor() : std::nullopt, frame_s_ * 1000, used};
         draw_legend(session_.legends(settings_), area_.corner.x + area_.size.x,
                     area_.corner.y + area_.size.y);
         PanelContext context{session_, state_, requests_, project_.work()};

@@ -389,6 +389,20 @@ TEST_F(Workspaces, ANewTerrainIsWhatWasWished) {
     EXPECT_TRUE(std::none_of(asked.begin(), asked.end(),
                              [](const std::string& one) { return one.starts_with("water.sea_level_m"); }));
 
+    // What is made to have a shore has its sea, until somebody gives another level.
+    dry.set("terrain.kind", std::string("island"));
+    dry.set("terrain.relief_m", 200.0);
+    EXPECT_EQ(dry.wishes().number("water.sea_level_m"), 50);
+    const std::vector<std::string> island = dry.request().assignments;
+    EXPECT_EQ(std::count(island.begin(), island.end(), "water.sea_level_m=50"), 1);
+    dry.set("water.sea_level_m", 30.0);
+    dry.set("terrain.relief_m", 400.0);
+    EXPECT_EQ(dry.wishes().number("water.sea_level_m"), 30);
+    dry.unset("water.sea_level_m");
+    EXPECT_EQ(dry.wishes().number("water.sea_level_m"), 100);
+    dry.set("terrain.kind", std::string("hills"));
+    EXPECT_EQ(dry.request().assignments.size(), asked.size()) << "hills have none";
+
     const auto heeds = [&](const std::string& name) {
         const std::vector<std::string> names = fresh.heeded();
         return std::find(names.begin(), names.end(), name) != names.end();

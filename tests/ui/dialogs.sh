@@ -65,9 +65,9 @@ await_widget "Save as…"
 click "Start page"
 await_widget "Open a file…"
 click Edit
-await_widget "Back to the start of the scene"
+await_widget "Start the scene over"
 xdotool key Escape
-gone "Back to the start of the scene"
+gone "Start the scene over"
 [ -n "$(rect_of "Open a file…")" ] || fail "Escape closed the menu and the start page"
 xdotool key Escape
 gone "Open a file…"

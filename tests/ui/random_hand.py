@@ -32,7 +32,7 @@ PATIENCE_S = float(os.environ.get("TALUS_HAND_PATIENCE_S", "2"))
 # What would end the session in an orderly way, change how much undo keeps, go on for a minute, make a terrain that takes
 # long, or lead out of the folder that it may write to.
 LEFT_ALONE = {"Quit", "undo.memory_mib", "Verify this device", "terrain.nx", "terrain.ny", "Up", "recent folders"}
-KEYS = ["space", "period", "f", "F12", "Tab", "Escape", "bracketleft", "bracketright", "minus", "equal", "Return",
+KEYS = ["space", "period", "f", "F6", "F12", "Tab", "Escape", "bracketleft", "bracketright", "minus", "equal", "Return",
         "ctrl+z", "ctrl+shift+z", "ctrl+y", "ctrl+s", "ctrl+e", "ctrl+o", "ctrl+n", "ctrl+shift+s", "ctrl+a", "Delete", "w", "a",
         "s", "d", "q", "e", "1", "2", "3", "4", "5", "6", "7", "8", "9", "shift+1", "shift+2", "shift+3", "shift+4",
         "shift+5", "Left", "Right", "Up", "Down", "BackSpace", "KP_Enter"]
@@ -263,6 +263,8 @@ def choose(chance, window, files):
         return ["key", chance.choice(KEYS)]
     if kind < 0.96:
         return ["wheel", round(chance.random(), 3), round(chance.random(), 3), chance.choice([4, 5]), chance.randint(1, 6)]
+    if kind < 0.98:
+        return ["edge", chance.choice(["left", "right"]), chance.randint(-250, 250)]
     return ["resize", *chance.choice(SIZES)]
 
 
@@ -307,6 +309,13 @@ def do(act, window):
             window.press("Return")
             time.sleep(0.1)
             window.click_on("Write")
+    elif kind == "edge":
+        # Of the tools on the left, or the panels on the right.
+        side, way = rest
+        place = window.rects().get("Redo" if side == "left" else "Simulation")
+        if place:
+            at = (place[2] + 8, height / 2) if side == "left" else (place[0] - 8, height / 2)
+            window.drag([at, (at[0] + way / 2, at[1]), (at[0] + way, at[1])], 1, None)
     elif kind == "resize":
         window.window.configure(width=rest[0], height=rest[1])
         window.screen.display.flush()
@@ -340,6 +349,13 @@ def make_files(talus, folder):
     return sorted(files.iterdir()) + [files / "missing.tif", Path("valley"), Path("again.exr"), Path("wrong.jpg")]
 
 
+def unfold(window):
+    """Brings back panels that were folded to a button."""
+    for name in ("unfold Panels", "unfold Tools"):
+        if window.click_on(name):
+            window.wait_for(lambda: name not in window.rects(), 10 + PATIENCE_S, f"'{name}' brings nothing back")
+
+
 def undo_everything(window, talus, folder):
     """Ends dialogs and play, takes back every act, saves, and compares with what the scene began with."""
     window.window.configure(width=1280, height=720)
@@ -363,6 +379,7 @@ def undo_everything(window, talus, folder):
             without += 1
         if without == 2:
             break
+    unfold(window)
     if "Profiler" not in window.rects():
         window.press("Escape")
         # A field that is typed into has the keys until the frame after the one that ends it.
@@ -370,6 +387,7 @@ def undo_everything(window, talus, folder):
         window.answers()
         window.press("Tab")
         window.wait_for(lambda: "Profiler" in window.rects(), 10 + PATIENCE_S, "panels do not come back")
+    unfold(window)
     if not {"Play", "Pause"} & set(window.rects()):
         # Terrain in tiles is looked at: nothing was done to it.
         return
@@ -383,10 +401,10 @@ def undo_everything(window, talus, folder):
         window.answers()
         window.click_on("Edit")
         # Only that menu has this line: without it, what is not there yet would be taken for nothing left.
-        window.wait_for(lambda: "Back to the start of the scene" in window.rects(), 20, "the menu Edit did not open")
+        window.wait_for(lambda: "Start the scene over" in window.rects(), 20, "the menu Edit did not open")
         left = [name for name in window.rects() if name == "Undo" or name.startswith("Undo ")]
         window.press("Escape")
-        window.wait_for(lambda: "Back to the start of the scene" not in window.rects(), 20,
+        window.wait_for(lambda: "Start the scene over" not in window.rects(), 20,
                         "Escape did not close the menu Edit")
         # The button on the left is called Undo too; the menu's line has the act's name while there is one.
         if not [name for name in left if name.startswith("Undo ")]:

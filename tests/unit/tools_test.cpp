@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "app/core/app_parameters.h"
+#include "app/core/icon.h"
 #include "app/tools/tools.h"
 #include "sim/error.h"
 #include "sim/journal.h"
@@ -27,6 +29,22 @@ TEST(Tools, NameOnlyDeclaredParametersAndKeepTheirOwnInTheirSection) {
         }
         EXPECT_FALSE(tool.how_to.empty()) << tool.name;
     }
+}
+
+TEST(Tools, HaveIconsThatDiffer) {
+    std::set<std::string> seen;
+    for (const app::Tool& tool : app::tools()) {
+        ASSERT_FALSE(tool.icon.empty()) << tool.name;
+        EXPECT_TRUE(seen.insert(tool.icon).second) << tool.name << " looks like another one";
+        for (const std::vector<glm::vec2>& line : app::icon_lines(tool.icon))
+            for (const glm::vec2& point : line) {
+                EXPECT_TRUE(point.x >= 0 && point.x <= app::icon_side && point.y >= 0 &&
+                            point.y <= app::icon_side)
+                    << tool.name << ": " << point.x << "," << point.y;
+            }
+    }
+    for (const char* wrong : {"1,2", "1,2 3", "1;2", "1,2 3,4; 5", "a,b c,d"})
+        EXPECT_THROW(static_cast<void>(app::icon_lines(wrong)), Error) << wrong;
 }
 
 // Moves every field off its default, within its limits.
