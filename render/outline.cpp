@@ -21,7 +21,7 @@ void Outline::draw(const gpu::Texture& colours, const gpu::Texture& hits, const 
     program_.bind_sampled("picture_colour", colours);
     // As wide at any resolution, but never thinner than a pixel.
     const double pixels = std::max(1.3 * size.y / 720, 0.6);
-    program_.set("line_angle", static_cast<float>(pixels * pixel_at_one_metre(camera, size.y)));
+    program_.set("line_px", static_cast<float>(pixels));
     const glm::dvec2 eye(camera.eye);
     const auto over_eye = [&](const Rectangle& r) {
         return glm::vec4(glm::vec2(glm::dvec2(r.west_m, r.south_m) - eye),

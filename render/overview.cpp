@@ -73,4 +73,23 @@ Camera overview(const Grid& grid, double lowest_m, double highest_m, const Frami
     return camera;
 }
 
+Camera top_view(const Grid& grid, double highest_m, const Framing& framing) {
+    Camera camera;
+    camera.fov_deg = framing.fov_deg;
+    camera.parallel_m = std::max(grid.height_m(), grid.width_m() / framing.aspect) / share;
+    camera.eye = {grid.width_m() / 2, grid.height_m() / 2, highest_m};
+    camera.target = camera.eye - glm::dvec3(0, 0, 1);
+    keep_over(camera, grid, highest_m);
+    return camera;
+}
+
+void keep_over(Camera& camera, const Grid& grid, double highest_m) {
+    const double extent_m = std::max(grid.width_m(), grid.height_m());
+    // Steps, so that the picture stays the same while a brush raises the ground.
+    if (camera.eye.z >= highest_m + 0.02 * extent_m) return;
+    const double rise_m = highest_m + 0.1 * extent_m - camera.eye.z;
+    camera.eye.z += rise_m;
+    camera.target.z += rise_m;
+}
+
 }  // namespace talus::render

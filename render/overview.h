@@ -15,4 +15,11 @@ struct Framing {
 /// first look. The target is the point of the view's axis that is nearest to the terrain's middle.
 Camera overview(const Grid& grid, double lowest_m, double highest_m, const Framing& framing = {});
 
+/// An orthographic view straight down that holds all of the terrain: a map, north at its top.
+Camera top_view(const Grid& grid, double highest_m, const Framing& framing = {});
+
+/// The eye of an orthographic view straight down sees what lies below it: brings it well over the highest
+/// ground where it is not.
+void keep_over(Camera& camera, const Grid& grid, double highest_m);
+
 }  // namespace talus::render

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "render/methods/parallel.h"
 #include "render/picture_readback.h"
 #include "sim/error.h"
 
@@ -58,18 +59,20 @@ void Renderer::resize(int width, int height) {
     drawn_.reset();
 }
 
-const Method& Renderer::method_of(const ViewSettings& settings, const char* use, bool& redraws_blocks) {
-    const MethodEntry& entry = method_named(settings.method);
-    const Detail detail = detail_of(settings);
+const Method& Renderer::method_of(const Picture& picture, const char* use, bool& redraws_blocks) {
+    static const MethodEntry parallel{"parallel", "", make_parallel, true};
+    const MethodEntry& entry =
+        picture.camera.is_parallel() ? parallel : method_named(picture.settings.method);
+    const Detail detail = detail_of(picture.settings);
     // Steps of a walk depend on bounds far from where it ends.
     redraws_blocks = entry.redraws_blocks && detail != Detail::steps;
     // A method may hold images of the terrain's size: those that are not chosen any more are let go.
-    std::erase_if(methods_, [&](const MadeMethod& made) { return made.name != settings.method; });
+    std::erase_if(methods_, [&](const MadeMethod& made) { return made.name != entry.name; });
     auto found = std::find_if(methods_.begin(), methods_.end(), [&](const MadeMethod& made) {
         return made.use == use && made.detail == detail;
     });
     if (found == methods_.end())
-        found = methods_.insert(methods_.end(), {settings.method, use, detail, entry.make(detail)});
+        found = methods_.insert(methods_.end(), {entry.name, use, detail, entry.make(detail)});
     return found->method;
 }
 
@@ -106,7 +109,7 @@ bool Renderer::refine(const Terrain& terrain, int samples) {
         2.0 * shift_px * picture.camera.window_share / glm::dvec2(picture.width, picture.height);
     // A method of its own: what it keeps for the next change belongs to the picture that was not shifted.
     bool redraws_blocks = false;
-    method_of(picture.settings, " refined ", redraws_blocks)(
+    method_of(picture, " refined ", redraws_blocks)(
         {terrain, pyramid_, picture.camera, picture.width, picture.height, picture.settings.tolerance_px,
          patch_pixels_, target.framebuffer(), nullptr, picture.settings.numbers});
     colour(terrain, picture, target.hits(), refinement_.colour_buffer(), nullptr, false);
@@ -131,7 +134,7 @@ Drawn Renderer::redraw(const Terrain& terrain, const Picture& picture, const std
         return Drawn::colours;
     }
     bool redraws_blocks = false;
-    const Method& method = method_of(picture.settings, " drawn ", redraws_blocks);
+    const Method& method = method_of(picture, " drawn ", redraws_blocks);
     // What water shows of the ground may lie anywhere in the picture.
     const bool blocks = redraws_blocks && same_view && before->settings == picture.settings &&
                         before->around == picture.around && before->photo == picture.photo && !terrain.water;
@@ -230,8 +233,7 @@ void Renderer::draw_ring(const Grid& grid) {
     ring.bind_sampled("picture_colour", refined() ? refinement_.mean() : colour_);
     // As wide at any resolution, but never thinner than a pixel.
     const double pixels = std::max(1.3 * picture.height / 720, 0.6);
-    ring.set("ring_angle",
-             static_cast<float>(pixels * picture.camera.fov_deg * std::numbers::pi / 180 / picture.height));
+    ring.set("line_px", static_cast<float>(pixels));
     ring.set("ring_m",
              glm::vec3(glm::dvec2(ring_on_.at_m) - glm::dvec2(picture.camera.eye), ring_on_.radius_m));
     const double margin = 0.01 * std::min(grid.dx, grid.dy);

@@ -91,7 +91,7 @@ class Renderer {
     void resize(int width, int height);
     void follow_bounds(bool again);
     bool refined() const { return refinement_.samples() > 1; }
-    const Method& method_of(const ViewSettings& settings, const char* use, bool& redraws_blocks);
+    const Method& method_of(const Picture& picture, const char* use, bool& redraws_blocks);
     Drawn redraw(const Terrain& terrain, const Picture& picture, const std::optional<Picture>& before);
     void follow_sky(const Terrain& terrain, const ViewSettings& settings);
     void shade(const Terrain& terrain, const Picture& picture, const Redraw* redraw);

@@ -130,7 +130,6 @@ void Shading::draw(const ShadeFrame& frame, const ShadedGround& ground, const Re
             program.set("beside_first", glm::vec2(ground.beside->first));
             program.bind_sampled("beside_shadow", *ground.beside->shadow);
         }
-        program.set("pixel_angle", static_cast<float>(pixel_at_one_metre(frame.camera, frame.height)));
         set_numbers(program, frame.settings);
     };
     const bool skips_sky = !redraw && !view.sky_too;

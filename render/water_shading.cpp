@@ -36,7 +36,6 @@ void WaterShading::draw(const ShadeFrame& frame, const Terrain& terrain, const P
     // Water has the colours of the shaded view.
     for (const ViewNumber& number : view_named(frame.settings.view).numbers)
         program.set(number.uniform.c_str(), static_cast<float>(number.in(frame.settings)));
-    program.set("pixel_angle", static_cast<float>(pixel_at_one_metre(frame.camera, frame.height)));
     const glm::ivec2 size(frame.width, frame.height);
     bind(dry_);
     draw_blocks(dry_, frame.target, size, list_.nothing(), gpu::Depth::none);

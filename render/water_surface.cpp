@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/methods/parallel.h"
+
 namespace talus::render {
 
 WaterSurface::WaterSurface(const Terrain& terrain)
@@ -11,7 +13,8 @@ WaterSurface::WaterSurface(const Terrain& terrain)
       pyramid_(
           terrain, level_,
           Tiles::ground | Tiles::eroded | Tiles::water | Tiles::placed | Tiles::painted | Tiles::inundation),
-      method_(make_exact(Detail::none)) {}
+      method_(make_exact(Detail::none)),
+      parallel_(make_parallel(Detail::none)) {}
 
 void WaterSurface::refresh(const Terrain& terrain) {
     const TileList& changed = pyramid_.list_changes(terrain);
@@ -31,7 +34,8 @@ void WaterSurface::cast(const Terrain& terrain, const Camera& camera, int width,
     if (target_.hits().width() < width || target_.hits().height() < height)
         target_ =
             HitsTarget(std::max(width, target_.hits().width()), std::max(height, target_.hits().height()));
-    method_({terrain, pyramid_, camera, width, height, 0, 0, target_.framebuffer()});
+    const Method& method = camera.is_parallel() ? parallel_ : method_;
+    method({terrain, pyramid_, camera, width, height, 0, 0, target_.framebuffer()});
 }
 
 }  // namespace talus::render

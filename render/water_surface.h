@@ -29,6 +29,7 @@ class WaterSurface {
     gpu::Program program_;
     Pyramid pyramid_;
     Method method_;
+    Method parallel_;
     HitsTarget target_;
 };
 

@@ -115,6 +115,12 @@ KeptFrames kept_frames(const Grid& grid, const std::string& method, int frames, 
             camera.eye = glm::dvec3(grid.width_m() * unit(random), grid.height_m() * unit(random),
                                     900 + 8000 * unit(random) * unit(random));
             camera.target = glm::dvec3(grid.width_m() * unit(random), grid.height_m() * unit(random), 600);
+            // Some straight down, by parallel rays.
+            camera.parallel_m = random() % 4 == 0 ? 500 + 15000 * unit(random) : 0;
+            if (camera.is_parallel()) {
+                camera.eye.z = 50000;
+                camera.target = camera.eye - glm::dvec3(0, 0, 1);
+            }
         } else if (dice < 0.65) {
             settings.sun =
                 glm::normalize(glm::dvec3(unit(random) - 0.5, unit(random) - 0.5, 0.1 + 0.5 * unit(random)));

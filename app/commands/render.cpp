@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
+#include "app/core/first_look.h"
 #include "app/core/flight.h"
 #include "app/core/outputs.h"
 #include "app/core/report.h"
 #include "app/core/sitter.h"
-#include "render/overview.h"
 #include "sim/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/endings.h"
@@ -78,10 +78,14 @@ void render(const RenderOptions& options) {
     Sitter sitter = make_sitter(options.scene, context.device());
     for (const std::string& note : sitter.notes) say("note: " + note);
     const Grid& grid = sitter.grid;
-    render::Camera camera = render::overview(
-        grid, sitter.lowest_m, sitter.highest_m,
-        {static_cast<double>(options.size.x) / options.size.y, sitter.fov_deg, options.turntable > 0});
+    render::Camera camera =
+        first_look(sitter.view, grid, {sitter.lowest_m, sitter.highest_m},
+                   static_cast<double>(options.size.x) / options.size.y, options.turntable > 0);
     if (!options.camera.empty()) camera = camera_named(sitter.cameras, options.camera);
+    if (camera.is_parallel() && (options.eye || options.target || options.turntable > 0))
+        throw Error(
+            "camera.mode = top looks straight down at the whole terrain: --eye, --target and --turntable are "
+            "for orbit, fly and walk");
     if (options.eye) camera.eye = *options.eye;
     if (options.target) camera.target = *options.target;
     if (camera.eye == camera.target)
@@ -113,7 +117,10 @@ void render(const RenderOptions& options) {
     report["height"] = options.size.y;
     report["eye"] = {camera.eye.x, camera.eye.y, camera.eye.z};
     report["target"] = {camera.target.x, camera.target.y, camera.target.z};
-    report["fov_deg"] = camera.fov_deg;
+    if (camera.is_parallel())
+        report["height_m"] = camera.parallel_m;
+    else
+        report["fov_deg"] = camera.fov_deg;
     report["pixels_hit"] =
         std::count_if(depth.begin(), depth.end(), [](float d) { return std::isfinite(d); });
     report["samples"] = samples;

@@ -117,10 +117,9 @@ std::vector<Parameter> app_parameters() {
             .labelled("Blur over"),
         number("spring.rate_m3_per_s", 10, 1e-6, 1e6, "m³/s", "Rate of the next spring that is placed.")
             .labelled("Spring gives"),
-        choice("camera.mode", "orbit", {"orbit", "fly", "walk"},
+        choice("camera.mode", "orbit", {"orbit", "fly", "walk", "top"},
                "Orbit turns about a point on the ground; fly moves with W A S D, Q and E; walk keeps the eye "
-               "over the "
-               "ground.")
+               "over the ground; top looks straight down with parallel rays, as a map does.")
             .labelled("Camera"),
         number("camera.eye_height_m", 1.8, 1e-2, 1e4, "m", "Walking: the eye over the ground.")
             .labelled("Height of the eye"),

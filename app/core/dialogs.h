@@ -179,7 +179,8 @@ struct PanelState {
     std::map<std::string, double> numbers_in_hand;  ///< that are set when they are let go
     bool placing_section = false;
     bool drawing_path = false;
-    bool drawing_mask = false;  ///< the next drag draws a rectangle that becomes the mask
+    std::string mode_before_top = "orbit";  ///< of the camera, before it looked straight down
+    bool drawing_mask = false;              ///< the next drag draws a rectangle that becomes the mask
     std::optional<ControlInHand> control_in_hand;
     /// Somebody takes a tool of the brush: the next click on the ground is the brush's.
     void take_brush() {

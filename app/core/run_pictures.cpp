@@ -1,11 +1,11 @@
 #include "app/core/run_pictures.h"
+#include "app/core/first_look.h"
 
 #include <algorithm>
 
 #include "app/core/calibration.h"
 #include "app/core/legend_scale.h"
 #include "app/core/paged_photo.h"
-#include "render/overview.h"
 
 namespace talus::app {
 
@@ -36,9 +36,8 @@ RunPictures::RunPictures(const Scene& scene, Simulation& simulation, const gpu::
     const render::ViewSettings settings = render::view_settings(view, simulation.parameters());
     const std::vector<float> ground_m = simulation.terrain().ground.read_all<float>();
     const auto [low, high] = std::minmax_element(ground_m.begin(), ground_m.end());
-    first_look_ =
-        render::overview(simulation.terrain().grid(), *low, *high,
-                         {static_cast<double>(size.x) / size.y, scene.view.number("camera.fov_deg")});
+    first_look_ = app::first_look(scene.view, simulation.terrain().grid(), {*low, *high},
+                                  static_cast<double>(size.x) / size.y);
     legends_ = render::legend_of(settings, *low, *high);
     easel_ = std::make_unique<Easel>(scene, simulation, device, settings, ground_m);
 }

@@ -1,4 +1,5 @@
 #include "app/core/session.h"
+#include "app/core/first_look.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +15,6 @@
 #include "app/core/suggestions.h"
 #include "app/core/wall_clock.h"
 #include "app/core/wave_note.h"
-#include "render/overview.h"
 #include "sim/error.h"
 #include "sim/io/atomic_file.h"
 #include "sim/io/endings.h"
@@ -131,6 +131,9 @@ void Session::go_to_camera(const std::string& name) {
     const render::Camera& wanted = camera_named(cameras_, name);
     if (wanted.fov_deg != scene_.view.number("camera.fov_deg"))
         scene_.view.set("camera.fov_deg", wanted.fov_deg);
+    const bool from_top = scene_.view.choice("camera.mode") == "top";
+    if (wanted.is_parallel() != from_top)
+        scene_.view.set("camera.mode", std::string(wanted.is_parallel() ? "top" : "orbit"));
     camera_ = wanted;
 }
 
@@ -271,8 +274,7 @@ void Session::follow_terrain() {
 }
 
 void Session::frame_terrain() {
-    camera_ = render::overview(grid(), bounds_.x, bounds_.y,
-                               {picture_aspect, scene_.view.number("camera.fov_deg")});
+    camera_ = first_look(scene_.view, grid(), bounds_, picture_aspect);
 }
 
 render::Drawn Session::draw(const render::ViewSettings& settings, glm::ivec2 size, const render::Ring& ring) {

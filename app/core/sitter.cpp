@@ -35,12 +35,11 @@ Sitter whole_sitter(const SceneRequest& request, const gpu::Device& device) {
     const auto [low, high] = std::minmax_element(ground.begin(), ground.end());
     const render::ViewSettings settings = render::view_settings(scene.view, scene.simulation);
     drape(held->renderer, scene);
-    Sitter sitter;
+    Sitter sitter(scene.view);
     sitter.grid = scene.document.state.grid;
     sitter.lowest_m = *low;
     sitter.highest_m = *high;
     sitter.method = settings.method;
-    sitter.fov_deg = scene.view.number("camera.fov_deg");
     sitter.samples = scene.view.whole("render.samples");
     sitter.legends = render::legend_of(settings, *low, *high);
     sitter.notes = scene.document.notes;
@@ -94,12 +93,11 @@ Sitter tiled_sitter(const SceneRequest& request) {
     held->loading.begin(held->surface);
     const io::ColourImage& picture = scene.draping.picture;
     held->renderer.drape(picture.width, picture.height, std::as_bytes(std::span(picture.rgba)));
-    Sitter sitter;
+    Sitter sitter(view);
     sitter.grid = held->terrain->tree.grid();
     sitter.lowest_m = held->terrain->lowest_m;
     sitter.highest_m = held->terrain->highest_m;
     sitter.method = "tiled";
-    sitter.fov_deg = view.number("camera.fov_deg");
     sitter.samples = view.whole("render.samples");
     sitter.legends = render::tiled_legend_of(held->settings, held->surface);
     sitter.notes = held->terrain->notes;

@@ -2,6 +2,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/core/still.h"
@@ -24,7 +25,8 @@ struct Sitter {
     float lowest_m = 0;
     float highest_m = 0;
     std::string method;
-    double fov_deg = 0;
+    explicit Sitter(Parameters of_scene) : view(std::move(of_scene)) {}
+    Parameters view;  ///< of the scene
     int samples = 1;  ///< a pixel
     std::vector<render::Legend> legends;
     std::vector<std::string> notes;

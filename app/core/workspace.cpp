@@ -23,7 +23,8 @@ glm::dvec2 place_of(const json& told) {
 json json_of(const render::Camera& camera) {
     return {{"eye", {camera.eye.x, camera.eye.y, camera.eye.z}},
             {"target", {camera.target.x, camera.target.y, camera.target.z}},
-            {"fov_deg", camera.fov_deg}};
+            {"fov_deg", camera.fov_deg},
+            {"parallel_m", camera.parallel_m}};
 }
 render::Camera camera_of(const json& told) {
     const auto point = [&](const char* name) {
@@ -35,7 +36,10 @@ render::Camera camera_of(const json& told) {
     camera.eye = point("eye");
     camera.target = point("target");
     camera.fov_deg = told.at("fov_deg");
-    if (camera.eye == camera.target || !(camera.fov_deg > 0 && camera.fov_deg < 180))
+    // Documents of before have none.
+    camera.parallel_m = told.value("parallel_m", 0.0);
+    if (!(camera.parallel_m >= 0) || camera.eye == camera.target ||
+        !(camera.fov_deg > 0 && camera.fov_deg < 180))
         throw Error("a camera looks nowhere");
     return camera;
 }

@@ -18,7 +18,7 @@ constexpr ImU32 pale = IM_COL32(250, 205, 60, 110);
 // What stands on the ground is as far away as that: it shows.
 constexpr double nearer = 0.997;
 
-// Where a point of the world is in the window.
+// Where a point of the world is in the window. From the top, nothing hides it: it is as near as can be.
 struct Place {
     ImVec2 at;
     double distance_m;
@@ -35,7 +35,7 @@ class Picture {
         if (!at) return std::nullopt;
         return Place{{static_cast<float>(area_.corner.x + (0.5 + 0.5 * at->x) * area_.size.x),
                       static_cast<float>(area_.corner.y + (0.5 - 0.5 * at->y) * area_.size.y)},
-                     glm::distance(point, camera_.eye)};
+                     camera_.is_parallel() ? 0 : glm::distance(point, camera_.eye)};
     }
 
   private:

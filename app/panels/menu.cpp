@@ -71,6 +71,8 @@ void draw_menu(PanelContext& context) {
     if (ImGui::BeginMenu("View")) {
         close_on_escape();
         if (menu_item("Fit view", "F")) context.requests.framing = true;
+        if (menu_item("Top view", "T", true, is_from_top(context.session)))
+            toggle_top_view(context.session, context.state);
         if (!context.session.cameras().empty() && ImGui::BeginMenu("Kept cameras")) {
             close_on_escape();
             for (const NamedCamera& camera : context.session.cameras())

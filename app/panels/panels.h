@@ -88,6 +88,10 @@ void draw_import_dialog(PanelContext& context);
 /// A terrain that is to be generated, with a small picture of it.
 void draw_new_dialog(PanelContext& context);
 void draw_export_dialog(PanelContext& context);
+/// Whether the camera looks straight down, as on a map (camera.mode).
+bool is_from_top(const Session& session);
+/// Makes it do so, or goes back to what it did before.
+void toggle_top_view(Session& session, PanelState& state);
 /// What keys and mouse do.
 void draw_keys_dialog(PanelContext& context);
 void draw_question(PanelContext& context);

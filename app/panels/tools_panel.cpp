@@ -119,20 +119,20 @@ void draw_tools_panel(PanelContext& context) {
                     {"1,5 1,1 5,1; 11,1 15,1 15,5; 15,11 15,15 11,15; 5,15 1,15 1,11", half}))
         requests.framing = true;
     ImGui::SameLine();
+    if (icon_button("Top view", "T: straight down, as on a map; again: back",
+                    {"2,2 14,2 14,14 2,14 2,2; 8,12 8,4; 5,7 8,4 11,7", half, is_from_top(session)}))
+        toggle_top_view(session, context.state);
     if (icon_button("Start over", "the scene from its start; the file or generator is read anew",
                     {"13,8 12,12 8,14 4,12 2,8 4,4 8,2 12,4; 12,1 12,5 8,5", half}))
         requests.reset = true;
+    ImGui::SameLine();
     const std::string& recording = context.state.recording;
     const bool films = !recording.empty();
     if (icon_button(films ? "End film" : "Record", "F9: a film of the view, beside the project; needs ffmpeg",
                     {films ? "3,3 13,3 13,13 3,13 3,3" : "8,3 11,4 13,8 11,12 8,13 5,12 3,8 5,4 8,3", half,
                      films, true, "record"}))
         requests.record = true;
-    if (films) {
-        ImGui::SameLine();
-        ImGui::AlignTextToFramePadding();
-        text_line(recording);
-    }
+    if (films) text_line(recording);
     heading("Brush");
     const Tool& tool = tool_named(session.view().choice("brush.tool"));
     for (std::size_t i = 0; i < tools().size(); ++i) {

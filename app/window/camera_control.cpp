@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/overview.h"
+
 namespace talus::app {
 namespace {
 
@@ -18,6 +20,16 @@ glm::dvec3 turned(glm::dvec3 v, double yaw, double pitch) {
                                std::cos(elevation) * std::sin(heading), std::sin(elevation));
 }
 
+// Unit vectors to the picture's right and top.
+struct Sides {
+    glm::dvec3 right;
+    glm::dvec3 up;
+};
+Sides sides_of(const render::Camera& camera) {
+    const render::CameraRays rays = camera_rays(camera, 1, 1);
+    return {glm::normalize(rays.right + rays.start_right), glm::normalize(rays.up + rays.start_up)};
+}
+
 }  // namespace
 
 void orbit(render::Camera& camera, glm::dvec3 pivot, double drag_x, double drag_y) {
@@ -25,7 +37,7 @@ void orbit(render::Camera& camera, glm::dvec3 pivot, double drag_x, double drag_
     const glm::dvec3 direction = camera.target - camera.eye;
     const double elevation = std::asin(std::clamp(direction.z / glm::length(direction), -1.0, 1.0));
     const double pitch = std::clamp(elevation - drag_y * radians_per_pixel, -1.55, 1.2) - elevation;
-    const glm::dvec3 right = camera_rays(camera, 1, 1).right / glm::length(camera_rays(camera, 1, 1).right);
+    const glm::dvec3 right = sides_of(camera).right;
     // About the vertical through the pivot, then about the camera's own right through it.
     const auto about_up = [&](glm::dvec3 v) {
         return glm::dvec3(v.x * std::cos(yaw) - v.y * std::sin(yaw),
@@ -51,10 +63,9 @@ void look_level(render::Camera& camera) {
 }
 
 void pan(render::Camera& camera, double drag_x, double drag_y, double distance_m, int picture_height) {
-    const double per_pixel = pixel_at_one_metre(camera, picture_height) * distance_m;
-    const render::CameraRays rays = camera_rays(camera, 1, 1);
-    const glm::dvec3 move =
-        glm::normalize(rays.right) * (-drag_x * per_pixel) + glm::normalize(rays.up) * (drag_y * per_pixel);
+    const double per_pixel = pixel_width_m(camera, picture_height, distance_m);
+    const Sides sides = sides_of(camera);
+    const glm::dvec3 move = sides.right * (-drag_x * per_pixel) + sides.up * (drag_y * per_pixel);
     camera.eye += move;
     camera.target += move;
 }
@@ -66,18 +77,46 @@ void zoom(render::Camera& camera, glm::dvec3 towards, double steps) {
 }
 
 void fly(render::Camera& camera, double ahead_m, double right_m, double up_m) {
-    const render::CameraRays rays = camera_rays(camera, 1, 1);
-    const glm::dvec3 move =
-        rays.forward * ahead_m + glm::normalize(rays.right) * right_m + glm::dvec3(0, 0, up_m);
+    const glm::dvec3 move = glm::normalize(camera.target - camera.eye) * ahead_m +
+                            sides_of(camera).right * right_m + glm::dvec3(0, 0, up_m);
     camera.eye += move;
     camera.target += move;
 }
 
 void walk(render::Camera& camera, double ahead_m, double right_m) {
-    const glm::dvec3 right = glm::normalize(camera_rays(camera, 1, 1).right);
+    const glm::dvec3 right = sides_of(camera).right;
     const glm::dvec3 move = glm::cross(glm::dvec3(0, 0, 1), right) * ahead_m + right * right_m;
     camera.eye += move;
     camera.target += move;
+}
+
+void look_from_top(render::Camera& camera, const Grid& grid, double highest_m) {
+    const double extent_m = std::max(grid.width_m(), grid.height_m());
+    const double seen_m =
+        2 * std::tan(glm::radians(camera.fov_deg / 2)) * glm::distance(camera.target, camera.eye);
+    const glm::dvec2 middle =
+        glm::clamp(glm::dvec2(camera.target), glm::dvec2(0), glm::dvec2(grid.width_m(), grid.height_m()));
+    camera.parallel_m = std::clamp(seen_m, 0.05 * extent_m, 1.5 * extent_m);
+    camera.eye = {middle, camera.eye.z};
+    camera.target = camera.eye - glm::dvec3(0, 0, 1);
+    keep_over(camera, grid, highest_m);
+}
+
+void leave_top(render::Camera& camera, glm::dvec3 direction, double ground_m) {
+    const double distance_m = camera.parallel_m / (2 * std::tan(glm::radians(camera.fov_deg / 2)));
+    camera.target = {camera.eye.x, camera.eye.y, ground_m};
+    camera.eye = camera.target - distance_m * direction;
+    camera.parallel_m = 0;
+}
+
+void zoom_from_top(render::Camera& camera, glm::dvec3 towards, double steps, const Grid& grid) {
+    const double before_m = camera.parallel_m;
+    camera.parallel_m = std::clamp(before_m * std::pow(0.85, steps), 4 * std::min(grid.dx, grid.dy),
+                                   10 * std::max(grid.width_m(), grid.height_m()));
+    const glm::dvec2 move =
+        (glm::dvec2(towards) - glm::dvec2(camera.eye)) * (1 - camera.parallel_m / before_m);
+    camera.eye += glm::dvec3(move, 0);
+    camera.target += glm::dvec3(move, 0);
 }
 
 void stand(render::Camera& camera, double height_m, double lowest_m, double passed_s) {
@@ -105,9 +144,12 @@ void keep_above(render::Camera& camera, double lowest_m) {
     camera.target.z += rise;
 }
 
-glm::dvec3 pixel_direction(const render::Camera& camera, double x, double y, int width, int height) {
+PixelRay pixel_ray(const render::Camera& camera, double x, double y, int width, int height) {
     const render::CameraRays rays = camera_rays(camera, width, height);
-    return glm::normalize(rays.middle + rays.right * (2 * x / width - 1) + rays.up * (1 - 2 * y / height));
+    const double right = 2 * x / width - 1;
+    const double up = 1 - 2 * y / height;
+    return {camera.eye + rays.start + rays.start_right * right + rays.start_up * up,
+            glm::normalize(rays.middle + rays.right * right + rays.up * up)};
 }
 
 }  // namespace talus::app

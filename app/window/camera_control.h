@@ -19,6 +19,14 @@ void fly(render::Camera& camera, double ahead_m, double right_m, double up_m);
 
 /// Walks over level metres ahead and to the right, wherever the camera looks up or down.
 void walk(render::Camera& camera, double ahead_m, double right_m);
+/// From a view through the eye to the orthographic one straight down, about as near, over the ground that it
+/// looks at.
+void look_from_top(render::Camera& camera, const Grid& grid, double highest_m);
+/// And back: looks in this direction at the ground in the picture's middle.
+void leave_top(render::Camera& camera, glm::dvec3 direction, double ground_m);
+/// Of an orthographic view: nearer or farther by steps of the wheel; what is under the mouse stays there.
+void zoom_from_top(render::Camera& camera, glm::dvec3 towards, double steps, const Grid& grid);
+
 /// Brings the eye towards a height, as fast as a person's legs even out the ground: most of the way within
 /// 0.2 s, and never lower than `lowest_m`.
 void stand(render::Camera& camera, double height_m, double lowest_m, double passed_s);
@@ -27,7 +35,12 @@ void keep_within(render::Camera& camera, const Rectangle& ground);
 /// Lifts eye and target together so that the eye is no lower.
 void keep_above(render::Camera& camera, double lowest_m);
 
-/// The direction of the ray through a pixel (x right, y down from the upper left), unit length.
-glm::dvec3 pixel_direction(const render::Camera& camera, double x, double y, int width, int height);
+/// The ray through a pixel (x right, y down from the upper left): where it starts, and its direction, of unit
+/// length.
+struct PixelRay {
+    glm::dvec3 start{0};
+    glm::dvec3 direction{0};
+};
+PixelRay pixel_ray(const render::Camera& camera, double x, double y, int width, int height);
 
 }  // namespace talus::app

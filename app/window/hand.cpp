@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/core/part.h"
-#include "app/window/camera_control.h"
+#include "render/overview.h"
 
 namespace talus::app {
 namespace {
@@ -59,7 +59,7 @@ void Hand::read_cursor(const Session& session) {
     cursor_.reset();
     seen_.reset();
     if (!std::isfinite(distance)) return;
-    const glm::dvec3 point = cursor_camera_.eye + cursor_direction_ * static_cast<double>(distance);
+    const glm::dvec3 point = cursor_ray_.start + cursor_ray_.direction * static_cast<double>(distance);
     // Sides where all ground ends are none, and around the terrain there is nothing to sculpt.
     const Grid& grid = session.grid();
     if (is_within(point, session.ground_edges(), grid)) seen_ = point;
@@ -79,9 +79,40 @@ void Hand::look(Session& session, glm::dvec2 mouse, glm::ivec2 size, glm::ivec2 
     const int x = std::clamp(static_cast<int>(mouse.x * drawn.x / size.x), 0, drawn.x - 1);
     const int y = std::clamp(static_cast<int>(mouse.y * drawn.y / size.y), 0, drawn.y - 1);
     cursor_mouse_ = mouse;
-    cursor_camera_ = session.camera();
-    cursor_direction_ = pixel_direction(cursor_camera_, x + 0.5, y + 0.5, drawn.x, drawn.y);
+    cursor_ray_ = pixel_ray(session.camera(), x + 0.5, y + 0.5, drawn.x, drawn.y);
     cursor_readback_.start(session.hits(), {x, drawn.y - 1 - y, 1, 1});
+}
+
+// Whether the view is the one from the top, as its parameter says: the camera follows that.
+bool Hand::follow_mode(Session& session, render::Camera& camera) {
+    const bool from_top = session.view().choice("camera.mode") == "top";
+    const glm::dvec2 heights_m = glm::max(session.bounds(), session.heights_m());
+    if (from_top && !camera.is_parallel()) {
+        before_top_ = glm::normalize(camera.target - camera.eye);
+        look_from_top(camera, session.grid(), heights_m.y);
+    }
+    if (!from_top && camera.is_parallel()) leave_top(camera, before_top_, seen_ ? seen_->z : heights_m.x);
+    if (from_top) keep_over(camera, session.grid(), heights_m.y);
+    return from_top;
+}
+
+// All that moves the view from the top shifts it, but the wheel, Q and E.
+void Hand::look_over(Session& session, render::Camera& camera, glm::dvec2 drag, double passed_s, int height,
+                     const HandMay& may) {
+    const auto held = [&](int button) { return glfwGetMouseButton(window_, button) == GLFW_PRESS; };
+    if (may.use_mouse && (held(GLFW_MOUSE_BUTTON_RIGHT) || held(GLFW_MOUSE_BUTTON_MIDDLE)))
+        pan(camera, drag.x, drag.y, 0, height);
+    if (wheel_ != 0 && may.use_mouse)
+        zoom_from_top(camera, seen_.value_or(camera.eye), wheel_, session.grid());
+    wheel_ = 0;
+    if (!may.use_keys) return;
+    const auto down = [&](int k) { return glfwGetKey(window_, k) == GLFW_PRESS ? 1.0 : 0.0; };
+    const glm::dvec2 way(down(GLFW_KEY_D) - down(GLFW_KEY_A), down(GLFW_KEY_W) - down(GLFW_KEY_S));
+    // Most of the picture's height a second.
+    const double pixels = 0.7 * height * passed_s;
+    if (way != glm::dvec2(0)) pan(camera, -way.x * pixels, way.y * pixels, 0, height);
+    const double nearer = down(GLFW_KEY_Q) - down(GLFW_KEY_E);
+    if (nearer != 0) zoom_from_top(camera, camera.eye, 6 * nearer * passed_s, session.grid());
 }
 
 void Hand::move_camera(Session& session, glm::dvec2 mouse, double passed_s, int height, const HandMay& may) {
@@ -89,6 +120,14 @@ void Hand::move_camera(Session& session, glm::dvec2 mouse, double passed_s, int 
     const render::Camera before = camera;
     camera.fov_deg = session.view().number("camera.fov_deg");
     const glm::dvec2 drag = mouse - mouse_;
+    if (follow_mode(session, camera)) {
+        look_over(session, camera, drag, passed_s, height, may);
+        walking_ = turning_ = false;
+        ground_.forget();
+        camera_moved_ = !(camera == before);
+        if (camera_moved_) moving_s_ = 0.25;
+        return;
+    }
     const std::string& mode = session.view().choice("camera.mode");
     const bool walking = mode == "walk";
     const bool flying = mode == "fly" || walking;
@@ -178,7 +217,8 @@ void Hand::draw_path(Session& session, bool held, bool presses) {
     PathDraft& path = session.path_draft();
     if (presses && cursor_) {
         // Some pixels around a point are its own.
-        const double reach_m = 0.015 * glm::distance(session.camera().eye, *cursor_);
+        const render::Camera& camera = session.camera();
+        const double reach_m = 12 * pixel_width_m(camera, 720, glm::distance(camera.eye, *cursor_));
         path_point_ = path.point_near(*cursor_, reach_m);
         if (!path_point_) {
             path.add(*cursor_);

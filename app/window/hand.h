@@ -5,6 +5,7 @@
 
 #include "app/core/map_mark.h"
 #include "app/core/session.h"
+#include "app/window/camera_control.h"
 #include "app/window/ground_probe.h"
 #include "sim/gpu/readback.h"
 
@@ -75,6 +76,9 @@ class Hand {
   private:
     void read_cursor(const Session& session);
     void move_camera(Session& session, glm::dvec2 mouse, double passed_s, int height, const HandMay& may);
+    void look_over(Session& session, render::Camera& camera, glm::dvec2 drag, double passed_s, int height,
+                   const HandMay& may);
+    bool follow_mode(Session& session, render::Camera& camera);
     void meet_ground(Session& session, render::Camera& camera, bool walking, double passed_s);
     void sculpt(Session& session, double passed_s, const HandMay& may, const HandErrand& errand);
     std::optional<glm::dvec3> stroke_place(const Session& session) const;
@@ -92,7 +96,7 @@ class Hand {
     gpu::Readback cursor_readback_;
     render::Camera cursor_camera_;
     glm::dvec2 cursor_mouse_{-1};  // where the last read-back began
-    glm::dvec3 cursor_direction_{0};
+    PixelRay cursor_ray_;
     std::optional<glm::dvec3> seen_;  // where the mouse's ray met ground, around the terrain too
     std::optional<glm::dvec3> cursor_;
     glm::dvec2 mouse_{0};
@@ -100,6 +104,7 @@ class Hand {
     glm::dvec3 pivot_{0};
     bool turning_ = false;
     bool walking_ = false;
+    glm::dvec3 before_top_{0.38, 0.80, -0.60};  // where the camera looked before it looked straight down
     double wheel_ = 0;
     double moving_s_ = 0;
     bool camera_moved_ = false;

@@ -7,6 +7,7 @@
 #include <array>
 #include <string>
 
+#include "app/panels/panels.h"
 #include "app/tools/tools.h"
 
 namespace talus::app {
@@ -104,7 +105,7 @@ struct Shortcut {
     Held held = Held::once;
 };
 
-constexpr std::array<Shortcut, 25> shortcuts = {{
+constexpr std::array<Shortcut, 26> shortcuts = {{
     {GLFW_KEY_N, With::control, "Ctrl+N", "New terrain", [](const Desk& on) { on.state.fresh.begin(); },
      "Files"},
     {GLFW_KEY_O, With::control, "Ctrl+O", "Open a file",
@@ -140,6 +141,8 @@ constexpr std::array<Shortcut, 25> shortcuts = {{
      move_keyboard},
     {GLFW_KEY_F, With::nothing, "F", "Fit the view to the whole terrain",
      [](const Desk& on) { on.requests.framing = true; }},
+    {GLFW_KEY_T, With::nothing, "T", "Look straight down, as on a map; back",
+     [](const Desk& on) { toggle_top_view(on.session, on.state); }},
     {GLFW_KEY_F1, With::nothing, "F1", "This list", [](const Desk& on) { on.state.keys_shown = true; }},
     {GLFW_KEY_LEFT_BRACKET, With::nothing, "[", "Smaller brush",
      [](const Desk& on) { scale_radius(on, 1 / 1.15); }, "Brush", Held::repeats},
@@ -156,7 +159,7 @@ const std::array<KeyLine, 20> ways_of_the_mouse = {{
     {"Left button", "The brush; places what is to be placed"},
     {"Ctrl, Shift", "Held under a stroke: turns the tool around; smooths"},
     {"", "Camera"},
-    {"Right button", "Turns the camera"},
+    {"Right button", "Turns the camera; from the top, shifts it"},
     {"Middle button", "Shifts it"},
     {"Wheel", "Nearer, farther"},
     {"W A S D", "Fly or walk"},

@@ -113,7 +113,7 @@ void make_room(Hybrid& hybrid, const CellRectangle& cells) {
 
 void draw(Hybrid& hybrid, const Frame& frame) {
     const Grid& grid = frame.terrain.grid();
-    const double pixel_m = pixel_at_one_metre(frame.camera, frame.height);
+    const double pixel_m = pixel_width_m(frame.camera, frame.height, 1);
     // The mesh ends at the distance where a patch seen straight on covers half of patch_pixels: on slopes it
     // covers up to twice as many.
     const bool meshed = frame.tolerance_px >= mesh_error_px;

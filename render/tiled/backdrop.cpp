@@ -107,7 +107,7 @@ Beside Backdrop::beside(const ShadeFrame& frame, const Redraw* redraw) {
     set_hole(program, first_, end_);
     program.bind_sampled("hits", frame.hits);
     program.set("sun", glm::vec3(frame.settings.sun));
-    program.set("other_off_m", 0.0F);
+    program.set("other_off_px", 0.0F);
     if (redraw) {
         redraw->draw(program, on_terrain_.buffer, gpu::Depth::none);
     } else {
@@ -124,7 +124,7 @@ void Backdrop::draw(const BackdropFrame& frame) {
     const ViewSettings settings = settings_around(frame.shade.settings);
     if (!frame.is_kept) {
         rays_.cast(surface_, over, size, sample_.target.framebuffer());
-        if (throws_shadows(settings)) shade_tiles(frame, over, settings, sample_);
+        if (throws_shadows(settings)) shade_tiles(frame, settings, sample_);
         colour(over, settings, size, sample_, nullptr);
         lay_over(frame, sample_);
         return;
@@ -139,7 +139,7 @@ void Backdrop::draw(const BackdropFrame& frame) {
         drawn_.reset();
         if (!same_hits) rays_.cast(surface_, over, size, kept_.target.framebuffer());
         std::swap(kept_.shadow, before_);
-        if (throws_shadows(settings)) shade_tiles(frame, over, settings, kept_);
+        if (throws_shadows(settings)) shade_tiles(frame, settings, kept_);
         if (same_but_shadow) list_shadow_changes(size);
         colour(over, settings, size, kept_, same_but_shadow ? &redraw_ : nullptr);
         drawn_ = picture;
@@ -148,14 +148,13 @@ void Backdrop::draw(const BackdropFrame& frame) {
 }
 
 // The terrain's shadow on the tiles' hits.
-void Backdrop::shade_tiles(const BackdropFrame& frame, const Camera& over, const ViewSettings& settings,
-                           const Rest& rest) {
+void Backdrop::shade_tiles(const BackdropFrame& frame, const ViewSettings& settings, const Rest& rest) {
     const glm::ivec2 size(frame.shade.width, frame.shade.height);
     set_camera(shades_tiles_, frame.ground.grid, frame.shade.camera, size.x, size.y);
     frame.ground.bind(shades_tiles_);
     shades_tiles_.bind_sampled("hits", rest.target.hits());
     shades_tiles_.set("sun", glm::vec3(settings.sun));
-    shades_tiles_.set("other_off_m", static_cast<float>(surface_.off_m(over, size)));
+    shades_tiles_.set("other_off_px", static_cast<float>(surface_.off_px()));
     rest.shadow.buffer.bind({0, 0, size.x, size.y});
     shades_tiles_.draw_fullscreen();
 }

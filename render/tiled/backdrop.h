@@ -89,8 +89,7 @@ class Backdrop {
 
     glm::dvec3 corner_m() const;
     void resize(glm::ivec2 size);
-    void shade_tiles(const BackdropFrame& frame, const Camera& over, const ViewSettings& settings,
-                     const Rest& rest);
+    void shade_tiles(const BackdropFrame& frame, const ViewSettings& settings, const Rest& rest);
     void colour(const Camera& over, const ViewSettings& settings, glm::ivec2 size, const Rest& rest,
                 const Redraw* redraw);
     void list_shadow_changes(glm::ivec2 size);

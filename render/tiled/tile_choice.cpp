@@ -33,12 +33,13 @@ struct Box {
     }
 };
 
-// The pyramid of directions that a picture shows.
+// What a picture shows: a pyramid of directions, or a prism of parallel ones.
 class Sight {
   public:
     Sight(const Camera& camera, glm::ivec2 size)
         : rays_(camera_rays(camera, size.x, size.y)),
-          pixels_at_one_metre_(1 / pixel_at_one_metre(camera, size.y)) {
+          is_parallel_(camera.is_parallel()),
+          pixel_m_(pixel_width_m(camera, size.y, 1)) {
         std::array<glm::dvec3, 4> corners{};
         for (int i = 0; i < 4; ++i) {
             const glm::dvec2 side(i == 1 || i == 2 ? 1 : -1, i < 2 ? -1 : 1);
@@ -51,6 +52,7 @@ class Sight {
     }
 
     bool sees(const Box& box) const {
+        if (is_parallel_) return is_before(box, rays_.start_right) && is_before(box, rays_.start_up);
         for (const glm::dvec3& normal : inwards_) {
             bool all_beside = true;
             for (int i = 0; i < 8; ++i) all_beside = all_beside && glm::dot(normal, box.corner(i)) < 0;
@@ -62,7 +64,9 @@ class Sight {
     // Pixels that a point of the box moves by at most where it moves by so many metres: at an angle a from
     // the view's axis and a distance d, a step of m metres moves its picture by at most m / (d cos^2 a) of
     // its distance.
+    // Of parallel rays it moves by no more than those metres, wherever it is.
     double pixels(const Box& box, double metres) const {
+        if (is_parallel_) return std::min(metres / pixel_m_, most_px);
         const glm::dvec3 nearest = glm::clamp(glm::dvec3(0), box.low, box.high);
         const double distance_m = glm::length(nearest) - metres;
         if (distance_m <= metres / most_px) {
@@ -76,12 +80,25 @@ class Sight {
             widest = depth > 0 ? std::max(widest, glm::dot(corner, corner) / (depth * depth)) : widest_;
             if (depth <= 0) break;
         }
-        return std::min(metres / distance_m * pixels_at_one_metre_ * std::min(widest, widest_), most_px);
+        return std::min(metres / distance_m / pixel_m_ * std::min(widest, widest_), most_px);
     }
 
   private:
+    // Whether some of the box lies between the picture's edges at both ends of a side.
+    bool is_before(const Box& box, glm::dvec3 side) const {
+        double low = std::numeric_limits<double>::max();
+        double high = -low;
+        for (int i = 0; i < 8; ++i) {
+            const double at = glm::dot(box.corner(i) - rays_.start, side) / glm::dot(side, side);
+            low = std::min(low, at);
+            high = std::max(high, at);
+        }
+        return low <= 1 && high >= -1;
+    }
+
     CameraRays rays_;
-    double pixels_at_one_metre_;
+    bool is_parallel_;
+    double pixel_m_;     // width of a pixel, at a metre where rays run through the eye
     double widest_ = 1;  // 1 / cos^2 of the largest angle from the axis
     std::array<glm::dvec3, 4> inwards_{};
 };

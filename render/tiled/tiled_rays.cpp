@@ -15,10 +15,12 @@ RayOptions tiled_ray_options(std::vector<std::string> defines) {
 }  // namespace
 
 TiledRays::TiledRays(Detail detail)
-    : rays_(tiled_ray_options({detail == Detail::steps ? "COUNT_STEPS" : "TELL_SLOT"})) {}
+    : defines_({detail == Detail::steps ? "COUNT_STEPS" : "TELL_SLOT"}), rays_(tiled_ray_options(defines_)) {}
 
 TiledRays::TiledRays(glm::ivec2 hole_first, glm::ivec2 hole_end)
-    : hole_(Hole{hole_first, hole_end}), rays_(tiled_ray_options({"TELL_SLOT", "HOLE"})) {}
+    : hole_(Hole{hole_first, hole_end}),
+      defines_({"TELL_SLOT", "HOLE"}),
+      rays_(tiled_ray_options(defines_)) {}
 
 void set_hole(gpu::Program& program, glm::ivec2 first, glm::ivec2 end) {
     program.set("hole_first", first);
@@ -31,6 +33,18 @@ void TiledRays::cast(const TiledSurface& surface, const Camera& camera, glm::ive
                                  surface.bind(program, camera, size);
                                  if (hole_) set_hole(program, hole_->first, hole_->end);
                              }};
+    if (camera.is_parallel()) {
+        if (!parallel_) {
+            std::vector<std::string> defines = defines_;
+            defines.emplace_back("PARALLEL");
+            parallel_.emplace(std::vector<std::string>{"render/fullscreen.vert", "render/tiled.frag"},
+                              std::move(defines));
+        }
+        picture.bind(*parallel_);
+        hits.bind({0, 0, size.x, size.y});
+        parallel_->draw_fullscreen();
+        return;
+    }
     rays_.cast_beams(picture);
     rays_.draw(picture);
 }

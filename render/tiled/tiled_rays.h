@@ -29,7 +29,9 @@ class TiledRays {
         glm::ivec2 end;
     };
     std::optional<Hole> hole_;
+    std::vector<std::string> defines_;
     RayCasting rays_;
+    std::optional<gpu::Program> parallel_;  // of parallel views, once there was one
 };
 
 }  // namespace talus::render

@@ -100,10 +100,6 @@ void TiledSurface::tell_places(const Camera& camera) {
     places_.write(places_.whole(), std::as_bytes(std::span(texels)));
 }
 
-double TiledSurface::off_m(const Camera& camera, glm::ivec2 size) const {
-    return slots_.choice().tolerance_px * pixel_at_one_metre(camera, size.y);
-}
-
 void TiledSurface::bind(gpu::Program& program, const Camera& camera, glm::ivec2 size) const {
     set_camera(program, tree().grid(), camera, size.x, size.y);
     pool_.bind(program);
@@ -115,7 +111,7 @@ void TiledSurface::bind(gpu::Program& program, const Camera& camera, glm::ivec2 
     program.set("tile_rows", tree().level(0).tiles.y);
     program.set("tile_highest_m", highest_m_);
     program.set("tile_lowest_m", lowest_m_);
-    program.set("tile_off_m", static_cast<float>(off_m(camera, size)));
+    program.set("tile_off_px", static_cast<float>(off_px()));
 }
 
 }  // namespace talus::render

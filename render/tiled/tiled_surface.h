@@ -52,9 +52,9 @@ class TiledSurface {
     std::vector<TileId> look_ahead(const Camera& camera, glm::ivec2 size, double tolerance_px) {
         return slots_.look_ahead(camera, size, tolerance_px);
     }
-    /// How far off the surface that is shown may be from the finest one, m for each metre of distance, when
-    /// all tiles are there that the last look asked for.
-    double off_m(const Camera& camera, glm::ivec2 size) const;
+    /// How far off the surface that is shown may be from the finest one, in pixels of the picture, when all
+    /// tiles are there that the last look asked for.
+    double off_px() const { return slots_.choice().tolerance_px; }
     /// Binds what was looked at for shaders/render/tile_surface.glsl, with the camera.
     void bind(gpu::Program& program, const Camera& camera, glm::ivec2 size) const;
 

@@ -4,7 +4,7 @@
 float height_beside(ivec2 pixel) {
     float distance_m = texelFetch(hits, clamp(pixel, ivec2(0), ivec2(picture_size) - 1), 0).r;
     vec2 at = vec2(2.0 * (vec2(pixel) + 0.5) / picture_size - 1.0);
-    return origin_height_m.x + (isinf(distance_m) ? 0.0 : distance_m * pixel_ray(at).z);
+    return origin_height_m.x + (isinf(distance_m) ? 0.0 : pixel_start(at).z + distance_m * pixel_ray(at).z);
 }
 
 // How much ink of contour lines a pixel carries: lines as wide everywhere, every fifth bolder. Their distance in pixels

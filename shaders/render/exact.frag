@@ -9,6 +9,7 @@ const bool count_steps = false;
 #include "render/beam_pixels.glsl"
 #include "maths/cast.glsl"
 
+// PARALLEL: the rays of a parallel view start in columns and rows of their own, with no beam.
 layout(location = 0) out vec2 hit_out;  // distance along the ray in metres (infinity: nothing hit), detail
 uniform sampler2D beams;
 
@@ -27,7 +28,16 @@ void main() {
     from_m = flat_end ? 1e30 : from_m;
 #endif
     // Beams stop at cells some pixels wide; a ray does best to start two levels finer.
+#ifdef PARALLEL
+    real3 start = pixel_start(at);
+    real2 place = origin_fraction + start.xy;
+    real2 cell = floor(place);
+    CastHit hit = cast_ray(origin_cell + int2(cell), place - cell, ray, 0.0, 1, start.z);
+    // Beside the terrain a ray straight down comes to its side endlessly far away (cast_inverse()).
+    if (hit.distance_m > 1e12) hit.distance_m = -1.0;
+#else
     CastHit hit = cast_ray(origin_cell, origin_fraction, ray, from_m, max(int(beam.y) - 2, 1), 0.0);
+#endif
 #ifdef FLAT_ENDS
     hit.distance_m = flat_end ? beam.x / ray.z : hit.distance_m;
 #endif

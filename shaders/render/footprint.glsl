@@ -13,8 +13,10 @@ Footprint footprint_of(vec3 way, vec3 normal, float distance_m) {
     float facing = min(dot(ray, normal), -0.02);
     vec3 step_right = ray_right * (2.0 / (picture_size.x * length_m));
     vec3 step_up = ray_up * (2.0 / (picture_size.y * length_m));
-    step_right = distance_m * (step_right - ray * (dot(step_right, normal) / facing));
-    step_up = distance_m * (step_up - ray * (dot(step_up, normal) / facing));
+    step_right = distance_m * step_right + start_right_m * (2.0 / picture_size.x);
+    step_up = distance_m * step_up + start_up_m * (2.0 / picture_size.y);
+    step_right -= ray * (dot(step_right, normal) / facing);
+    step_up -= ray * (dot(step_up, normal) / facing);
     Footprint footprint;
     footprint.right = vec2(step_right.x, -step_right.y) * cells_per_m;
     footprint.up = vec2(step_up.x, -step_up.y) * cells_per_m;

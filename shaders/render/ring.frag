@@ -13,7 +13,7 @@ uniform vec2 stamp_columns;  // of the stamp, a metre east and north, from its m
 uniform vec2 stamp_rows;
 #endif
 
-uniform real ring_angle;  // radians that the ring's line covers
+uniform real line_px;     // that the ring's line covers
 uniform real3 ring_m;     // x, y over the eye's, radius
 uniform vec4 border_m;    // west, south, east and north border over the eye's; beyond are the terrain's sides, which no brush reaches
 
@@ -22,10 +22,11 @@ void main() {
     float distance_m = texelFetch(hits, pixel, 0).r;
     vec2 at = picture_position();
     vec3 way = normalize(ray_forward + at.x * ray_right + at.y * ray_up);
-    vec2 aside = distance_m * way.xy - ring_m.xy;
+    vec2 start = pixel_start_m(at).xy;
+    vec2 aside = start + distance_m * way.xy - ring_m.xy;
     float from_middle = length(aside);
     // Lines lie on the ground: the flatter the ray, the longer they are for the eye.
-    float line = distance_m * ring_angle / max(abs(way.z), 0.15);
+    float line = line_px * pixel_m_at(distance_m) / max(abs(way.z), 0.15);
 #ifdef STAMP
     vec2 last = vec2(textureSize(stamp, 0) - 1);
     vec2 sample_at = vec2(dot(aside, stamp_columns), dot(aside, stamp_rows)) + 0.5 * last;
@@ -42,8 +43,8 @@ void main() {
 #endif
     float centre = 1.0 - smoothstep(1.5 * line, 2.5 * line, from_middle);
     vec4 colour = texelFetch(picture_colour, pixel, 0);
-    vec2 place = distance_m * way.xy;
-    float rounding_m = 4e-7 * distance_m;  // a float has 24 bits: a few units in the last place
+    vec2 place = start + distance_m * way.xy;
+    float rounding_m = 4e-7 * (distance_m + length(start));  // a float has 24 bits: a few units in the last place
     bool ground = !isinf(distance_m) && all(greaterThan(place, border_m.xy + rounding_m)) && all(lessThan(place, border_m.zw - rounding_m));
     colour_out = ground ? mix(colour, vec4(1.0, 0.78, 0.2, 1.0), max(ring, centre)) : colour;
 }

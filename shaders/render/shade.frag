@@ -14,7 +14,6 @@ uniform sampler2D start;  // the ground when the terrain was made, two words
 
 uniform real3 sun;         // towards it: east, north, up
 uniform real extent_m;     // of the terrain, sets the haze
-uniform real pixel_angle;  // radians that a pixel covers
 
 #ifdef BESIDE
 // Of all that stands in the picture, this ground and the other: lowest and highest, m, and where among the other's columns and
@@ -71,9 +70,10 @@ void main() {
 #endif
 #endif
     point.distance_m = point.missed ? 0.0 : point.hit.x;
-    point.place = origin_fraction + point.distance_m * point.ray.xy;
+    vec3 start = pixel_start(point.at);
+    point.place = origin_fraction + start.xy + point.distance_m * point.ray.xy;
     point.absolute = point.place + vec2(origin_cell);
-    point.above_eye_m = point.distance_m * point.ray.z;
+    point.above_eye_m = start.z + point.distance_m * point.ray.z;
     point.height_m = origin_height_m.x + point.above_eye_m;
 #ifdef BESIDE
     point.lowest_m = (beside_range_m.x - origin_height_m.x) - origin_height_m.y;
@@ -90,7 +90,7 @@ void main() {
 #endif
     vec2 relief_place = relief_place_of(point.place, point.hit.y);
 #ifdef NATURAL
-    float reach = clamp(point.distance_m * pixel_angle / min(relief_cell_m().x, relief_cell_m().y), 1.0, 12.0);
+    float reach = clamp(pixel_m_at(point.distance_m) / min(relief_cell_m().x, relief_cell_m().y), 1.0, 12.0);
 #else
     float reach = 1.0;
 #endif

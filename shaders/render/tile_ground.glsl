@@ -8,7 +8,7 @@
 #include "render/tile_hole.glsl"
 
 uniform real tile_lowest_m;
-uniform real tile_off_m;  // how far off a level may be, for each metre of distance
+uniform real tile_off_px;  // how far off a level may be, in pixels
 
 int relief_slot = 0;
 TilePlace relief_tile = TilePlace(int2(0, 0), real2(0.0, 0.0), real2(1.0, 1.0), 0);
@@ -31,7 +31,7 @@ real2 relief_place_of(real2 place, real detail) {
 }
 
 // How far a shadow's ray starts over the ground: beside a tile another one may stand higher by what both are off.
-real shadow_lift_m(real distance_m) { return 1e-3 * min(cell_m.x, cell_m.y) + max(2e-5, tile_off_m) * distance_m; }
+real shadow_lift_m(real distance_m) { return 1e-3 * min(cell_m.x, cell_m.y) + max(2e-5 * distance_m, tile_off_px * pixel_m_at(distance_m)); }
 
 #ifdef SHADOWS
 // Where a ray from a place of the picture meets the ground, m along it; < 0: nowhere.

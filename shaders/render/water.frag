@@ -12,7 +12,6 @@ uniform sampler2D colours;
 
 uniform real3 sun;  // towards it: east, north, up
 uniform real extent_m;
-uniform real pixel_angle;
 uniform real gravity;  // m/s²
 
 #include "render/relief.glsl"
@@ -77,13 +76,14 @@ void main() {
     vec2 at = picture_position();
     vec3 ray = pixel_ray(at);
     vec3 world_ray = vec3(ray.x * cell_m.x, -ray.y * cell_m.y, ray.z);
-    vec2 place = origin_fraction + distance_m * ray.xy;
-    float above_eye = distance_m * ray.z;
+    vec3 start = pixel_start(at);
+    vec2 place = origin_fraction + start.xy + distance_m * ray.xy;
+    float above_eye = start.z + distance_m * ray.z;
     float surface = level_at(place);
     float depth = max(surface - height_at(place), 0.0);
     // Through the side that the map is cut out by, or from below, the eye looks straight in.
     bool through_side = above_eye < surface - 1e-3 - 1e-5 * distance_m;
-    float reach = clamp(distance_m * pixel_angle / min(cell_m.x, cell_m.y), 1.0, 12.0);
+    float reach = clamp(pixel_m_at(distance_m) / min(cell_m.x, cell_m.y), 1.0, 12.0);
     vec2 slope = level_gradient(place, surface, reach);
     vec3 normal = normalize(vec3(-slope, 1.0));
     if (dot(normal, world_ray) > -0.02) normal = normalize(normal - world_ray * (dot(normal, world_ray) + 0.02));
@@ -94,7 +94,7 @@ void main() {
     float way_m = through_side ? min(ground_m, distance_m + extent_m) - distance_m : depth / max(-into.z, 0.2);
     vec3 bed = ground_colour;
     if (!through_side) {
-        vec3 clip = clip_of(world_ray * distance_m + into * way_m);
+        vec3 clip = clip_of(pixel_start_m(at) + world_ray * distance_m + into * way_m);
         ivec2 seen = ivec2(floor((0.5 + 0.5 * clip.xy / max(clip.z, 1e-6)) * picture_size));
         if (clip.z > 0.0 && all(greaterThanEqual(seen, ivec2(0))) && all(lessThan(vec2(seen), picture_size)) &&
             texelFetch(hits, seen, 0).r > texelFetch(water_hits, seen, 0).r)

@@ -48,13 +48,14 @@ glm::dvec3 over_tiles(glm::dvec3 over_cut_out) {
 }
 
 // In the cut-out's metres: high over it, from outside into it, from within out of it, along the ground,
-// straight down.
+// straight down, and so by parallel rays.
 std::vector<render::Camera> cameras() {
     return {{{1700, -4000, 4500}, {1800, 1900, 900}},
             {{-2500, 1500, 2200}, {1800, 1800, 900}},
             {{1800, 1900, 750}, {6000, 4500, -100}},
             {{1500, 1700, 650}, {-2000, -2500, 200}},
-            {{1800, 1900, 5000}, {1800, 1900.1, 0}}};
+            {{1800, 1900, 5000}, {1800, 1900.1, 0}},
+            {{1800, 1900, 5000}, {1800, 1900, 0}, 50, {0, 0}, {1, 1}, 6000}};
 }
 
 render::ViewSettings settings_of(double tolerance_px, const std::string& view = "shaded") {
@@ -136,8 +137,9 @@ std::size_t different_beside_the_edge(const render::Camera& camera, const Pictur
             const std::size_t at = static_cast<std::size_t>(y) * size.x + x;
             const glm::dvec2 place(2 * (x + 0.5) / size.x - 1, 1 - 2 * (y + 0.5) / size.y);
             const glm::dvec3 point =
-                camera.eye + static_cast<double>(a.depth[at]) *
-                                 glm::normalize(rays.middle + place.x * rays.right + place.y * rays.up);
+                camera.eye + rays.start + place.x * rays.start_right + place.y * rays.start_up +
+                static_cast<double>(a.depth[at]) *
+                    glm::normalize(rays.middle + place.x * rays.right + place.y * rays.up);
             const glm::dvec2 column_row(cut_grid.column_of(point.x), cut_grid.row_of(point.y));
             const glm::dvec2 from_first = glm::abs(column_row);
             const glm::dvec2 from_last = glm::abs(column_row - glm::dvec2(count - 1));
@@ -243,7 +245,9 @@ std::size_t moved_on_tiles(const render::Camera& camera, const std::vector<float
             if (!std::isfinite(depth[i])) continue;
             const glm::dvec3 ray = glm::normalize(rays.middle + (2 * (x + 0.5) / size.x - 1) * rays.right +
                                                   (1 - 2 * (y + 0.5) / size.y) * rays.up);
-            const glm::dvec3 at = camera.eye + static_cast<double>(depth[i]) * ray;
+            const glm::dvec3 at = camera.eye + rays.start + (2 * (x + 0.5) / size.x - 1) * rays.start_right +
+                                  (1 - 2 * (y + 0.5) / size.y) * rays.start_up +
+                                  static_cast<double>(depth[i]) * ray;
             const bool beyond = at.x < -100 || at.y < -100 || at.x > cut_grid.width_m() + 100 ||
                                 at.y > cut_grid.height_m() + 100;
             moved += beyond && (a[3 * i] != b[3 * i] || a[3 * i + 1] != b[3 * i + 1]) ? 1 : 0;
