@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "sim/error.h"
+#include "sim/events.h"
 
 namespace talus {
 namespace {
@@ -132,6 +133,9 @@ struct Writer {
         for (const TimeSeries::Row& row : drive.series.rows()) rows.push_back({row.time_s, row.value});
         return {{"op", "drive"}, {"name", drive.parameter}, {"rows", rows}};
     }
+    json operator()(const SetEvents& set) const {
+        return {{"op", "events"}, {"events", to_text(set.events)}};
+    }
     json operator()(const Resample& to) const { return {{"op", "resample"}, {"nx", to.nx}, {"ny", to.ny}}; }
     json operator()(const Crop& crop) const {
         return {{"op", "crop"}, {"rectangle", to_json(crop.rectangle)}};
@@ -188,6 +192,7 @@ Operation to_operation(const json& line) {
         for (const json& row : line.at("rows")) rows.push_back({row.at(0), row.at(1)});
         return DriveParameter{line.at("name"), rows.empty() ? TimeSeries() : TimeSeries(std::move(rows))};
     }
+    if (op == "events") return SetEvents{events_from_text(line.at("events").get<std::string>())};
     if (op == "resample") return Resample{line.at("nx"), line.at("ny")};
     if (op == "crop") return Crop{to_rectangle(line.at("rectangle"))};
     if (op == "turn") return Turn{line.at("quarters")};

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "sim/terrain/blur.h"
@@ -28,6 +29,11 @@ struct Namer {
     std::string operator()(const PlaceSpring&) const { return "spring"; }
     std::string operator()(const DriveParameter& drive) const {
         return (drive.series.empty() ? "end table of " : "table of ") + drive.parameter;
+    }
+    std::string operator()(const SetEvents& set) const {
+        const auto open = std::count_if(set.events.begin(), set.events.end(),
+                                        [](const Event& event) { return !event.done; });
+        return fmt::format("events: {} to come", open);
     }
     std::string operator()(const Resample& to) const {
         return fmt::format("resample to {} × {}", to.nx, to.ny);

@@ -34,6 +34,12 @@ using PlaceSpring = Spring;
 /// follows none any more, and stays as it is.
 using DriveParameter = Drive;
 
+/// What happens by itself (sim/events.h) is this from now on; what is done among it is not done again.
+struct SetEvents {
+    std::vector<Event> events;
+    bool operator==(const SetEvents&) const = default;
+};
+
 /// Another number of samples over the same extent.
 struct Resample {
     int nx = 0;
@@ -111,8 +117,8 @@ struct TakeRaster {
 };
 
 /// One recorded act. Replaying a list of them gives the same terrain.
-using Operation = std::variant<Ticks, Dab, SetParameter, PlaceSpring, DriveParameter, Resample, Crop, Turn,
-                               Import, ChooseStamp, MakeMask, Blur, TakeRaster>;
+using Operation = std::variant<Ticks, Dab, SetParameter, PlaceSpring, DriveParameter, SetEvents, Resample,
+                               Crop, Turn, Import, ChooseStamp, MakeMask, Blur, TakeRaster>;
 
 /// What acts on the whole map make of a terrain, on the CPU alone. Throw talus::Error where that cannot be.
 TerrainState made_of(const Resample& to, const TerrainState& state);

@@ -169,6 +169,13 @@ void Simulation::act(const PlaceSpring& spring) {
     record(spring, [&] { place_spring(terrain_.grid(), moment_.springs, spring); });
 }
 
+void Simulation::act(const SetEvents& wanted) {
+    SetEvents set = wanted;
+    check_events(moment_.parameters, terrain_.grid(), set.events);
+    fit_events(terrain_.grid(), moment_.parameters, moment_.drives, set.events);
+    record(set, [&] { moment_.events = set.events; });
+}
+
 void Simulation::act(const DriveParameter& wanted) {
     DriveParameter drive = wanted;
     const Parameter& declared = moment_.parameters.declaration(wanted.parameter);

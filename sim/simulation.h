@@ -105,6 +105,7 @@ class Simulation {
     void act(const SetParameter& set);
     void act(const PlaceSpring& spring);
     void act(const DriveParameter& drive);
+    void act(const SetEvents& set);
     void act(const Dab& dab);
     void act(const Resample& to);
     void act(const Crop& crop);

@@ -168,6 +168,12 @@ struct KeyLine {
 /// Where keys without Ctrl move something: in the picture, or from widget to widget.
 enum class KeyboardIn { picture, tools, panels };
 
+/// An event as it was, and as somebody is making it.
+struct EventInHand {
+    Event was;
+    Event is;
+};
+
 /// What the panels keep between frames.
 struct PanelState {
     std::string shown = "Simulation";  ///< of the panels on the right
@@ -177,18 +183,20 @@ struct PanelState {
     bool start_page = false;
     std::optional<MarkKind> placing;                ///< by the next click on the ground
     std::map<std::string, double> numbers_in_hand;  ///< that are set when they are let go
-    bool placing_section = false;
+    std::optional<MapDrag> drawing;                 ///< by the next drag over the ground
     bool drawing_path = false;
     std::string mode_before_top = "orbit";  ///< of the camera, before it looked straight down
-    bool drawing_mask = false;              ///< the next drag draws a rectangle that becomes the mask
     std::optional<ControlInHand> control_in_hand;
     /// Somebody takes a tool of the brush: the next click on the ground is the brush's.
     void take_brush() {
         placing.reset();
-        placing_section = drawing_path = drawing_mask = false;
+        drawing.reset();
+        drawing_path = false;
     }
     std::string table_of = "water.rain_mm_per_h";  ///< the number that is to follow a table
     bool table_begins_now = true;
+    std::string event_sets = "water.rain_mm_per_h";  ///< what the next event sets
+    std::optional<EventInHand> event_in_hand;
     std::string raster_of = "manning";             ///< the painted number that a raster is to bring
     std::map<std::string, TablePlot> table_plots;  ///< by the number that follows
     bool choosing_part = false;  ///< the next drag over tiles chooses the part that is cut out

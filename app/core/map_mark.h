@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <glm/glm.hpp>
+#include <utility>
 
 namespace talus::app {
 
@@ -17,6 +18,18 @@ struct MapMark {
 struct MovedMark {
     MapMark mark;
     glm::dvec3 place_m{0};
+};
+
+/// What a drag over the map can draw: a line, or a rectangle by opposite corners.
+enum class MapDrag { section, mask, breach };
+
+/// Where a drag over the ground began and ended.
+using Corners = std::pair<glm::dvec3, glm::dvec3>;
+
+/// What was drawn, or is being drawn.
+struct DrawnDrag {
+    MapDrag what = MapDrag::section;
+    Corners corners;
 };
 
 /// What the mouse is on, where it stands, and how far from the mouse its foot is in the window, pixels.

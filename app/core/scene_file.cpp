@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "app/core/app_parameters.h"
 #include "app/core/session.h"
 #include "sim/error.h"
@@ -30,7 +32,7 @@ std::string scene_text(const std::string& title, const Session& session) {
             if (some->is_given(one.name) && !one.of_machine) all.set(one.name, some->value(one.name));
     // The scene begins before its events, and before tables moved anything.
     const JournalStart& start = session.scene().start;
-    const std::vector<Event> events = events_from_text(start.events);
+    std::vector<Event> events = session.simulation().events();
     Parameters begun(all_parameters());
     from_toml(start.parameters, "the start of the scene", begun);
     const auto as_begun = [&](const std::string& name) {
@@ -39,8 +41,8 @@ std::string scene_text(const std::string& title, const Session& session) {
         else
             all.reset(name);
     };
-    for (const Event& event : events)
-        if (!event.breach) as_begun(parameter_of(event));
+    for (Event& event : events)
+        if (std::exchange(event.done, false) && !event.breach) as_begun(parameter_of(event));
     for (const Drive& drive : session.simulation().drives()) as_begun(drive.parameter);
     return preset_text(title, to_toml(all), events);
 }

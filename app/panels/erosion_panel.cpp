@@ -103,7 +103,8 @@ void draw_erosion_panel(PanelContext& context) {
     if (!why.empty()) coloured_text(theme().warning, why);
     heading("Where");
     draw_parameters(session, context.requests, {"erosion.over"});
-    draw_rectangle_button(context, "the next drag over the ground says where water takes and slopes slide");
+    draw_button(context.state, MapDrag::mask, "Draw a rectangle",
+                "the next drag over the ground says where water takes and slopes slide");
     ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_Button));
     const bool open = ImGui::CollapsingHeader("Physical numbers");
     ImGui::PopStyleColor();

@@ -56,15 +56,10 @@ void draw_sections(PanelContext& context) {
     const Session& session = context.session;
     PanelRequests& requests = context.requests;
     heading("Sections");
-    bool& placing = context.state.placing_section;
-    if (button(
-            placing ? "Drag over the map…" : "Draw a section",
-            "a line through which the water is counted: press where it begins, let go where it ends; to the "
-            "right of one who looks that way counts as positive")) {
-        const bool begins = !placing;
-        context.state.take_brush();
-        placing = begins;
-    }
+    draw_button(
+        context.state, MapDrag::section, "Draw a section",
+        "a line through which the water is counted: press where it begins, let go where it ends; to the "
+        "right of one who looks that way counts as positive");
     const Sections& sections = session.sections();
     if (!sections.all().empty()) {
         ImGui::SameLine();

@@ -181,15 +181,20 @@ void Marks::draw(Session& session, const PictureArea& area, glm::ivec2 drawn, gl
     std::vector<std::vector<Place>> lines;
     const auto& stroke = session.sculpting().stroke();
     if (stroke && stroke->name() == "ramp") lines.push_back(along(picture, stroke->begin(), stroke->at()));
-    if (shown.section) lines.push_back(along(picture, shown.section->first, shown.section->second));
-    if (shown.mask) {
-        const auto& [from, to] = *shown.mask;
+    if (shown.drawn && shown.drawn->what != MapDrag::mask)
+        lines.push_back(along(picture, shown.drawn->corners.first, shown.drawn->corners.second));
+    if (shown.drawn && shown.drawn->what == MapDrag::mask) {
+        const auto& [from, to] = shown.drawn->corners;
         // Between heights of what is clicked: the ground between is not known.
         const glm::dvec3 beside(to.x, from.y, (from.z + to.z) / 2);
         const glm::dvec3 before(from.x, to.y, (from.z + to.z) / 2);
         for (const auto& [begin, end] : {std::pair(from, beside), {beside, to}, {to, before}, {before, from}})
             lines.push_back(along(picture, begin, end));
     }
+    for (const Event& event : session.simulation().events())
+        if (shown.breaches && event.breach && !event.done)
+            lines.push_back(along(picture, {event.breach->from_m, event.breach->crest_m},
+                                  {event.breach->to_m, event.breach->crest_m}));
     for (const PlacedSection& one : session.sections().all())
         lines.push_back(along(picture, end_of(one, false), end_of(one, true)));
     if (shown.path && session.path_draft().design())

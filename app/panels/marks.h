@@ -17,10 +17,9 @@ class Marks {
   public:
     /// What stands beside the session's own.
     struct Shown {
-        std::optional<std::pair<glm::dvec3, glm::dvec3>> section{};  ///< the line of one that is being drawn
-        std::optional<std::pair<glm::dvec3, glm::dvec3>>
-            mask{};                        ///< corners of a rectangle that is being drawn
+        std::optional<DrawnDrag> drawn{};  ///< what is being drawn
         bool path = false;                 ///< the path, while its panel is open
+        bool breaches = false;             ///< the lines of dams that are to break, the same
         std::optional<MovedMark> moved{};  ///< what is being dragged, where it is
     };
     /// Over the picture of `drawn` pixels that the window shows in `area`.

@@ -32,14 +32,6 @@ std::string unit_of(MaskSource source) {
 
 }  // namespace
 
-void draw_rectangle_button(PanelContext& context, const std::string& tooltip) {
-    bool& drawing = context.state.drawing_mask;
-    if (!button(drawing ? "Drag over the ground…" : "Draw a rectangle", tooltip)) return;
-    const bool begins = !drawing;
-    context.state.take_brush();
-    drawing = begins;
-}
-
 void draw_mask_panel(PanelContext& context) {
     const Parameters& view = context.session.view();
     ImGui::TextWrapped(
@@ -48,7 +40,8 @@ void draw_mask_panel(PanelContext& context) {
     if (choice_button("Show the mask", view.choice("render.view") == "mask", "the view of the mask", 0))
         context.session.set("render.view",
                             std::string(view.choice("render.view") == "mask" ? "shaded" : "mask"));
-    draw_rectangle_button(context, "between the places where a drag begins and ends; joined as below");
+    draw_button(context.state, MapDrag::mask, "Draw a rectangle",
+                "between the places where a drag begins and ends; joined as below");
     heading("Out of the terrain");
     draw_parameters(context.session, context.requests, {"mask.from"});
     for (const char* name : {"mask.low", "mask.high", "mask.fade"}) {

@@ -46,14 +46,14 @@ void draw_water_panel(PanelContext& context);
 void draw_erosion_panel(PanelContext& context);
 void draw_view_panel(PanelContext& context);
 void draw_mask_panel(PanelContext& context);
-/// A button after which the next drag draws a rectangle that becomes the mask.
-void draw_rectangle_button(PanelContext& context, const std::string& tooltip);
 /// Roads, rivers, walls and ditches: their points, how they will be, and the act that builds them.
 void draw_paths_panel(PanelContext& context);
 /// Springs: a button to place one by the next click, and for each its rate and its place.
 void draw_springs(PanelContext& context);
 /// A button after which the next click on the ground places one of the kind.
 void place_button(PanelState& state, MarkKind kind, const char* words);
+/// A button after which the next drag over the ground draws that.
+void draw_button(PanelState& state, MapDrag what, const char* words, const char* tooltip);
 /// Where something stands, m, as numbers that can be changed; in the file's coordinates too, where there are
 /// any. The place that was given, once it is.
 std::optional<glm::dvec2> place_fields(PanelContext& context, const std::string& name, glm::dvec2 place_m);
@@ -73,8 +73,10 @@ void draw_ledger_panel(PanelContext& context);
 /// Gauges and sections: buttons to place one by the next click or drag, and for each what it shows against
 /// time.
 void draw_gauges_panel(PanelContext& context);
+/// What happens by itself at a time: what is set, which dam breaks, when; all of it can be changed.
+void draw_events(PanelContext& context);
 /// Tables against time: which number follows one, from which file, and where in it time is. Rasters of
-/// painted numbers, and the scene's events.
+/// painted numbers, and events.
 void draw_tables_panel(PanelContext& context);
 void draw_profiler_panel(PanelContext& context);
 void draw_presets_panel(PanelContext& context);
@@ -92,6 +94,8 @@ void draw_export_dialog(PanelContext& context);
 bool is_from_top(const Session& session);
 /// Makes it do so, or goes back to what it did before.
 void toggle_top_view(Session& session, PanelState& state);
+/// On the picture of an orthographic view: a line of round length with what it measures on the ground.
+void draw_scale_bar(const render::Camera& camera, const PictureArea& area);
 /// What keys and mouse do.
 void draw_keys_dialog(PanelContext& context);
 void draw_question(PanelContext& context);

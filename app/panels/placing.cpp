@@ -15,6 +15,14 @@ void place_button(PanelState& state, MarkKind kind, const char* words) {
     }
 }
 
+void draw_button(PanelState& state, MapDrag what, const char* words, const char* tooltip) {
+    const bool drawing = state.drawing == what;
+    if (button(drawing ? "Drag over the ground…" : words, tooltip)) {
+        state.take_brush();
+        if (!drawing) state.drawing = what;
+    }
+}
+
 std::optional<glm::dvec2> place_fields(PanelContext& context, const std::string& name, glm::dvec2 place_m) {
     const Grid& grid = context.session.grid();
     const float width = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);

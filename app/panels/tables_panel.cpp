@@ -5,7 +5,6 @@
 
 #include "app/panels/panels.h"
 #include "sim/drives.h"
-#include "sim/events.h"
 #include "sim/terrain/painted_numbers.h"
 
 namespace talus::app {
@@ -99,14 +98,6 @@ void draw_table(PanelContext& context, const Drive& drive) {
     ImGui::PopID();
 }
 
-// What happens by itself, by the scene.
-void draw_events(const std::vector<Event>& events) {
-    if (events.empty()) return;
-    heading("Events");
-    for (const Event& event : events)
-        ImGui::TextWrapped("%s%s", name_of(event).c_str(), event.done ? " (done)" : "");
-}
-
 // A raster in place of what a brush would paint.
 void draw_rasters(PanelContext& context) {
     heading("What differs from place to place");
@@ -145,7 +136,7 @@ void draw_tables_panel(PanelContext& context) {
         context.state.dialog.begin(FileDialog::Purpose::table, context.session.path());
     for (const Drive& drive : context.session.simulation().drives()) draw_table(context, drive);
     draw_rasters(context);
-    draw_events(context.session.simulation().events());
+    draw_events(context);
 }
 
 }  // namespace talus::app

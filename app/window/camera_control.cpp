@@ -90,16 +90,17 @@ void walk(render::Camera& camera, double ahead_m, double right_m) {
     camera.target += move;
 }
 
-void look_from_top(render::Camera& camera, const Grid& grid, double highest_m) {
-    const double extent_m = std::max(grid.width_m(), grid.height_m());
+void look_from_top(render::Camera& camera, const Grid& grid, double highest_m, double aspect) {
     const double seen_m =
         2 * std::tan(glm::radians(camera.fov_deg / 2)) * glm::distance(camera.target, camera.eye);
+    const render::Camera all = render::top_view(grid, highest_m, {aspect, camera.fov_deg});
     const glm::dvec2 middle =
         glm::clamp(glm::dvec2(camera.target), glm::dvec2(0), glm::dvec2(grid.width_m(), grid.height_m()));
-    camera.parallel_m = std::clamp(seen_m, 0.05 * extent_m, 1.5 * extent_m);
+    camera = all;
+    if (seen_m > 0.8 * all.parallel_m) return;
+    camera.parallel_m = std::max(seen_m, 0.05 * all.parallel_m);
     camera.eye = {middle, camera.eye.z};
     camera.target = camera.eye - glm::dvec3(0, 0, 1);
-    keep_over(camera, grid, highest_m);
 }
 
 void leave_top(render::Camera& camera, glm::dvec3 direction, double ground_m) {

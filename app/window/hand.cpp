@@ -27,7 +27,7 @@ void Hand::act(Session& session, glm::dvec2 mouse, double passed_s, glm::ivec2 s
     moving_s_ = std::max(0.0, moving_s_ - passed_s);
     follow_terrain(session);
     read_cursor(session);
-    move_camera(session, mouse, passed_s, size.y, may);
+    move_camera(session, mouse, passed_s, size, may);
     mouse_ = mouse;
     if (session.overflight())
         choose_part(session, may, errand.choosing_part);
@@ -41,8 +41,7 @@ void Hand::follow_terrain(const Session& session) {
     terrain_number_ = session.terrain_number();
     ground_.forget();
     last_ground_m_.reset();
-    section_from_.reset();
-    mask_from_.reset();
+    drawn_.reset();
     path_point_.reset();
     held_mark_.reset();
     cursor_readback_.cancel();
@@ -84,12 +83,12 @@ void Hand::look(Session& session, glm::dvec2 mouse, glm::ivec2 size, glm::ivec2 
 }
 
 // Whether the view is the one from the top, as its parameter says: the camera follows that.
-bool Hand::follow_mode(Session& session, render::Camera& camera) {
+bool Hand::follow_mode(Session& session, render::Camera& camera, glm::ivec2 size) {
     const bool from_top = session.view().choice("camera.mode") == "top";
     const glm::dvec2 heights_m = glm::max(session.bounds(), session.heights_m());
     if (from_top && !camera.is_parallel()) {
         before_top_ = glm::normalize(camera.target - camera.eye);
-        look_from_top(camera, session.grid(), heights_m.y);
+        look_from_top(camera, session.grid(), heights_m.y, static_cast<double>(size.x) / size.y);
     }
     if (!from_top && camera.is_parallel()) leave_top(camera, before_top_, seen_ ? seen_->z : heights_m.x);
     if (from_top) keep_over(camera, session.grid(), heights_m.y);
@@ -115,13 +114,14 @@ void Hand::look_over(Session& session, render::Camera& camera, glm::dvec2 drag, 
     if (nearer != 0) zoom_from_top(camera, camera.eye, 6 * nearer * passed_s, session.grid());
 }
 
-void Hand::move_camera(Session& session, glm::dvec2 mouse, double passed_s, int height, const HandMay& may) {
+void Hand::move_camera(Session& session, glm::dvec2 mouse, double passed_s, glm::ivec2 size,
+                       const HandMay& may) {
     render::Camera& camera = session.camera();
     const render::Camera before = camera;
     camera.fov_deg = session.view().number("camera.fov_deg");
     const glm::dvec2 drag = mouse - mouse_;
-    if (follow_mode(session, camera)) {
-        look_over(session, camera, drag, passed_s, height, may);
+    if (follow_mode(session, camera, size)) {
+        look_over(session, camera, drag, passed_s, size.y, may);
         walking_ = turning_ = false;
         ground_.forget();
         camera_moved_ = !(camera == before);
@@ -143,7 +143,7 @@ void Hand::move_camera(Session& session, glm::dvec2 mouse, double passed_s, int 
             orbit(camera, pivot_, drag.x, drag.y);
     }
     if (held(GLFW_MOUSE_BUTTON_MIDDLE) && may.use_mouse)
-        pan(camera, drag.x, drag.y, glm::length(ahead - camera.eye), height);
+        pan(camera, drag.x, drag.y, glm::length(ahead - camera.eye), size.y);
     if (wheel_ != 0 && may.use_mouse) zoom(camera, ahead, wheel_);
     wheel_ = 0;
     if (may.use_keys) {
@@ -265,26 +265,25 @@ void Hand::place_mark(const HandErrand& errand, bool held, bool down) {
     cursor_mouse_ = glm::dvec2(-1);
 }
 
-// The places where a drag began and ended, once it has; a click alone is none.
-std::optional<Corners> Hand::follow_drag(std::optional<glm::dvec3>& from, bool wanted, bool held,
-                                         bool presses) {
-    if (!wanted) from.reset();
-    if (presses && wanted && cursor_ && !from && !placed_) {
-        from = cursor_;
+// Draws what is to be drawn, from where a drag begins to where it ends; a click alone draws nothing.
+void Hand::follow_drag(const HandErrand& errand, bool held, bool presses) {
+    if (!errand.drawing) {
+        drawn_.reset();
+        return;
+    }
+    if (presses && cursor_ && !drawn_ && !placed_) {
+        drawn_ = {*errand.drawing, {*cursor_, *cursor_}};
         placed_ = true;
     }
+    if (!drawn_) return;
     // Over no ground it stays where it was last over some.
-    if (from && cursor_) drag_end_ = cursor_;
-    if (held || !from) return std::nullopt;
-    const glm::dvec3 begin = *std::exchange(from, std::nullopt);
-    const glm::dvec3 end = std::exchange(drag_end_, std::nullopt).value_or(begin);
-    if (glm::dvec2(end) == glm::dvec2(begin)) return std::nullopt;
-    return std::pair(begin, end);
-}
-
-std::optional<Corners> Hand::drawn_from(const std::optional<glm::dvec3>& from) const {
-    if (!from || !drag_end_) return std::nullopt;
-    return std::pair(*from, *drag_end_);
+    if (cursor_) drawn_->corners.second = *cursor_;
+    if (held) return;
+    const DrawnDrag done = *std::exchange(drawn_, std::nullopt);
+    const glm::bvec2 same = glm::equal(glm::dvec2(done.corners.first), glm::dvec2(done.corners.second));
+    if (done.what == MapDrag::mask ? glm::any(same) : glm::all(same)) return;
+    errand.done.drawn = done;
+    errand.drawing.reset();
 }
 
 // Where the stroke goes on: none where the mouse is beside the ground. While the mouse stays where it was
@@ -308,17 +307,11 @@ void Hand::sculpt(Session& session, double passed_s, const HandMay& may, const H
     frames_held_ = held ? frames_held_ + 1 : 0;
     const bool presses = frames_held_ > 1;
     place_mark(errand, held, pressed);
-    if (const auto line =
-            follow_drag(section_from_, errand.placing_section && may.use_mouse, held, presses)) {
-        session.place_section(line->first, line->second);
-        errand.placing_section = false;
-    }
-    if (const auto corners = follow_drag(mask_from_, errand.drawing_mask && may.use_mouse, held, presses);
-        corners && corners->first.x != corners->second.x && corners->first.y != corners->second.y) {
-        errand.done.mask = corners;
-        errand.drawing_mask = false;
-    }
-    if (errand.drawing_path && !errand.placing && !errand.placing_section && !errand.drawing_mask)
+    if (may.use_mouse)
+        follow_drag(errand, held, presses);
+    else
+        drawn_.reset();
+    if (errand.drawing_path && !errand.placing && !errand.drawing)
         draw_path(session, held, presses && !placed_);
     else
         path_point_.reset();

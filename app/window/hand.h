@@ -13,9 +13,6 @@ struct GLFWwindow;
 
 namespace talus::app {
 
-/// Where a drag over the ground began and ended.
-using Corners = std::pair<glm::dvec3, glm::dvec3>;
-
 /// What the panels leave to the hand in a frame.
 struct HandMay {
     bool use_mouse = true;
@@ -30,7 +27,7 @@ struct PlacedMark {
 
 /// What the hand has done in a frame that others take up.
 struct HandDone {
-    std::optional<Corners> mask{};       ///< a rectangle was drawn for it
+    std::optional<DrawnDrag> drawn{};    ///< a line or a rectangle was drawn
     std::optional<PlacedMark> placed{};  ///< something was placed
     std::optional<MovedMark> moved{};    ///< something was dragged, and let go there
 };
@@ -38,9 +35,8 @@ struct HandDone {
 /// What the next click or drag is for, until it is done; else it is the brush's.
 struct HandErrand {
     std::optional<MarkKind>& placing;
-    bool& placing_section;                ///< from where a drag begins to where it ends
+    std::optional<MapDrag>& drawing;      ///< from where a drag begins to where it ends
     bool drawing_path;                    ///< clicks put points, drags move them
-    bool& drawing_mask;                   ///< from where a drag begins to where it ends
     bool& choosing_part;                  ///< over tiles
     std::optional<MarkUnderMouse> under;  ///< what a drag that begins now moves
     HandDone& done;
@@ -62,9 +58,8 @@ class Hand {
     void turn_wheel(double steps) { wheel_ += steps; }
     /// Where the mouse is on the ground; none: beside it.
     const std::optional<glm::dvec3>& cursor() const { return cursor_; }
-    /// The line of a section that is being drawn, or opposite corners of a rectangle.
-    std::optional<Corners> drawn_section() const { return drawn_from(section_from_); }
-    std::optional<Corners> drawn_mask() const { return drawn_from(mask_from_); }
+    /// What a drag is drawing.
+    const std::optional<DrawnDrag>& drawn() const { return drawn_; }
     /// What is being dragged, and where it is.
     const std::optional<MovedMark>& held_mark() const { return held_mark_; }
     /// True while a read-back that it asked for is on its way.
@@ -75,17 +70,17 @@ class Hand {
 
   private:
     void read_cursor(const Session& session);
-    void move_camera(Session& session, glm::dvec2 mouse, double passed_s, int height, const HandMay& may);
+    void move_camera(Session& session, glm::dvec2 mouse, double passed_s, glm::ivec2 size,
+                     const HandMay& may);
     void look_over(Session& session, render::Camera& camera, glm::dvec2 drag, double passed_s, int height,
                    const HandMay& may);
-    bool follow_mode(Session& session, render::Camera& camera);
+    bool follow_mode(Session& session, render::Camera& camera, glm::ivec2 size);
     void meet_ground(Session& session, render::Camera& camera, bool walking, double passed_s);
     void sculpt(Session& session, double passed_s, const HandMay& may, const HandErrand& errand);
     std::optional<glm::dvec3> stroke_place(const Session& session) const;
     void draw_path(Session& session, bool held, bool presses);
     void place_mark(const HandErrand& errand, bool held, bool down);
-    std::optional<Corners> follow_drag(std::optional<glm::dvec3>& from, bool wanted, bool held, bool presses);
-    std::optional<Corners> drawn_from(const std::optional<glm::dvec3>& from) const;
+    void follow_drag(const HandErrand& errand, bool held, bool presses);
     void choose_part(Session& session, const HandMay& may, bool& choosing_part);
     void follow_terrain(const Session& session);
 
@@ -116,9 +111,7 @@ class Hand {
     glm::dvec2 to_foot_px_{0};                  // from there to its foot
     bool dragged_ = false;                      // and not only clicked
     int frames_held_ = 0;                       // of the left button
-    std::optional<glm::dvec3> section_from_;    // where the drag began that draws a section
-    std::optional<glm::dvec3> mask_from_;       // the same of a rectangle
-    std::optional<glm::dvec3> drag_end_;        // where it was last over ground
+    std::optional<DrawnDrag> drawn_;            // from where a drag began to where it was last over ground
     bool placed_ = false;                       // by the press that is held: it is no stroke
 };
 

@@ -17,6 +17,7 @@
 #include "app/core/preparation.h"
 #include "app/core/project.h"
 #include "app/core/report.h"
+#include "app/core/scene_events.h"
 #include "app/core/session.h"
 #include "app/core/window_layout.h"
 #include "app/panels/legend.h"
@@ -400,9 +401,8 @@ class Window {
         state_.only_looks = session_.overflight() != nullptr;
         if (state_.placing && (state_.only_looks || !shows(panel_of(*state_.placing))))
             state_.placing.reset();
-        state_.placing_section = state_.placing_section && !state_.only_looks && shows("Gauges");
-        state_.drawing_mask =
-            state_.drawing_mask && !state_.only_looks && (shows("Mask") || shows("Erosion"));
+        if (state_.drawing && (state_.only_looks || !shows_what_draws(*state_.drawing)))
+            state_.drawing.reset();
         const bool draws_path = state_.drawing_path && !state_.only_looks && shows("Paths");
         state_.choosing_part = state_.choosing_part && state_.only_looks && shows("Cut out");
         follow_area(size);
@@ -418,9 +418,9 @@ class Window {
         const int dabs_before = session_.sculpting().dabs();
         HandDone done;
         attempt([&] {
-            hand_.act(session_, mouse - glm::dvec2(area_.corner), passed_s, area_.size, may,
-                      {state_.placing, state_.placing_section, draws_path, state_.drawing_mask,
-                       state_.choosing_part, mark_under_mouse(), done});
+            hand_.act(
+                session_, mouse - glm::dvec2(area_.corner), passed_s, area_.size, may,
+                {state_.placing, state_.drawing, draws_path, state_.choosing_part, mark_under_mouse(), done});
         });
         take_up(done);
         if (stroked && !session_.stroking()) title();
@@ -471,12 +471,24 @@ class Window {
     // That lists what is of this kind.
     static const char* panel_of(MarkKind kind) { return kind == MarkKind::gauge ? "Gauges" : "Water"; }
 
+    // Whether a panel is open that has it drawn.
+    bool shows_what_draws(MapDrag what) const {
+        if (what == MapDrag::mask) return shows("Mask") || shows("Erosion");
+        return shows(what == MapDrag::section ? "Gauges" : "Tables");
+    }
+
     // As acts, which wait for the end of a tick.
     void take_up(const HandDone& done) {
         auto& acts = requests_.acts;
-        if (done.mask)
-            acts.emplace_back([mask = *done.mask, limits = shows("Erosion")](Session& s) {
-                s.mask_rectangle(mask.first, mask.second, limits);
+        if (done.drawn)
+            acts.emplace_back([drawn = *done.drawn, limits = shows("Erosion")](Session& s) {
+                const auto& [from, to] = drawn.corners;
+                if (drawn.what == MapDrag::mask)
+                    s.mask_rectangle(from, to, limits);
+                else if (drawn.what == MapDrag::section)
+                    s.place_section(from, to);
+                else
+                    add_breach(s, from, to);
             });
         if (done.placed)
             acts.emplace_back([placed = *done.placed](Session& s) {
@@ -503,7 +515,7 @@ class Window {
         // A shader that does not compile is told, and the last picture stays.
         try {
             render::Ring ring;
-            const bool sculpts = !state_.placing && !state_.placing_section && !state_.drawing_mask &&
+            const bool sculpts = !state_.placing && !state_.drawing &&
                                  !(state_.drawing_path && shows("Paths")) && !mark_under_mouse() &&
                                  !hand_.held_mark();
             if (hand_.cursor() && sculpts && !ImGui::GetIO().WantCaptureMouse && !session_.overflight())
@@ -542,7 +554,8 @@ class Window {
         if (input_.pass()) wake();
         ImGui::NewFrame();
         marks_.draw(session_, area_, drawn_size, size,
-                    {hand_.drawn_section(), hand_.drawn_mask(), shows("Paths"), hand_.held_mark()});
+                    {hand_.drawn(), shows("Paths"), shows("Tables"), hand_.held_mark()});
+        draw_scale_bar(session_.camera(), area_);
         // Over a panel or a dialog the mouse is nowhere on the ground.
         const bool points = !ImGui::GetIO().WantCaptureMouse && !is_dialog_open(state_);
         StatusFigures figures{device_.renderer, glfwGetTime() < message_until_s_ ? message_ : "",

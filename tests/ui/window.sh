@@ -124,7 +124,7 @@ type_into() {
     frames 2
     xdotool mouseup 1 keyup ctrl
     frames 2
-    xdotool key ctrl+a type --delay 1 "$1"
+    xdotool key ctrl+a type --delay 1 -- "$1"
     frames 2
     xdotool key Return
     frames 2
