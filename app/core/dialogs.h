@@ -2,10 +2,12 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/core/desktop_dialog.h"
 #include "app/core/folder_listing.h"
 #include "app/core/map_mark.h"
 #include "app/core/new_terrain.h"
@@ -76,7 +78,8 @@ struct FileDialog {
     double listed_at_s = 0;            ///< when they were read, by the clock on the wall
     ListedBy by = ListedBy::name;
     bool descending = false;
-    bool all_files = false;  ///< those too that the purpose has no use for
+    bool all_files = false;                            ///< those too that the purpose has no use for
+    std::unique_ptr<DesktopDialog> desktop = nullptr;  ///< that is open in its place
     void go_to(const std::string& another_folder);
     /// Lists the folder anew where that was a while ago. Once a frame.
     void follow_folder();

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <utility>
 
 #include "app/panels/panels.h"
+#include "sim/error.h"
 #include "sim/io/endings.h"
 #include "sim/io/heightmap_formats.h"
 
@@ -182,6 +184,30 @@ void accept(FileDialog& dialog, PanelRequests& requests) {
     dialog.purpose = Purpose::none;
 }
 
+void ask_desktop(FileDialog& dialog, const FilePurpose& purpose) {
+    const fs::path named(dialog.name);
+    const fs::path near = named.is_absolute() ? named : fs::path(dialog.folder) / named;
+    const bool saves = *purpose.ending != '\0' || purpose.purpose == Purpose::export_to;
+    try {
+        dialog.desktop = std::make_unique<DesktopDialog>(
+            FileQuestion{purpose.title, near.string(), saves, purpose.listed ? purpose.listed() : Endings()});
+    } catch (const Error& error) {
+        dialog.error = error.what();
+    }
+}
+
+// What was chosen there is taken as if it were typed here.
+bool is_answered_by_desktop(FileDialog& dialog) {
+    if (!dialog.desktop) return false;
+    ImGui::TextWrapped("The desktop's dialog is open: choose there. Cancel closes it.");
+    const std::optional<std::string> chosen = dialog.desktop->answer();
+    if (!chosen) return false;
+    dialog.desktop.reset();
+    if (chosen->empty()) return false;
+    dialog.name = *chosen;
+    return true;
+}
+
 }  // namespace
 
 void draw_file_dialog(PanelContext& context) {
@@ -202,15 +228,24 @@ void draw_file_dialog(PanelContext& context) {
     const bool accepted = button(purpose.title) || entered || std::exchange(dialog.accepted, false);
     ImGui::SameLine();
     const bool cancelled = button("Cancel") || dialog.cancelled;
+    if (!DesktopDialog::program().empty()) {
+        ImGui::SameLine();
+        if (button("Desktop's dialog…", DesktopDialog::program().c_str()) && !dialog.desktop)
+            ask_desktop(dialog, purpose);
+    }
     if (purpose.listed) {
         ImGui::SameLine();
         ImGui::Checkbox("all files", &dialog.all_files);
         note_widget("all files");
     }
     if (!dialog.error.empty()) ImGui::TextWrapped("%s", dialog.error.c_str());
-    if (accepted && !dialog.name.empty()) accept(dialog, context.requests);
+    const bool answered = is_answered_by_desktop(dialog);
+    if ((accepted || answered) && !dialog.name.empty()) accept(dialog, context.requests);
     if (cancelled) dialog.purpose = Purpose::none;
-    if (dialog.purpose == Purpose::none) ImGui::CloseCurrentPopup();
+    if (dialog.purpose == Purpose::none) {
+        dialog.desktop.reset();
+        ImGui::CloseCurrentPopup();
+    }
     ImGui::EndPopup();
 }
 

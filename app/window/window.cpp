@@ -230,7 +230,8 @@ class Window {
 
     bool busy() const {
         return session_.playing || session_.mid_tick() || session_.stroking() || pacing_.is_awake() ||
-               hand_.moving() || state_.fresh.waits() || hand_.waits() || refining_ || project_.busy() ||
+               hand_.moving() || state_.fresh.waits() || hand_.waits() || refining_ ||
+               (state_.dialog.desktop && state_.dialog.desktop->is_heard()) || project_.busy() ||
                session_.has_tiles() || session_.awaits_readbacks();
     }
     void wake() { pacing_.wake(); }

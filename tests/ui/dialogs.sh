@@ -29,7 +29,10 @@ within() {
 }
 
 "$talus" run --preset slopes --size 97x81 --ticks 0 --out ground.exr --out heights.tif 2>/dev/null
-open_window ground.exr --ui-rects rects --window-size 1280x720 --journal window.journal
+mkdir bin
+printf '#!/bin/sh\necho "$@" >"%s/words"\n[ ! -f "%s/chosen" ] || exec cat "%s/chosen"\nexit 1\n' "$PWD" "$PWD" "$PWD" >bin/zenity
+chmod +x bin/zenity
+PATH=$PWD/bin:$PATH open_window ground.exr --ui-rects rects --window-size 1280x720 --journal window.journal
 await_widget Play
 frames 2
 
@@ -50,6 +53,18 @@ import -window root 2_small.png
 resize 1280 720
 click "Open it"
 await_work
+
+# The desktop's own dialog, by a program in its place: what is chosen there is opened; closed, nothing is.
+xdotool mousemove 600 400 key ctrl+o
+click "Desktop's dialog…"
+frames 4
+[ -n "$(rect_of "file name")" ] || fail "a desktop's dialog in which nothing was chosen did something"
+grep -q -- '--file-filter=.*\*\.tif' words || fail "the desktop's dialog was not asked for heightmaps: $(cat words)"
+echo "$PWD/heights.tif" >chosen
+click "Desktop's dialog…"
+await_widget "import spacing"
+click "Cancel import"
+frames 4
 
 # A name without an ending is completed.
 xdotool mousemove 600 400 key ctrl+shift+s
