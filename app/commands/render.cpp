@@ -84,8 +84,8 @@ void render(const RenderOptions& options) {
     if (!options.camera.empty()) camera = camera_named(sitter.cameras, options.camera);
     if (camera.is_parallel() && (options.eye || options.target || options.turntable > 0))
         throw Error(
-            "camera.mode = top looks straight down at the whole terrain: --eye, --target and --turntable are "
-            "for orbit, fly and walk");
+            "--eye, --target and --turntable are of a view through an eye, and this one is from the top: add "
+            "--set camera.mode=orbit");
     if (options.eye) camera.eye = *options.eye;
     if (options.target) camera.target = *options.target;
     if (camera.eye == camera.target)

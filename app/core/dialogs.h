@@ -171,12 +171,6 @@ struct KeyLine {
 /// Where keys without Ctrl move something: in the picture, or from widget to widget.
 enum class KeyboardIn { picture, tools, panels };
 
-/// An event as it was, and as somebody is making it.
-struct EventInHand {
-    Event was;
-    Event is;
-};
-
 /// What the panels keep between frames.
 struct PanelState {
     std::string shown = "Simulation";  ///< of the panels on the right
@@ -199,9 +193,8 @@ struct PanelState {
     std::string table_of = "water.rain_mm_per_h";  ///< the number that is to follow a table
     bool table_begins_now = true;
     std::string event_sets = "water.rain_mm_per_h";  ///< what the next event sets
-    std::optional<EventInHand> event_in_hand;
-    std::string raster_of = "manning";             ///< the painted number that a raster is to bring
-    std::map<std::string, TablePlot> table_plots;  ///< by the number that follows
+    std::string raster_of = "manning";               ///< the painted number that a raster is to bring
+    std::map<std::string, TablePlot> table_plots;    ///< by the number that follows
     bool choosing_part = false;  ///< the next drag over tiles chooses the part that is cut out
     bool only_looks = false;     ///< the terrain is in tiles: what changes it is not there
     FileDialog dialog;

@@ -32,35 +32,43 @@ void choose_what_is_set(PanelContext& context) {
     ImGui::EndCombo();
 }
 
-bool edit_field(const std::string& label, const std::string& name, double& value, double low, double high,
-                const char* format) {
+// A number with its name before it; true once it was let go with another value.
+bool edit_field(PanelContext& context, const std::string& label, const std::string& name,
+                const NumberField& field, double& value) {
     label_before(label);
-    const bool changed = ImGui::DragScalar(("##" + name).c_str(), ImGuiDataType_Double, &value, 0.5F, &low,
-                                           &high, format, ImGuiSliderFlags_AlwaysClamp);
-    note_widget(name);
-    return changed;
+    return number_until_let_go(context.state.numbers_in_hand, name, field, value);
 }
 
-bool edit_breach(const std::string& name, Breach& breach) {
+bool edit_breach(PanelContext& context, const std::string& name, Breach& breach) {
     ImGui::TextDisabled("%s", fmt::format("from {:.0f}, {:.0f} to {:.0f}, {:.0f} m", breach.from_m.x,
                                           breach.from_m.y, breach.to_m.x, breach.to_m.y)
                                   .c_str());
-    bool changed = edit_field("Within", name + " over", breach.over_s, 0, most_s, "%.6g s");
-    changed |= edit_field("Width below", name + " width", breach.width_m, 1e-3, 1e6, "%.6g m");
-    changed |= edit_field("Crest", name + " crest", breach.crest_m, breach.bottom_m, 1e6, "%.6g m");
-    changed |= edit_field("Bottom", name + " bottom", breach.bottom_m, -1e6, breach.crest_m, "%.6g m");
-    changed |= edit_field("Sides, rise by run", name + " sides", breach.side_slope, 1e-3, 1e6, "%.4g");
+    const auto edit = [&](const char* label, const char* what, const NumberField& field, double& value) {
+        return edit_field(context, label, name + what, field, value);
+    };
+    bool changed = edit("Within", " over", {"%.6g s", 0, most_s}, breach.over_s);
+    changed |= edit("Width below", " width", {"%.6g m", 1e-3, 1e6}, breach.width_m);
+    changed |= edit("Crest", " crest", {"%.6g m", breach.bottom_m, 1e6}, breach.crest_m);
+    changed |= edit("Bottom", " bottom", {"%.6g m", -1e6, breach.crest_m}, breach.bottom_m);
+    changed |= edit("Sides, rise by run", " sides", {"%.4g", 1e-3, 1e6}, breach.side_slope);
     return changed;
 }
 
-bool edit_assignment(const Parameters& parameters, Event& event) {
-    Parameters then = parameters;
+bool edit_assignment(PanelContext& context, const std::string& name, Event& event) {
+    Parameters then = context.session.simulation().parameters();
     then.set_assignment(event.assignment);
     const Parameter& declared = then.declaration(parameter_of(event));
     Value value = then.value(declared.name);
-    if (draw_parameter(declared, value) != Edit::set) return false;
-    event.assignment = declared.name + "=" + to_text(value);
-    return true;
+    bool changed = false;
+    if (auto* const real = std::get_if<double>(&value)) {
+        const std::string format = "%.6g " + unit_in_format(declared);
+        changed = edit_field(context, label_of(declared), name + " value",
+                             {format.c_str(), declared.low, declared.high}, *real);
+    } else {
+        changed = draw_parameter(declared, value) == Edit::set;
+    }
+    if (changed) event.assignment = declared.name + "=" + to_text(value);
+    return changed;
 }
 
 void draw_event(PanelContext& context, const Event& event, std::size_t number) {
@@ -79,18 +87,12 @@ void draw_event(PanelContext& context, const Event& event, std::size_t number) {
                       .c_str());
         return;
     }
-    // What is dragged or typed is an act once it is let go.
-    auto& in_hand = context.state.event_in_hand;
-    const bool is_held = in_hand && in_hand->was == event;
-    Event shown = is_held ? in_hand->is : event;
-    bool changed = edit_field("At", name + " at", shown.at_s, 0, most_s, "%.6g s");
-    changed |= shown.breach ? edit_breach(name, *shown.breach)
-                            : edit_assignment(session.simulation().parameters(), shown);
-    if (changed) in_hand = EventInHand{event, shown};
-    if (!(in_hand && in_hand->was == event) || ImGui::IsAnyItemActive()) return;
-    const EventInHand done = *std::exchange(in_hand, std::nullopt);
-    if (done.is != done.was)
-        context.requests.acts.emplace_back([done](Session& s) { change_event(s, done.was, done.is); });
+    Event wanted = event;
+    bool changed = edit_field(context, "At", name + " at", {"%.6g s", 0, most_s}, wanted.at_s);
+    changed |=
+        wanted.breach ? edit_breach(context, name, *wanted.breach) : edit_assignment(context, name, wanted);
+    if (changed)
+        context.requests.acts.emplace_back([event, wanted](Session& s) { change_event(s, event, wanted); });
 }
 
 }  // namespace

@@ -19,23 +19,25 @@ bool is_raw(const std::string& path) {
 // Whether they are others now.
 bool draw_settings(ImportDialog& dialog) {
     bool changed = false;
-    ImGui::PushItemWidth(8 * ImGui::GetFontSize());
-    ImGui::InputDouble("m a sample", &dialog.spacing_m, 0, 0, "%.6g");
+    label_before("Metres a sample");
+    ImGui::InputDouble("##spacing", &dialog.spacing_m, 0, 0, "%.6g");
     note_widget("import spacing");
     if (ImGui::IsItemDeactivatedAfterEdit() && dialog.spacing_m > 0) {
         dialog.settings.spacing_m = dialog.spacing_m;
         changed = true;
     }
-    for (auto& [name, height] : {std::pair<const char*, double&>("m: the smallest value", dialog.low_m),
-                                 std::pair<const char*, double&>("m: the largest value", dialog.high_m)}) {
-        ImGui::InputDouble(name, &height, 0, 0, "%.6g");
+    for (auto& [name, height] : {std::pair<const char*, double&>("Smallest value, m", dialog.low_m),
+                                 std::pair<const char*, double&>("Largest value, m", dialog.high_m)}) {
+        label_before(name);
+        ImGui::InputDouble((std::string("##") + name).c_str(), &height, 0, 0, "%.6g");
         note_widget(name);
         if (!ImGui::IsItemDeactivatedAfterEdit() || !(dialog.high_m > dialog.low_m)) continue;
         dialog.settings.range_m = glm::dvec2(dialog.low_m, dialog.high_m);
         changed = true;
     }
     if (is_raw(dialog.path)) {
-        ImGui::InputInt2("columns, rows", &dialog.raw_size.x);
+        label_before("Columns, rows");
+        ImGui::InputInt2("##size", &dialog.raw_size.x);
         bool laid = ImGui::IsItemDeactivatedAfterEdit();
         laid = ImGui::Checkbox("big byte first", &dialog.big_endian) || laid;
         ImGui::SameLine();
@@ -46,7 +48,6 @@ bool draw_settings(ImportDialog& dialog) {
             changed = true;
         }
     }
-    ImGui::PopItemWidth();
     return changed;
 }
 

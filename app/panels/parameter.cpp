@@ -7,14 +7,13 @@
 #include "app/panels/widgets.h"
 
 namespace talus::app {
-namespace {
-
-// As part of a format: its percent signs doubled.
 std::string unit_in_format(const Parameter& p) {
     std::string unit;
     for (const char letter : p.unit) unit += letter == '%' ? "%%" : std::string(1, letter);
     return unit;
 }
+
+namespace {
 
 bool edit_number(const Parameter& p, const char* id, double& real) {
     const double low = p.low;

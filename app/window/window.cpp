@@ -513,6 +513,8 @@ class Window {
         attempt([&] { session_.follow_scale(); });
         settings_ = render::view_settings(session_.view(), session_.simulation().parameters());
         settings_.quick = moving && pacing_.is_late();
+        // Parallel rays are cast whatever the method is (render/methods/parallel.h), and the legend says so.
+        if (session_.camera().is_parallel()) settings_.method = "exact";
         // A shader that does not compile is told, and the last picture stays.
         try {
             render::Ring ring;

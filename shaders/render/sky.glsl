@@ -15,3 +15,7 @@ vec3 sky(vec3 direction) {
     colour += vec3(1.0, 0.85, 0.6) * (0.12 * pow(near_sun, 8.0) + 0.6 * pow(near_sun, 900.0));
     return direction.z < 0.0 ? mix(colour, vec3(0.62, 0.69, 0.76), min(-direction.z * 6.0, 1.0)) : colour;
 }
+
+// How much of the air's light lies over what is so far away; from the top, as on a map, none. The including side has `extent_m`
+// and camera.glsl.
+float haze_at(float distance_m) { return pixel_width_m.x > 0.0 ? 0.0 : 1.0 - exp(-0.16 * distance_m / extent_m); }

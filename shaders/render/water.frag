@@ -135,7 +135,7 @@ void main() {
     float front = smoothstep(0.08, 0.25, length(slope)) * smoothstep(0.12, 0.35, froude) * smoothstep(0.3, 1.5, flow.depth_m);
     if (!through_side) colour = mix(colour, vec3(0.75, 0.80, 0.83) * light, 0.75 * max(foam, front));
     // The bed has its haze already.
-    float haze = 1.0 - exp(-0.16 * distance_m / extent_m);
+    float haze = haze_at(distance_m);
     colour = mix(colour, sky(normalize(vec3(world_ray.xy, 0.06))), 0.85 * haze * (through_side ? 0.5 : 1.0));
     // Towards the shore it fades into the ground, a film wholly; so do sheets that run down steep ground.
     float body_share = (1.0 - exp(-depth / (min(0.08, 0.08 * water_clarity) + 0.5 * length(slope)))) * smoothstep(film_m.x, film_m.y, depth);

@@ -15,7 +15,7 @@ click "event of water.rain_mm_per_h"
 click "Add an event"
 await_widget "remove event 1"
 type_into "event 1 at" 5
-type_into water.rain_mm_per_h 400
+type_into "event 1 value" 400
 frames 4
 import -window root 1_event.png
 # From the top a line is drawn over the hills where one points.

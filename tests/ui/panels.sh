@@ -73,4 +73,15 @@ xdotool key ctrl+a type --delay 2 "$PWD/heights.tif"
 xdotool key Return
 await_widget "import spacing"
 picture import
+click "Cancel import"
+frames 8
+# What it finds of this device takes a while.
+click Help
+click "Verify this device"
+for _ in $(seq 120); do
+    [ -z "$(rect_of "Close")" ] || break
+    sleep 5
+done
+await_widget "Close"
+picture verify
 kill "$pid"

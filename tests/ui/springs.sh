@@ -10,14 +10,6 @@ blue='rgb(90,190,255)'
 yellow='rgb(250,205,60)'
 # Where the sign of that colour stands: its mean column and row.
 middle() { import -window root sign.png; convert sign.png -crop 670x650+260+25 -fill black +opaque "$1" -fill white -opaque "$1" txt:- | awk -F'[,:]' '/white|#FFFFFF|\(255\)|gray\(255\)/ {x += $1; y += $2; n++} END {print 260 + int(x / n), 25 + int(y / n)}'; }
-press_at() {
-    xdotool mousemove "$1" "$2"
-    frames 8
-    xdotool mousedown 1
-    frames 4
-    xdotool mouseup 1
-    frames 8
-}
 
 "$talus" run --preset alpine --set thermal.on=false --ticks 0 --out start.exr 2>/dev/null
 open_window start.exr --ui-rects rects

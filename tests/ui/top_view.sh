@@ -6,12 +6,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/window.sh"
 
 place_gauge() {
     click "Place a gauge"
-    xdotool mousemove "$1" "$2"
-    frames 8
-    xdotool mousedown 1
-    frames 4
-    xdotool mouseup 1
-    frames 8
+    press_at "$1" "$2"
 }
 look() { frames 6; import -window root "$1.png"; }
 differing() { compare -metric AE "$1.png" "$2.png" null: 2>&1 || true; }

@@ -135,6 +135,15 @@ await_word() {
     fail "the window never said '$1'"
 }
 hash_of() { "$talus" info --json "$1" | sed -n 's/.*"hash": "\(.*\)".*/\1/p'; }
+# Presses the left button at a place of the picture, once the mouse is known to be there.
+press_at() {
+    xdotool mousemove "$1" "$2"
+    frames 8
+    xdotool mousedown 1
+    frames 4
+    xdotool mouseup 1
+    frames 8
+}
 # A drag of the left button, or of another one, slowly enough that the cursor is read on the way.
 drag() {
     xdotool mousemove "$1" "$2"

@@ -140,6 +140,14 @@ void draw_everything(Terrain& terrain) {
             renderer.lay((choice & 16) != 0 ? photo.laid() : render::LaidPhoto());
             renderer.draw(terrain, camera, settings, 64, 48, {glm::dvec2(300), 50});
         }
+    const render::Camera map = render::top_view(grid, 300);
+    for (const char* view : {"shaded", "steps", "cells"}) {
+        render::ViewSettings settings;
+        settings.view = view;
+        renderer.draw(terrain, map, settings, 64, 48);
+        terrain.tiles.mark_all();
+        renderer.draw(terrain, map, settings, 64, 48);
+    }
     for (const render::View& view : render::views()) {
         if (!render::scale_end_of(view)) continue;
         render::ViewSettings settings;
@@ -172,6 +180,14 @@ void draw_tiles() {
             render::Outline().draw(renderer.colours(), renderer.hits(), grid, camera, {64, 48},
                                    {100, 100, 300, 300}, {0, 0, 690, 650});
         }
+    const render::Camera map = render::top_view(grid, 300);
+    surface.look(map, {64, 48}, 1);
+    render::TiledRenderer renderer;
+    for (const char* view : {"shaded", "steps"}) {
+        render::ViewSettings settings;
+        settings.view = view;
+        renderer.draw(surface, map, settings, 64, 48);
+    }
 }
 
 // What stands around a terrain that was cut out of one in tiles.
@@ -188,6 +204,9 @@ void draw_backdrop() {
     render::Backdrop backdrop(surface, inner, {10, 12});
     render::Renderer renderer(terrain, 8);
     renderer.stand_before(&backdrop);
+    const render::Camera map = render::top_view(inner, 300);
+    surface.look(backdrop.camera_over_tiles(map), {64, 48}, 1);
+    renderer.draw(terrain, map, {}, 64, 48);
     const render::Camera camera = render::overview(inner, 0, 30);
     surface.look(backdrop.camera_over_tiles(camera), {64, 48}, 1);
     const GreyPhoto photo(inner, camera, true);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "app/core/bilinear.h"
 #include "render/overview.h"
 #include "render/renderer.h"
 #include "render/tiled/tiled_renderer.h"
@@ -26,17 +27,10 @@ std::vector<float> mountains() {
 }
 
 double height_at(const std::vector<float>& heights, glm::dvec2 place_m) {
-    const double column = grid.column_of(place_m.x);
-    const double row = grid.row_of(place_m.y);
-    const int i = std::min(static_cast<int>(column), grid.nx - 2);
-    const int j = std::min(static_cast<int>(row), grid.ny - 2);
-    const auto at = [&](int x, int y) {
-        return static_cast<double>(heights[static_cast<std::size_t>(y) * grid.nx + x]);
-    };
-    const double u = column - i;
-    const double v = row - j;
-    return (1 - v) * ((1 - u) * at(i, j) + u * at(i + 1, j)) +
-           v * ((1 - u) * at(i, j + 1) + u * at(i + 1, j + 1));
+    return app::bilinear({grid.column_of(place_m.x), grid.row_of(place_m.y)}, {grid.nx, grid.ny},
+                         [&](int x, int y) {
+                             return static_cast<double>(heights[static_cast<std::size_t>(y) * grid.nx + x]);
+                         });
 }
 
 // Where a pixel of the picture is, rows from the top.

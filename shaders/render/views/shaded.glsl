@@ -31,7 +31,7 @@ vec3 view_colour(ViewPoint point) {
     light *= light > 0.0 && !point.missed ? sunlight_at(point.place, point.ray, point.above_eye_m, point.distance_m) : 1.0;
     vec3 ambient = mix(vec3(0.16, 0.15, 0.13), vec3(0.36, 0.46, 0.62), 0.5 + 0.5 * point.normal.z) * sky_share_at(point.absolute);
     vec3 colour = albedo * (light * vec3(3.5, 3.2, 2.75) + 0.9 * ambient);
-    float haze = 1.0 - exp(-0.16 * point.distance_m / extent_m);
+    float haze = haze_at(point.distance_m);
     colour = mix(colour, sky(normalize(vec3(point.world_ray.xy, 0.06))), 0.85 * haze);
     // Bright snow keeps its shades: what exceeds the screen's range is drawn together towards white.
     colour *= (1.0 + colour / 6.25) / (1.0 + 0.45 * colour);

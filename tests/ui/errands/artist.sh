@@ -28,7 +28,19 @@ clicks=$((clicks + 1))
 drag $((($1 + $3) / 2)) $((($2 + $4) / 2)) $(($3 - 10)) $((($2 + $4) / 2))
 frames 8
 clicks=$((clicks + 2))
-play 25
+play 21
+# A film of the last seconds, where ffmpeg is there to write one.
+if command -v ffmpeg >/dev/null; then
+    hit Record
+    clicks=$((clicks + 2))
+    play 4
+    hit "End film"
+    await_word "saved the film .*talus-0001.mp4"
+    is_there talus-0001.mp4
+else
+    echo "artist: there is no ffmpeg, so no film was recorded"
+    play 4
+fi
 shot artist_2_eroded
 xdotool mousemove 600 400 key ctrl+e
 hit maps

@@ -17,12 +17,7 @@ enter() {
 # A place of the picture is clicked.
 press() {
     clicks=$((clicks + 1))
-    xdotool mousemove "$1" "$2"
-    frames 8
-    xdotool mousedown 1
-    frames 4
-    xdotool mouseup 1
-    frames 4
+    press_at "$1" "$2"
 }
 # A file's name is typed into the dialog that asks for one.
 name_file() {
