@@ -103,10 +103,11 @@ void look_from_top(render::Camera& camera, const Grid& grid, double highest_m, d
     camera.target = camera.eye - glm::dvec3(0, 0, 1);
 }
 
-void leave_top(render::Camera& camera, glm::dvec3 direction, double ground_m) {
-    const double distance_m = camera.parallel_m / (2 * std::tan(glm::radians(camera.fov_deg / 2)));
-    camera.target = {camera.eye.x, camera.eye.y, ground_m};
-    camera.eye = camera.target - distance_m * direction;
+void leave_top(render::Camera& camera, glm::dvec3 direction, double ground_m, bool walks) {
+    const glm::dvec3 ahead = camera.parallel_m / (2 * std::tan(glm::radians(camera.fov_deg / 2))) * direction;
+    const glm::dvec3 middle(camera.eye.x, camera.eye.y, ground_m);
+    camera.eye = walks ? middle : middle - ahead;
+    camera.target = camera.eye + ahead;
     camera.parallel_m = 0;
 }
 

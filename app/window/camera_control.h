@@ -22,8 +22,8 @@ void walk(render::Camera& camera, double ahead_m, double right_m);
 /// From a view through the eye to the orthographic one straight down, about as near, over the ground that it
 /// looks at; to all of the terrain where it saw about that much. aspect: of the picture, width by height.
 void look_from_top(render::Camera& camera, const Grid& grid, double highest_m, double aspect);
-/// And back: looks in this direction at the ground in the picture's middle.
-void leave_top(render::Camera& camera, glm::dvec3 direction, double ground_m);
+/// And back: looks in this direction at the ground in the picture's middle, or, who is to walk, from there.
+void leave_top(render::Camera& camera, glm::dvec3 direction, double ground_m, bool walks);
 /// Of an orthographic view: nearer or farther by steps of the wheel; what is under the mouse stays there.
 void zoom_from_top(render::Camera& camera, glm::dvec3 towards, double steps, const Grid& grid);
 

@@ -84,13 +84,18 @@ void Hand::look(Session& session, glm::dvec2 mouse, glm::ivec2 size, glm::ivec2 
 
 // Whether the view is the one from the top, as its parameter says: the camera follows that.
 bool Hand::follow_mode(Session& session, render::Camera& camera, glm::ivec2 size) {
-    const bool from_top = session.view().choice("camera.mode") == "top";
+    const std::string& mode = session.view().choice("camera.mode");
+    const bool from_top = mode == "top";
     const glm::dvec2 heights_m = glm::max(session.bounds(), session.heights_m());
     if (from_top && !camera.is_parallel()) {
         before_top_ = glm::normalize(camera.target - camera.eye);
         look_from_top(camera, session.grid(), heights_m.y, static_cast<double>(size.x) / size.y);
     }
-    if (!from_top && camera.is_parallel()) leave_top(camera, before_top_, seen_ ? seen_->z : heights_m.x);
+    if (!from_top && camera.is_parallel()) {
+        // Who walks comes down from over all ground.
+        const bool walks = mode == "walk";
+        leave_top(camera, before_top_, walks ? heights_m.y : seen_ ? seen_->z : heights_m.x, walks);
+    }
     if (from_top) keep_over(camera, session.grid(), heights_m.y);
     return from_top;
 }

@@ -184,5 +184,29 @@ TEST(Still, IsTheSameInTiles) {
     }
 }
 
+// From the top one looks at the same ground as before, about as near, and so one does again afterwards.
+TEST(TopViewByHand, LooksAtTheSameGround) {
+    const glm::dvec3 direction = glm::normalize(glm::dvec3(0.4, 0.7, -0.6));
+    const glm::dvec3 ground(1200, 1100, 150);
+    render::Camera camera{ground - 600.0 * direction, ground};
+    app::look_from_top(camera, grid, 300, 1.5);
+    ASSERT_TRUE(camera.is_parallel());
+    EXPECT_EQ(glm::dvec2(camera.eye), glm::dvec2(ground));
+    EXPECT_GT(camera.eye.z, 300);
+    EXPECT_NEAR(camera.parallel_m, 2 * 600 * std::tan(glm::radians(25.0)), 1e-9);
+    render::Camera walker = camera;
+    app::leave_top(camera, direction, 150, false);
+    EXPECT_FALSE(camera.is_parallel());
+    EXPECT_LT(glm::distance(camera.eye, ground - 600.0 * direction), 1e-6);
+    EXPECT_LT(glm::distance(camera.target, ground), 1e-6);
+    app::leave_top(walker, direction, 300, true);
+    EXPECT_EQ(walker.eye, glm::dvec3(1200, 1100, 300)) << "who walks stands where the map's middle was";
+    EXPECT_LT(glm::distance(glm::normalize(walker.target - walker.eye), direction), 1e-9);
+    // Who sees all of it, or looks from outside at nothing, sees all of it from the top.
+    render::Camera all = render::overview(grid, 0, 300, {1.5});
+    app::look_from_top(all, grid, 300, 1.5);
+    EXPECT_EQ(all, render::top_view(grid, 300, {1.5}));
+}
+
 }  // namespace
 }  // namespace talus::camera_test
