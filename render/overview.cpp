@@ -87,8 +87,8 @@ void keep_over(Camera& camera, const Grid& grid, double highest_m) {
     const double extent_m = std::max(grid.width_m(), grid.height_m());
     // As much as water may stand over the ground. In steps, so that the picture stays the same while a brush
     // raises the ground.
-    if (camera.eye.z >= highest_m + 0.5 * extent_m) return;
-    const double rise_m = highest_m + extent_m - camera.eye.z;
+    if (camera.eye.z >= highest_m + 0.1 * extent_m) return;
+    const double rise_m = highest_m + 0.2 * extent_m - camera.eye.z;
     camera.eye.z += rise_m;
     camera.target.z += rise_m;
 }

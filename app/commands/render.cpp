@@ -81,6 +81,7 @@ void render(const RenderOptions& options) {
     render::Camera camera =
         first_look(sitter.view, grid, {sitter.lowest_m, sitter.highest_m},
                    static_cast<double>(options.size.x) / options.size.y, options.turntable > 0);
+    if (camera.is_parallel()) render::keep_over(camera, grid, sitter.highest_around_m);
     if (!options.camera.empty()) camera = camera_named(sitter.cameras, options.camera);
     if (camera.is_parallel() && (options.eye || options.target || options.turntable > 0))
         throw Error(

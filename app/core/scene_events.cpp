@@ -34,8 +34,11 @@ bool is_same(const Event& a, const Event& b) {
 }
 
 std::vector<Event>::iterator found_in(std::vector<Event>& events, const Event& event) {
-    const auto found =
-        std::find_if(events.begin(), events.end(), [&](const Event& one) { return is_same(one, event); });
+    // One may be done and another like it still to come.
+    auto found = std::find(events.begin(), events.end(), event);
+    if (found == events.end())
+        found =
+            std::find_if(events.begin(), events.end(), [&](const Event& one) { return is_same(one, event); });
     if (found == events.end())
         throw Error(fmt::format("the event at {} was changed or taken away meanwhile: look for it again",
                                 name_of(event)));

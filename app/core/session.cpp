@@ -275,6 +275,8 @@ void Session::follow_terrain() {
 
 void Session::frame_terrain() {
     camera_ = first_look(scene_.view, grid(), bounds_, picture_aspect);
+    if (camera_.is_parallel() && surroundings_)
+        render::keep_over(camera_, grid(), surroundings_->backdrop().range_m().y);
 }
 
 render::Drawn Session::draw(const render::ViewSettings& settings, glm::ivec2 size, const render::Ring& ring) {

@@ -38,7 +38,7 @@ Sitter whole_sitter(const SceneRequest& request, const gpu::Device& device) {
     Sitter sitter(scene.view);
     sitter.grid = scene.document.state.grid;
     sitter.lowest_m = *low;
-    sitter.highest_m = *high;
+    sitter.highest_around_m = sitter.highest_m = *high;
     sitter.method = settings.method;
     sitter.samples = scene.view.whole("render.samples");
     sitter.legends = render::legend_of(settings, *low, *high);
@@ -48,6 +48,7 @@ Sitter whole_sitter(const SceneRequest& request, const gpu::Device& device) {
     if (held->around) {
         held->renderer.stand_before(&held->around->backdrop());
         const glm::dvec2 range_m = held->around->backdrop().range_m();
+        sitter.highest_around_m = range_m.y;
         sitter.legends = render::legend_of(settings, range_m.x, range_m.y);
     }
     sitter.painter = held->around ? held->around->painter(held->renderer, held->terrain, settings)
@@ -96,7 +97,7 @@ Sitter tiled_sitter(const SceneRequest& request) {
     Sitter sitter(view);
     sitter.grid = held->terrain->tree.grid();
     sitter.lowest_m = held->terrain->lowest_m;
-    sitter.highest_m = held->terrain->highest_m;
+    sitter.highest_around_m = sitter.highest_m = held->terrain->highest_m;
     sitter.method = "tiled";
     sitter.samples = view.whole("render.samples");
     sitter.legends = render::tiled_legend_of(held->settings, held->surface);

@@ -24,6 +24,7 @@ struct Sitter {
     Grid grid;
     float lowest_m = 0;
     float highest_m = 0;
+    double highest_around_m = 0;  ///< of what stands around too
     std::string method;
     explicit Sitter(Parameters of_scene) : view(std::move(of_scene)) {}
     Parameters view;  ///< of the scene

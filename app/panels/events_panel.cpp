@@ -46,11 +46,11 @@ bool edit_breach(PanelContext& context, const std::string& name, Breach& breach)
     const auto edit = [&](const char* label, const char* what, const NumberField& field, double& value) {
         return edit_field(context, label, name + what, field, value);
     };
-    bool changed = edit("Within", " over", {"%.6g s", 0, most_s}, breach.over_s);
-    changed |= edit("Width below", " width", {"%.6g m", 1e-3, 1e6}, breach.width_m);
-    changed |= edit("Crest", " crest", {"%.6g m", breach.bottom_m, 1e6}, breach.crest_m);
-    changed |= edit("Bottom", " bottom", {"%.6g m", -1e6, breach.crest_m}, breach.bottom_m);
-    changed |= edit("Sides, rise by run", " sides", {"%.4g", 1e-3, 1e6}, breach.side_slope);
+    bool changed = edit("Within", " over", {"%.6g s", 0, most_s, 0.5}, breach.over_s);
+    changed |= edit("Width below", " width", {"%.6g m", 1e-3, 1e6, 0.1}, breach.width_m);
+    changed |= edit("Crest", " crest", {"%.6g m", breach.bottom_m, 1e6, 0.1}, breach.crest_m);
+    changed |= edit("Bottom", " bottom", {"%.6g m", -1e6, breach.crest_m, 0.1}, breach.bottom_m);
+    changed |= edit("Sides, rise by run", " sides", {"%.4g", 1e-3, 1e6, 0.01}, breach.side_slope);
     return changed;
 }
 
@@ -88,7 +88,7 @@ void draw_event(PanelContext& context, const Event& event, std::size_t number) {
         return;
     }
     Event wanted = event;
-    bool changed = edit_field(context, "At", name + " at", {"%.6g s", 0, most_s}, wanted.at_s);
+    bool changed = edit_field(context, "At", name + " at", {"%.6g s", 0, most_s, 0.5}, wanted.at_s);
     changed |=
         wanted.breach ? edit_breach(context, name, *wanted.breach) : edit_assignment(context, name, wanted);
     if (changed)

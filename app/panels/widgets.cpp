@@ -251,7 +251,8 @@ bool number_until_let_go(std::map<std::string, double>& in_hand, const std::stri
                          const NumberField& field, double& value) {
     const auto held = in_hand.find(name);
     double shown = held == in_hand.end() ? value : held->second;
-    const auto speed = static_cast<float>(std::max(std::abs(shown) * 0.005, (field.high - field.low) * 1e-6));
+    const auto speed = static_cast<float>(
+        std::max(std::abs(shown) * 0.005, field.step > 0 ? field.step : (field.high - field.low) * 1e-6));
     ImGui::DragScalar(("##" + name).c_str(), ImGuiDataType_Double, &shown, speed, &field.low, &field.high,
                       field.format, ImGuiSliderFlags_AlwaysClamp);
     note_widget(name);

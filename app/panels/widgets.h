@@ -96,6 +96,7 @@ struct NumberField {
     const char* format;
     double low;
     double high;
+    double step = 0;  ///< that a pixel of a drag changes it by, at least; 0: by its range
 };
 /// A number that is set once it is let go, so that a drag is one act: true then. Until then it is kept in
 /// `in_hand`, by its name.

@@ -90,15 +90,14 @@ void walk(render::Camera& camera, double ahead_m, double right_m) {
     camera.target += move;
 }
 
-void look_from_top(render::Camera& camera, const Grid& grid, double highest_m, double aspect) {
-    const double seen_m =
-        2 * std::tan(glm::radians(camera.fov_deg / 2)) * glm::distance(camera.target, camera.eye);
-    const render::Camera all = render::top_view(grid, highest_m, {aspect, camera.fov_deg});
+void look_from_top(render::Camera& camera, const Grid& grid, double highest_m, double aspect,
+                   glm::dvec3 ground) {
+    const double seen_m = 2 * std::tan(glm::radians(camera.fov_deg / 2)) * glm::distance(ground, camera.eye);
+    camera = render::top_view(grid, highest_m, {aspect, camera.fov_deg});
+    if (seen_m > 0.8 * camera.parallel_m) return;
     const glm::dvec2 middle =
-        glm::clamp(glm::dvec2(camera.target), glm::dvec2(0), glm::dvec2(grid.width_m(), grid.height_m()));
-    camera = all;
-    if (seen_m > 0.8 * all.parallel_m) return;
-    camera.parallel_m = std::max(seen_m, 0.05 * all.parallel_m);
+        glm::clamp(glm::dvec2(ground), glm::dvec2(0), glm::dvec2(grid.width_m(), grid.height_m()));
+    camera.parallel_m = std::max(seen_m, 0.05 * camera.parallel_m);
     camera.eye = {middle, camera.eye.z};
     camera.target = camera.eye - glm::dvec3(0, 0, 1);
 }
@@ -113,8 +112,10 @@ void leave_top(render::Camera& camera, glm::dvec3 direction, double ground_m, bo
 
 void zoom_from_top(render::Camera& camera, glm::dvec3 towards, double steps, const Grid& grid) {
     const double before_m = camera.parallel_m;
-    camera.parallel_m = std::clamp(before_m * std::pow(0.85, steps), 4 * std::min(grid.dx, grid.dy),
-                                   10 * std::max(grid.width_m(), grid.height_m()));
+    // Another terrain may have left it beyond what is allowed: it does not jump there.
+    const double least_m = std::min(before_m, 4 * std::min(grid.dx, grid.dy));
+    const double most_m = std::max(before_m, 10 * std::max(grid.width_m(), grid.height_m()));
+    camera.parallel_m = std::clamp(before_m * std::pow(0.85, steps), least_m, most_m);
     const glm::dvec2 move =
         (glm::dvec2(towards) - glm::dvec2(camera.eye)) * (1 - camera.parallel_m / before_m);
     camera.eye += glm::dvec3(move, 0);

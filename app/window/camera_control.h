@@ -19,9 +19,11 @@ void fly(render::Camera& camera, double ahead_m, double right_m, double up_m);
 
 /// Walks over level metres ahead and to the right, wherever the camera looks up or down.
 void walk(render::Camera& camera, double ahead_m, double right_m);
-/// From a view through the eye to the orthographic one straight down, about as near, over the ground that it
-/// looks at; to all of the terrain where it saw about that much. aspect: of the picture, width by height.
-void look_from_top(render::Camera& camera, const Grid& grid, double highest_m, double aspect);
+/// From a view through the eye to the orthographic one straight down, over the ground that it looks at and
+/// about as near; to all of the terrain where it saw about that much. aspect: of the picture, width by
+/// height.
+void look_from_top(render::Camera& camera, const Grid& grid, double highest_m, double aspect,
+                   glm::dvec3 ground);
 /// And back: looks in this direction at the ground in the picture's middle, or, who is to walk, from there.
 void leave_top(render::Camera& camera, glm::dvec3 direction, double ground_m, bool walks);
 /// Of an orthographic view: nearer or farther by steps of the wheel; what is under the mouse stays there.

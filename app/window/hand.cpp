@@ -42,6 +42,7 @@ void Hand::follow_terrain(const Session& session) {
     ground_.forget();
     last_ground_m_.reset();
     drawn_.reset();
+    before_top_.reset();
     path_point_.reset();
     held_mark_.reset();
     cursor_readback_.cancel();
@@ -86,15 +87,29 @@ void Hand::look(Session& session, glm::dvec2 mouse, glm::ivec2 size, glm::ivec2 
 bool Hand::follow_mode(Session& session, render::Camera& camera, glm::ivec2 size) {
     const std::string& mode = session.view().choice("camera.mode");
     const bool from_top = mode == "top";
-    const glm::dvec2 heights_m = glm::max(session.bounds(), session.heights_m());
+    glm::dvec2 heights_m = glm::max(session.bounds(), session.heights_m());
+    // What stands around may be higher.
+    if (const Surroundings* around = session.surroundings())
+        heights_m.y = std::max(heights_m.y, around->backdrop().range_m().y);
     if (from_top && !camera.is_parallel()) {
-        before_top_ = glm::normalize(camera.target - camera.eye);
-        look_from_top(camera, session.grid(), heights_m.y, static_cast<double>(size.x) / size.y);
+        before_top_ = camera;
+        // Who walks stays where he is.
+        const glm::dvec3 ground = walking_ ? camera.eye : seen_.value_or(camera.target);
+        look_from_top(camera, session.grid(), heights_m.y, static_cast<double>(size.x) / size.y, ground);
+        top_middle_ = glm::dvec2(camera.eye);
     }
     if (!from_top && camera.is_parallel()) {
-        // Who walks comes down from over all ground.
+        // A map that was not shifted leads back to where one was. Who walks comes down from over all ground.
         const bool walks = mode == "walk";
-        leave_top(camera, before_top_, walks ? heights_m.y : seen_ ? seen_->z : heights_m.x, walks);
+        const glm::dvec3 ahead(0.38, 0.80, -0.60);
+        if (before_top_ && top_middle_ == glm::dvec2(camera.eye))
+            camera = *before_top_;
+        else
+            leave_top(camera, glm::normalize(before_top_ ? before_top_->target - before_top_->eye : ahead),
+                      walks   ? heights_m.y
+                      : seen_ ? seen_->z
+                              : heights_m.x,
+                      walks);
     }
     if (from_top) keep_over(camera, session.grid(), heights_m.y);
     return from_top;

@@ -89,7 +89,6 @@ class Hand {
     GroundProbe ground_;
     std::optional<double> last_ground_m_;  // over tiles
     gpu::Readback cursor_readback_;
-    render::Camera cursor_camera_;
     glm::dvec2 cursor_mouse_{-1};  // where the last read-back began
     PixelRay cursor_ray_;
     std::optional<glm::dvec3> seen_;  // where the mouse's ray met ground, around the terrain too
@@ -99,7 +98,8 @@ class Hand {
     glm::dvec3 pivot_{0};
     bool turning_ = false;
     bool walking_ = false;
-    glm::dvec3 before_top_{0.38, 0.80, -0.60};  // where the camera looked before it looked straight down
+    std::optional<render::Camera> before_top_;  // the camera before it looked straight down
+    glm::dvec2 top_middle_{0};                  // what that looked at first, m
     double wheel_ = 0;
     double moving_s_ = 0;
     bool camera_moved_ = false;

@@ -100,6 +100,25 @@ TEST_F(EventsByHand, AreChangedByNobodyOnceDone) {
     EXPECT_TRUE(events().empty());
 }
 
+TEST_F(EventsByHand, AreToldFromOnesLikeThemThatAreDone) {
+    app::add_event(*session_, "water.rain");
+    Event now = events()[0];
+    now.at_s = 0;
+    app::change_event(*session_, Event(events()[0]), now);
+    session_->step();
+    app::add_event(*session_, "water.rain");
+    app::change_event(*session_, Event(events()[1]), now);
+    ASSERT_EQ(events().size(), 2U);
+    ASSERT_TRUE(events()[0].done && !events()[1].done);
+    Event later = now;
+    later.at_s = 500;
+    app::change_event(*session_, Event(events()[1]), later);
+    app::change_event(*session_, later, now);
+    app::remove_event(*session_, now);
+    ASSERT_EQ(events().size(), 1U);
+    EXPECT_TRUE(events()[0].done) << "the one that is still to come was taken away";
+}
+
 TEST_F(EventsByHand, CutThroughWhatStandsThere) {
     open("alpine");
     const auto [from, to] = line_over_the_highest();

@@ -189,7 +189,7 @@ TEST(TopViewByHand, LooksAtTheSameGround) {
     const glm::dvec3 direction = glm::normalize(glm::dvec3(0.4, 0.7, -0.6));
     const glm::dvec3 ground(1200, 1100, 150);
     render::Camera camera{ground - 600.0 * direction, ground};
-    app::look_from_top(camera, grid, 300, 1.5);
+    app::look_from_top(camera, grid, 300, 1.5, ground);
     ASSERT_TRUE(camera.is_parallel());
     EXPECT_EQ(glm::dvec2(camera.eye), glm::dvec2(ground));
     EXPECT_GT(camera.eye.z, 300);
@@ -204,7 +204,7 @@ TEST(TopViewByHand, LooksAtTheSameGround) {
     EXPECT_LT(glm::distance(glm::normalize(walker.target - walker.eye), direction), 1e-9);
     // Who sees all of it, or looks from outside at nothing, sees all of it from the top.
     render::Camera all = render::overview(grid, 0, 300, {1.5});
-    app::look_from_top(all, grid, 300, 1.5);
+    app::look_from_top(all, grid, 300, 1.5, all.target);
     EXPECT_EQ(all, render::top_view(grid, 300, {1.5}));
 }
 
