@@ -9,22 +9,18 @@ namespace {
 
 constexpr double most_s = 1e9;
 
-std::string number_name(const Parameter& p) {
-    return p.name.substr(0, p.name.find('.')) + ": " + label_of(p);
-}
-
 void choose_what_is_set(PanelContext& context) {
     std::string& chosen = context.state.event_sets;
     const Parameters& all = context.session.simulation().parameters();
     ImGui::SetNextItemWidth(-1);
-    const bool open = ImGui::BeginCombo("##event sets", number_name(all.declaration(chosen)).c_str(),
+    const bool open = ImGui::BeginCombo("##event sets", shown_name(all.declaration(chosen)).c_str(),
                                         ImGuiComboFlags_HeightLarge);
     note_widget("what an event sets");
     if (!open) return;
     close_on_escape();
     for (const Parameter& p : all.declared()) {
         if (!can_be_set_by_event(p)) continue;
-        if (ImGui::Selectable(number_name(p).c_str(), p.name == chosen)) chosen = p.name;
+        if (ImGui::Selectable(shown_name(p).c_str(), p.name == chosen)) chosen = p.name;
         note_widget("event of " + p.name);
         if (p.name == chosen) ImGui::SetItemDefaultFocus();
         tooltip_of(p.help);

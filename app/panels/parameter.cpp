@@ -7,6 +7,10 @@
 #include "app/panels/widgets.h"
 
 namespace talus::app {
+std::string shown_name(const Parameter& p) {
+    return p.name.substr(0, p.name.find('.')) + ": " + label_of(p);
+}
+
 std::string unit_in_format(const Parameter& p) {
     std::string unit;
     for (const char letter : p.unit) unit += letter == '%' ? "%%" : std::string(1, letter);

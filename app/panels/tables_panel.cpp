@@ -12,11 +12,6 @@ namespace {
 
 constexpr int plotted_places = 256;
 
-// With its section: numbers of several are listed together.
-std::string shown_name(const Parameter& p) {
-    return p.name.substr(0, p.name.find('.')) + ": " + label_of(p);
-}
-
 void offer_numbers(PanelContext& context, bool within_tick) {
     std::string& chosen = context.state.table_of;
     for (const Parameter& p : context.session.simulation().parameters().declared()) {

@@ -88,6 +88,8 @@ std::vector<std::string> names_in(const Session& session, const std::string& sec
 /// All parameters of a section, set as they change.
 void draw_section(const Session& session, PanelRequests& requests, const std::string& section);
 
+/// A parameter's label with its section, where those of several are listed together: "water: Rain".
+std::string shown_name(const Parameter& p);
 /// A parameter's unit as part of a format: its percent signs doubled.
 std::string unit_in_format(const Parameter& p);
 
